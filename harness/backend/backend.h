@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a backend does, and nothing it decides. A frame is a list of passes, plain data with typed handles; everything about
+// which passes, targets and shaders there are is settled before it gets here.
+//
+// Life of a backend:
+//   1. open_backend() finds the device and makes a context; it throws Error(no_device) where there is none.
+//   2. create_*() makes textures, buffers and pipelines; each keeps its debug name. destroy() gives one back.
+//   3. run() executes passes in order. Every pass sees all that the passes before it wrote.
+//   4. read_*() waits for the device and copies back.
+// Not thread-safe. At most one OpenGL backend is alive at a time in a process.
+//
+// Conventions, the same on every backend: clip space is Vulkan's (x right, y down, depth 0 to 1); texture and framebuffer row 0
+// is the top row of the picture; gl_FragCoord.y grows downwards from 0.5; counter-clockwise triangles, as seen in the picture,
+// face front. Shaders are SPIR-V 1.0 made for the backend's API (see graph/shader.h), resources in one set, bindings unique
+// across kinds.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/core/error.h"
+#include "harness/core/format.h"
+#include "harness/core/ids.h"
+
+namespace lamina {
+
+enum class Api : uint8_t { vulkan, opengl };
+
+struct DeviceInfo {
+  std::string backend;  // "vulkan", "osmesa", "egl"
+  Api api = Api::vulkan;
+  std::string device;  // as the driver names it
+  std::string driver;  // driver name and version
+  std::string api_version;
+  bool software = false;           // a rasterizer on the CPU
+  uint32_t max_texture_size = 0;   // pixels on a side, textures and targets alike
+};
+
+struct TextureDesc {
+  std::string name;
+  uint32_t width = 1, height = 1, levels = 1;
+  Format format = Format::rgba8_unorm;
+  bool target = false;   // drawn into (colour or depth, by format), or has its mips generated
+  bool storage = false;  // written by compute as an image
+};
+
+enum class BufferUse : uint8_t { vertex, index, uniform, storage };  // indices are uint32
+
+// Every mesh has this one vertex layout: 48 bytes interleaved. Shaders take what they need by location.
+//   0: vec3 position   1: vec3 normal   2: vec4 tangent (w = handedness)   3: vec2 uv
+inline constexpr uint32_t vertex_stride_bytes = 48;
+inline constexpr std::array<uint32_t, 4> vertex_offset_bytes = {0, 12, 24, 40};
+
+enum class Stage : uint8_t { vertex, fragment, compute };
+struct ShaderStage {
+  Stage stage = Stage::vertex;
+  std::vector<uint32_t> spirv;  // entry point "main"
+};
+struct SpecConstant {
+  uint32_t id = 0;
+  uint32_t bits = 0;  // of a 32-bit int, uint, float or bool
+};
+enum class BindingKind : uint8_t { texture, uniform_buffer, storage_buffer, storage_image };
+struct BindingSlot {
+  uint32_t binding = 0;
+  BindingKind kind = BindingKind::texture;
+  auto operator<=>(const BindingSlot&) const = default;
+};
+
+enum class Blend : uint8_t {
+  none,
+  alpha,          // src.rgb * src.a + dst.rgb * (1 - src.a); alpha: src.a + dst.a * (1 - src.a)
+  premultiplied,  // src + dst * (1 - src.a)
+  additive,       // src + dst, alpha too
+};
+enum class Depth : uint8_t { none, read, read_write };  // the test is less-or-equal
+enum class Cull : uint8_t { none, back, front };        // the faces left out
+
+struct PipelineDesc {
+  std::string name;
+  std::vector<ShaderStage> stages;  // vertex and fragment, or compute alone
+  std::vector<SpecConstant> constants;      // applied to every stage that has the id
+  std::vector<BindingSlot> bindings;        // the union over the stages
+  std::vector<uint32_t> vertex_locations;   // of the mesh layout; empty: no vertex buffer (gl_VertexIndex only)
+  std::vector<Format> colors;               // of the attachments, in order
+  std::optional<Format> depth_format;
+  Blend blend = Blend::none;  // the same for all colour attachments
+  Depth depth = Depth::none;
+  Cull cull = Cull::none;
+};
+
+struct TextureBinding {
+  uint32_t binding = 0;
+  TextureId texture;
+  Sampler sampler;
+};
+struct BufferBinding {
+  uint32_t binding = 0;
+  BufferId buffer;
+  BindingKind kind = BindingKind::uniform_buffer;
+};
+struct ImageBinding {
+  uint32_t binding = 0;
+  TextureId texture;
+  uint32_t level = 0;
+};
+
+// One draw, or in a compute pass one dispatch.
+struct Draw {
+  PipelineId pipeline;
+  std::vector<TextureBinding> textures;
+  std::vector<BufferBinding> buffers;
+  std::vector<ImageBinding> images;
+  BufferId vertices, indices;      // none: `count` vertices are made from gl_VertexIndex
+  uint32_t count = 0;              // indices, or vertices without an index buffer
+  uint32_t instances = 1;
+  std::array<uint32_t, 3> groups = {1, 1, 1};  // compute
+};
+
+enum class Load : uint8_t { clear, keep, discard };
+struct Attachment {
+  TextureId texture;
+  uint32_t level = 0;
+  Load load = Load::clear;
+  std::array<float, 4> clear = {0, 0, 0, 0};  // depth uses clear[0]
+};
+
+enum class PassKind : uint8_t {
+  raster,
+  compute,
+  mips,  // fill levels 1.. of `mips_of` from level 0, each by a linear filter of the one above
+};
+
+// A pass must not read, as a texture, a level that it also draws into.
+struct Pass {
+  std::string name;
+  PassKind kind = PassKind::raster;
+  std::vector<Attachment> colors;  // all of one size
+  std::optional<Attachment> depth;
+  std::vector<Draw> draws;
+  TextureId mips_of;
+};
+
+enum class Timing : uint8_t { off, bracketed };
+
+struct RunTimes {
+  std::vector<double> pass_ms;  // device time of each pass; empty where timing was off
+  double wall_ms = 0;           // host clock, from before the first command to the device's idle
+};
+
+class Backend {
+ public:
+  virtual ~Backend() = default;
+  virtual const DeviceInfo& info() const = 0;
+
+  // `levels` are the texels of levels 0.., tightly packed, or empty for an undefined content. Throws Error(failed) when the
+  // device has no room, Error(bad_input) when the size is over max_texture_size.
+  virtual TextureId create_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels = {}) = 0;
+  virtual BufferId create_buffer(std::string name, BufferUse use, size_t size_bytes, std::span<const std::byte> data = {}) = 0;
+  // Throws Error(failed) with the driver's words when the device refuses a shader.
+  virtual PipelineId create_pipeline(const PipelineDesc& desc) = 0;
+  virtual void destroy(TextureId id) = 0;
+  virtual void destroy(BufferId id) = 0;
+  virtual void destroy(PipelineId id) = 0;
+
+  // Writes from the start of the buffer. The device must be idle, which it is outside run().
+  virtual void write_buffer(BufferId id, std::span<const std::byte> data) = 0;
+
+  // Executes the passes in order and waits for the device. With Timing::bracketed each pass lies between two device timestamps,
+  // each with a full barrier before and after it (OpenGL: a finish), as software rasterizers need; the results are read after
+  // the frame. Throws Error(failed) on device loss or any API error.
+  virtual RunTimes run(std::span<const Pass> passes, Timing timing) = 0;
+
+  virtual std::vector<std::byte> read_texture(TextureId id, uint32_t level = 0) = 0;
+  virtual std::vector<std::byte> read_buffer(BufferId id) = 0;
+
+  // Messages of warning or error severity from the API's own checker (validation layers, GL debug output) since the last call.
+  virtual std::vector<std::string> take_messages() = 0;
+};
+
+struct BackendOptions {
+  std::string device;       // part of a device's name, or its index in list_devices(); empty: see default_device in README
+  bool validation = false;  // Vulkan's validation layers / an OpenGL debug context. Error(no_device) where they are not installed.
+};
+
+// `name` is "vulkan", "osmesa" or "egl"; another throws Error(bad_input) naming the three.
+std::unique_ptr<Backend> open_backend(std::string_view name, const BackendOptions& options = {});
+// Every device a backend could open, in its own order; empty where it has none.
+std::vector<DeviceInfo> list_devices(std::string_view backend);
+// The backends compiled in, in the order in which they run.
+std::span<const std::string_view> backend_names();
+
+}  // namespace lamina

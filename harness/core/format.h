@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Texel formats that every backend offers, by the names used in manifests and records.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace lamina {
+
+enum class Format : uint8_t {
+  r8_unorm,
+  rg8_unorm,
+  rgba8_unorm,
+  rgba8_srgb,  // rgb stored sRGB-encoded and decoded to linear before filtering; alpha linear
+  r16_float,
+  rg16_float,
+  rgba16_float,
+  r32_float,
+  rg32_float,
+  rgba32_float,
+  r32_uint,
+  d32_float,  // depth
+};
+
+// "rgba16_float" and so on.
+std::string_view name_of(Format format);
+// The format called `name`, or nothing.
+std::optional<Format> format_named(std::string_view name);
+// Size of one texel.
+uint32_t bytes_per_texel(Format format);
+uint32_t channels_of(Format format);
+
+enum class Filter : uint8_t {
+  nearest,    // one texel of the base level
+  linear,     // bilinear, base level
+  trilinear,  // bilinear in the two nearest levels of the mip chain
+};
+enum class Wrap : uint8_t { clamp, repeat };
+struct Sampler {
+  Filter filter = Filter::linear;
+  Wrap wrap = Wrap::clamp;
+  bool operator==(const Sampler&) const = default;
+};
+std::string_view name_of(Filter filter);
+std::optional<Filter> filter_named(std::string_view name);
+std::optional<Wrap> wrap_named(std::string_view name);
+
+// Levels of a full mip chain: floor(log2(max(width, height))) + 1.
+uint32_t full_mip_levels(uint32_t width, uint32_t height);
+
+}  // namespace lamina

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures in memory. Row 0 is the top row, x runs right.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "harness/core/format.h"
+
+namespace lamina {
+
+// A picture as rendered: RGBA, four floats a pixel, linear light (Rec. 709 primaries), unbounded, alpha as the last pass wrote it.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<float> rgba;  // width * height * 4
+};
+
+// Which pixels count: 1 counts, 0 does not.
+struct Mask {
+  int width = 0, height = 0;
+  std::vector<uint8_t> on;  // width * height
+};
+
+// A texture ready to upload: every level of its mip chain, in `format`. Level 0 first, rows top to bottom, no padding.
+struct TextureImage {
+  std::string name;
+  Format format = Format::rgba8_unorm;
+  uint32_t width = 0, height = 0;
+  std::vector<std::vector<std::byte>> levels;
+};
+
+}  // namespace lamina

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// The record of a run: one JSON object a line, appended and flushed as each is known, so that a run that dies leaves all it had
+// measured. Field names are fixed by tests/record; schema 1.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/measure/statistics.h"
+#include "harness/quality/quality.h"
+
+namespace lamina {
+
+struct TextureFetches {
+  std::string texture;  // the sampler's name in the shader
+  std::string format;   // "rgba8_srgb"
+  std::string filter;   // "trilinear"
+  uint64_t fetches = 0;
+};
+
+struct PassRow {
+  std::string name;
+  bool once = false;           // done once, apart from the frame: its time is not in the cell's median_ms
+  std::vector<double> ms;      // one sample a round (once: one a repetition)
+  uint64_t fragments = 0;      // shader invocations of the fragment (or compute) stage, hidden fragments excluded
+  uint64_t vertices = 0;       // invocations of the vertex stage
+  uint64_t fetches = 0;
+  std::vector<TextureFetches> by_texture;
+};
+
+struct CellRow {
+  std::string scene, effect, variant, backend, device, view;
+  bool baseline = false;
+  int width = 0, height = 0;
+  std::map<std::string, double> params;  // by path; "scene.time" is always there
+  bool failed = false;
+  std::string reason;                    // of the failure
+  bool timed = true;                     // false: the timer's certificate failed, so no time is given
+  std::vector<PassRow> passes;
+  double cold_ms = 0;                    // the first frame, shader compilation included, host clock
+  std::optional<Interval> ratio_to_baseline;
+  uint64_t fetches = 0;                  // of the frame: sum over passes that are not done once
+  double fetches_per_pixel = 0;          // fetches / covered_pixels
+  std::optional<ErrorFigures> error_covered, error_frame;  // against the baseline; absent for the baseline itself and failed cells
+  uint64_t nonfinite_pixels = 0;
+  uint64_t covered_pixels = 0;           // pixels in which the effect's final pass shaded at least once
+  std::string image, difference, flip;   // paths relative to the run's folder, "" where there is none
+  std::string image_hash;                // of the linear picture's bytes
+  std::vector<std::string> shader_hashes;
+};
+
+struct TimerRow {
+  std::string backend;
+  bool ok = false;
+  std::vector<double> linearity;  // time of 1x, 2x, 4x, 8x work over that multiple of the 1x time: 1 is perfect
+  double additivity = 0;          // sum of passes over the wall time
+  double attribution = 0;         // greatest relative error of a pass's share when the order is shuffled
+  std::string reason;             // why not ok
+};
+
+nlohmann::ordered_json to_json(const CellRow& cell);
+nlohmann::ordered_json to_json(const TimerRow& timer);
+
+// Opens DIR/record.jsonl afresh and appends lines. Throws Error(bad_input) where the folder cannot be written.
+class RecordWriter {
+ public:
+  explicit RecordWriter(const std::filesystem::path& file);
+  // Appends one line and flushes it. Throws Error(failed) when the disk is full.
+  void append(const nlohmann::ordered_json& line);
+
+ private:
+  std::filesystem::path file_;
+  std::ofstream stream_;
+};
+
+// A record as read back: what reports are made of.
+struct Record {
+  nlohmann::json run;
+  std::vector<nlohmann::json> timers, plans, cells;
+};
+// Throws Error(bad_input, "record", "FILE:LINE", ...) for a line that is not JSON, another schema, or no first line of kind "run".
+// A last line cut short by a crash is dropped, and said so in `run["truncated"]`.
+Record read_record(const std::filesystem::path& file);
+
+}  // namespace lamina

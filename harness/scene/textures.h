@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Textures from files, from arrays, and made by code; every one with its whole mip chain, filtered in linear light.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "harness/core/image.h"
+
+namespace lamina {
+
+// Pictures before they become textures: `channels` floats a texel, linear light, rows top to bottom.
+struct Texels {
+  uint32_t width = 0, height = 0;
+  std::vector<glm::vec4> rgba;
+};
+
+// Any file OpenImageIO reads. srgb_colour: rgb is sRGB-encoded in the file and decoded to linear here (alpha is always linear);
+// otherwise values are taken as they are (normal maps, masks). Missing alpha is 1. Throws Error(bad_input) naming the file.
+Texels load_texels(const std::filesystem::path& file, bool srgb_colour);
+// The same from an encoded file in memory (a .glb's buffer view). `name` is used in errors.
+Texels decode_texels(std::span<const std::byte> encoded, const std::string& name, bool srgb_colour);
+
+// What a mip level's texel means, and so how levels are filtered and stored.
+enum class TexelMeaning {
+  colour,  // rgba8_srgb: box filter in linear light, then encoded; alpha linear
+  normal,  // rgba8_unorm: vectors n = 2 t - 1 averaged and renormalized (zero sums become (0,0,1))
+  data,    // rgba8_unorm: box filter
+};
+std::shared_ptr<const TextureImage> make_texture(std::string name, const Texels& base, TexelMeaning meaning);
+
+// One-texel textures for materials that have only a factor.
+std::shared_ptr<const TextureImage> constant_texture(std::string name, glm::vec4 linear, TexelMeaning meaning);
+
+}  // namespace lamina

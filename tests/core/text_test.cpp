@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/core/text.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "harness/core/error.h"
+#include "harness/core/format.h"
+
+namespace lamina {
+namespace {
+
+TEST(NearestName, FindsOneEditAway) {
+  const std::vector<std::string> names = {"thickness", "scattering", "transparency"};
+  EXPECT_EQ(nearest_name("tickness", names), "thickness");
+  EXPECT_EQ(nearest_name("scatering", names), "scattering");
+}
+
+TEST(NearestName, SaysNothingWhenAllAreFar) {
+  const std::vector<std::string> names = {"thickness", "scattering"};
+  EXPECT_EQ(nearest_name("qqqq", names), "");
+  EXPECT_EQ(unknown_name("key", "qqqq", names), "unknown key 'qqqq' (known: thickness, scattering)");
+}
+
+TEST(WriteFileAtomically, ReadsBackAndLeavesNoTemporary) {
+  const auto folder = std::filesystem::temp_directory_path() / "lamina_text_test";
+  std::filesystem::create_directories(folder);
+  write_file_atomically(folder / "a.txt", "one");
+  write_file_atomically(folder / "a.txt", "two");
+  EXPECT_EQ(read_file(folder / "a.txt", "test"), "two");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(WriteFileAtomically, ThrowsWhereTheFolderIsMissing) {
+  EXPECT_THROW(write_file_atomically("/no/such/folder/a.txt", "x"), Error);
+}
+
+TEST(ReadFile, RefusesAMissingFileAndAFolder) {
+  EXPECT_THROW(read_file("/no/such/file", "test"), Error);
+  EXPECT_THROW(read_file("/", "test"), Error);
+}
+
+TEST(Format, EveryNameFindsItsFormat) {
+  for (int i = 0; i <= static_cast<int>(Format::d32_float); ++i) {
+    const auto format = static_cast<Format>(i);
+    EXPECT_EQ(format_named(name_of(format)), format);
+  }
+  EXPECT_EQ(format_named("rgba16"), std::nullopt);
+  EXPECT_EQ(bytes_per_texel(Format::rgba16_float), 8u);
+}
+
+TEST(Format, MipLevelsOfOddSizes) {
+  EXPECT_EQ(full_mip_levels(1, 1), 1u);
+  EXPECT_EQ(full_mip_levels(1024, 512), 11u);
+  EXPECT_EQ(full_mip_levels(1023, 5), 10u);
+}
+
+}  // namespace
+}  // namespace lamina
