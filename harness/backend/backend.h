@@ -11,7 +11,7 @@
 //
 // Conventions, the same on every backend: clip space is Vulkan's (x right, y down, depth 0 to 1); texture and framebuffer row 0
 // is the top row of the picture; gl_FragCoord.y grows downwards from 0.5; counter-clockwise triangles, as seen in the picture,
-// face front. Shaders are SPIR-V 1.0 made for the backend's API (see graph/shader.h), resources in one set, bindings unique
+// face front. Shaders are SPIR-V 1.0 made for the backend's API (see shader/shader.h), resources in one set, bindings unique
 // across kinds.
 #pragma once
 
