@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-// Mean of the two middle values for an even count. Throws Error(failed) for no samples.
+// Mean of the two middle values for an even count. Throws Error(failed) for no samples, or one that is not finite.
 double median(std::span<const double> samples);
 
 struct Interval {
@@ -21,8 +21,8 @@ struct Interval {
 inline constexpr size_t min_rounds_for_95 = 6;
 
 // Distribution-free interval of the median from order statistics (David and Nagaraja, "Order Statistics", 3rd ed. 2003, section
-// 7.1): the narrowest symmetric pair x(k), x(n+1-k) whose binomial coverage is at least `confidence`. Throws Error(failed)
-// where n samples cannot reach it.
+// 7.1): the narrowest symmetric pair x(k), x(n+1-k) whose binomial coverage is at least `confidence` (between 0 and 1).
+// Throws as median() does, and where n samples cannot reach the confidence.
 Interval median_interval(std::span<const double> samples, double confidence = 0.95);
 
 // The interval of the median of a[i] / b[i]: paired by round. Throws on unequal counts, or a b[i] that is not positive.

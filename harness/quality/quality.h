@@ -18,21 +18,22 @@ struct DisplayImage {
   int width = 0, height = 0;
   std::vector<uint8_t> rgb;
 };
+// Infinities clamp. Throws Error(failed) for a NaN in r, g or b, so that no figure is ever made of one.
 DisplayImage to_display(const Image& linear);
-// sRGB's transfer functions on [0,1].
+// sRGB's transfer functions, for arguments in [0,1].
 float srgb_encode(float linear);
 float srgb_decode(float encoded);
 
 // All of these throw Error(failed, "quality", ...) when sizes differ, when either picture is empty, or when a mask selects
-// nothing; the linear ones also when a counted pixel is not finite. A null mask counts every pixel.
+// nothing; the linear ones also when a counted pixel is not finite in r, g, b or a. A null mask counts every pixel.
 
-// Peak signal-to-noise ratio over r, g and b, peak 255, in dB, by OpenCV's quality module (masked: from cv::norm).
+// Peak signal-to-noise ratio over r, g and b, peak 255, in dB, from OpenCV's sum of squares (cv::norm, which knows masks).
 // +infinity for equal pictures.
 double psnr_db(const DisplayImage& test, const DisplayImage& reference, const Mask* mask = nullptr);
-// Structural similarity (Wang, Bovik, Sheikh, Simoncelli 2004; 11x11 Gaussian of sigma 1.5), mean over r, g, b and counted pixels,
-// from the quality map of OpenCV's QualitySSIM. 1 for equal pictures.
+// Structural similarity (Wang, Bovik, Sheikh, Simoncelli 2004; 11x11 Gaussian of sigma 1.5), mean over r, g, b and counted
+// pixels, from the quality map of OpenCV's QualitySSIM. 1 for equal pictures.
 double ssim(const DisplayImage& test, const DisplayImage& reference, const Mask* mask = nullptr);
-// FLIP's error of every pixel, in [0,1] (Andersson et al. 2020).
+// FLIP's error of every pixel, in [0,1] (Andersson et al. 2020). Throws also for pixels per degree outside 1 to 1000.
 inline constexpr double default_pixels_per_degree = 67.020643276582255;  // 0.7 m away, 0.7 m wide, 3840 pixels
 std::vector<float> flip_map(const DisplayImage& test, const DisplayImage& reference,
                             double pixels_per_degree = default_pixels_per_degree);
@@ -52,17 +53,17 @@ struct ErrorFigures {
   double max_linear = 0;
 };
 struct ErrorReport {
-  ErrorFigures covered;  // over the mask
-  ErrorFigures frame;    // over every pixel
+  ErrorFigures covered;     // over the mask
+  ErrorFigures frame;       // over every pixel
   std::vector<float> flip;  // FLIP's map, for the picture
 };
 // Throws as above, and when a pixel of either picture is not finite: no figure is made of such a picture.
 ErrorReport measure_error(const Image& test, const Image& reference, const Mask& covered);
 
 // Pictures for people, 8-bit sRGB.
-// |test - reference| of the display values, times `gain`, clamped: black where equal.
+// |test - reference| of the display values, times `gain` (from 0 up, else it throws), clamped: black where equal.
 DisplayImage difference_picture(const DisplayImage& test, const DisplayImage& reference, double gain);
-// FLIP's map through the magma colour map.
+// FLIP's map through the magma colour map. Throws for an error outside [0,1].
 DisplayImage flip_picture(const std::vector<float>& map, int width, int height);
 
 // Writes a PNG through OpenImageIO, atomically. Throws Error(failed).

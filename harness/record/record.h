@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@
 #include "harness/quality/quality.h"
 
 namespace lamina {
+
+inline constexpr int record_schema = 1;  // of the run line; a reader refuses any other
 
 struct TextureFetches {
   std::string texture;  // the sampler's name in the shader
@@ -32,6 +35,10 @@ struct PassRow {
   uint64_t fetches = 0;
   std::vector<TextureFetches> by_texture;
 };
+
+// The frame's time of each round in ms: the sum over the passes that are not done once. Empty where nothing was timed. Throws
+// Error(failed) where the passes differ in their numbers of samples, for then there is no pairing by round.
+std::vector<double> frame_samples_ms(std::span<const PassRow> passes);
 
 struct CellRow {
   std::string scene, effect, variant, backend, device, view;
@@ -63,14 +70,19 @@ struct TimerRow {
   std::string reason;             // why not ok
 };
 
+// One line of the record. What is not known is null, never 0: figures of a failed cell that are still 0, times of a cell that is
+// not timed, fetches a pixel where no pixel is covered. PSNR of equal pictures is null with "identical": true. Throws Error(failed)
+// for a number that is not finite, and as frame_samples_ms() does.
 nlohmann::ordered_json to_json(const CellRow& cell);
+// Additivity and attribution are null where linearity is empty, which is a certificate that never got to measure.
 nlohmann::ordered_json to_json(const TimerRow& timer);
 
-// Opens DIR/record.jsonl afresh and appends lines. Throws Error(bad_input) where the folder cannot be written.
+// Opens a record afresh and appends lines; its folder must exist. Throws Error(bad_input) where the folder cannot be written.
 class RecordWriter {
  public:
   explicit RecordWriter(const std::filesystem::path& file);
-  // Appends one line and flushes it. Throws Error(failed) when the disk is full.
+  // Appends one line and flushes it. Throws Error(failed) when the disk is full, and at every call after that, so that a line
+  // cut short is the last one. Bytes that are not UTF-8 become U+FFFD.
   void append(const nlohmann::ordered_json& line);
 
  private:
@@ -83,8 +95,12 @@ struct Record {
   nlohmann::json run;
   std::vector<nlohmann::json> timers, plans, cells;
 };
-// Throws Error(bad_input, "record", "FILE:LINE", ...) for a line that is not JSON, another schema, or no first line of kind "run".
-// A last line cut short by a crash is dropped, and said so in `run["truncated"]`.
+// Throws Error(bad_input, "record", "FILE:LINE", ...) for a line that is not JSON, another schema, no first line of kind "run", an
+// unknown kind, or a field missing or of the wrong type; what it returns has every field that to_json() writes. A last line cut
+// short by a crash (it has no newline) is dropped, and said so in `run["truncated"]`, a sentence.
 Record read_record(const std::filesystem::path& file);
+
+// The passes of a cell that was read back.
+std::vector<PassRow> passes_of(const nlohmann::json& cell);
 
 }  // namespace lamina

@@ -13,14 +13,16 @@
 
 namespace lamina {
 
-// Pictures before they become textures: `channels` floats a texel, linear light, rows top to bottom.
+// Pictures before they become textures: four floats a texel, linear light, rows top to bottom.
 struct Texels {
   uint32_t width = 0, height = 0;
   std::vector<glm::vec4> rgba;
 };
 
-// Any file OpenImageIO reads. srgb_colour: rgb is sRGB-encoded in the file and decoded to linear here (alpha is always linear);
-// otherwise values are taken as they are (normal maps, masks). Missing alpha is 1. Throws Error(bad_input) naming the file.
+// Any file OpenImageIO reads. srgb_colour: rgb is sRGB-encoded in the file and decoded to linear here (alpha is always linear, and
+// floating-point files such as OpenEXR are linear already); otherwise values are taken as they are (normal maps, masks). Grey
+// becomes r = g = b; missing alpha is 1. Throws Error(bad_input) naming the file where it is missing, damaged, over 16384 texels
+// on a side, or holds values that are not finite.
 Texels load_texels(const std::filesystem::path& file, bool srgb_colour);
 // The same from an encoded file in memory (a .glb's buffer view). `name` is used in errors.
 Texels decode_texels(std::span<const std::byte> encoded, const std::string& name, bool srgb_colour);
@@ -31,9 +33,16 @@ enum class TexelMeaning {
   normal,  // rgba8_unorm: vectors n = 2 t - 1 averaged and renormalized (zero sums become (0,0,1))
   data,    // rgba8_unorm: box filter
 };
+// Throws Error(bad_input) where the texels do not fill width * height.
 std::shared_ptr<const TextureImage> make_texture(std::string name, const Texels& base, TexelMeaning meaning);
 
 // One-texel textures for materials that have only a factor.
 std::shared_ptr<const TextureImage> constant_texture(std::string name, glm::vec4 linear, TexelMeaning meaning);
+
+// A texture's base level as texels again: colours decoded to linear, other values as stored, 0 to 1.
+Texels base_texels(const TextureImage& texture);
+
+// The same picture at another size: bilinear between texel centres, edges held. Meant for enlarging; it does not filter.
+Texels resized(const Texels& source, uint32_t width, uint32_t height);
 
 }  // namespace lamina

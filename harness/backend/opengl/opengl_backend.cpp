@@ -1,6 +1,145 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/backend/opengl/opengl_backend.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <utility>
+
+#include "harness/backend/opengl/commands.h"
+#include "harness/backend/opengl/debug_log.h"
+#include "harness/backend/opengl/device.h"
+
 namespace lamina {
-std::unique_ptr<Backend> open_opengl(std::string_view, const BackendOptions&) { throw Error(ErrorKind::no_device, "gl", "", "to do"); }
-std::vector<DeviceInfo> list_opengl_devices(std::string_view) { return {}; }
+namespace {
+
+using namespace gl;
+
+// A context that is known to do, current and with its entry points loaded.
+struct Device {
+  std::unique_ptr<gl::Context> context;
+  DeviceInfo info;
+};
+
+const Platform& platform_of(std::string_view backend) { return backend == "osmesa" ? osmesa_platform : egl_platform; }
+
+Device open_device(std::string_view backend, size_t index, bool debug) {
+  Device device;
+  device.context = platform_of(backend).open(index, debug);
+  device.info = load_and_describe(*device.context, backend);
+  return device;
+}
+
+class OpenGlBackend : public Backend {
+ public:
+  OpenGlBackend(Device device, bool validation) : context_(std::move(device.context)), info_(std::move(device.info)) {
+    if (validation) debug_log_.listen();
+    set_conventions();
+    alive = this;
+  }
+  ~OpenGlBackend() override { alive = nullptr; }
+
+  const DeviceInfo& info() const override { return info_; }
+
+  TextureId create_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels) override {
+    return resources_.textures.add(make_texture(desc, levels, info_.max_texture_size));
+  }
+  BufferId create_buffer(std::string name, BufferUse, size_t size_bytes, std::span<const std::byte> data) override {
+    return resources_.buffers.add(make_buffer(std::move(name), size_bytes, data));
+  }
+  PipelineId create_pipeline(const PipelineDesc& desc) override { return resources_.pipelines.add(make_pipeline(desc)); }
+
+  void destroy(TextureId id) override {
+    resources_.framebuffers.forget(id);
+    resources_.textures.remove(id);
+  }
+  void destroy(BufferId id) override { resources_.buffers.remove(id); }
+  void destroy(PipelineId id) override { resources_.pipelines.remove(id); }
+
+  void write_buffer(BufferId id, std::span<const std::byte> data) override { write(resources_.buffers.at(id), data); }
+  RunTimes run(std::span<const Pass> passes, Timing timing) override { return run_passes(resources_, timer_, passes, timing); }
+  std::vector<std::byte> read_texture(TextureId id, uint32_t level) override { return read(resources_.textures.at(id), level); }
+  std::vector<std::byte> read_buffer(BufferId id) override { return read(resources_.buffers.at(id)); }
+  std::vector<std::string> take_messages() override { return debug_log_.take(); }
+
+  // Another context takes this thread for a while; resume() undoes it.
+  void suspend() { context_->release(); }
+  void resume() {
+    context_->make_current();
+    gladLoadGL(context_->loader());
+  }
+
+  // glad's entry points belong to one context at a time, and so does this backend's thread.
+  static inline OpenGlBackend* alive = nullptr;
+
+ private:
+  DebugLog debug_log_;  // outlives the context, which reports to it
+  std::unique_ptr<gl::Context> context_;
+  DeviceInfo info_;
+  Resources resources_;
+  PassTimer timer_;
+};
+
+bool contains_ignoring_case(std::string_view text, std::string_view part) {
+  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
+}
+
+// Which of the devices that can be opened is meant: an index, or the first with `wanted` in its name; by default the first on
+// the CPU, whose pictures do not depend on the machine, and else the first.
+const size_t* choose(const std::vector<std::pair<size_t, DeviceInfo>>& devices, std::string_view wanted) {
+  size_t index = 0;
+  const char* end = wanted.data() + wanted.size();
+  const auto parsed = std::from_chars(wanted.data(), end, index);
+  if (!wanted.empty() && parsed.ec == std::errc() && parsed.ptr == end && index < devices.size()) return &devices[index].first;
+  for (const auto& [candidate, info] : devices)
+    if (wanted.empty() ? info.software : contains_ignoring_case(info.device, wanted)) return &candidate;
+  return wanted.empty() && !devices.empty() ? &devices.front().first : nullptr;
+}
+
+}  // namespace
+
+std::unique_ptr<Backend> open_opengl(std::string_view backend, const BackendOptions& options) {
+  if (OpenGlBackend::alive)
+    throw Error(ErrorKind::failed, std::string(backend), "context",
+                fmt::format("the {} backend is still open; close it first, as one process drives one OpenGL context at a time",
+                            OpenGlBackend::alive->info().backend));
+
+  std::vector<std::pair<size_t, DeviceInfo>> devices;  // with its index among the platform's
+  std::string refusals, names;
+  for (size_t i = 0; i < platform_of(backend).device_count(); ++i) {
+    try {
+      devices.emplace_back(i, open_device(backend, i, false).info);
+      names += fmt::format("{}{}: {}", names.empty() ? "" : ", ", devices.size() - 1, devices.back().second.device);
+    } catch (const Error& error) {
+      refusals += fmt::format("{}: {}; ", error.subject(), error.message());
+    }
+  }
+  if (devices.empty())
+    throw Error(ErrorKind::no_device, std::string(backend), "OpenGL 4.5 core with GL_ARB_gl_spirv",
+                fmt::format("no device offers it: {}{}", refusals.empty() ? "the platform names none; " : refusals,
+                            platform_of(backend).remedy));
+  const size_t* chosen = choose(devices, options.device);
+  if (!chosen)
+    throw Error(ErrorKind::no_device, std::string(backend), options.device,
+                fmt::format("no device has this index or this in its name; there is {}", names));
+  return std::make_unique<OpenGlBackend>(open_device(backend, *chosen, options.validation), options.validation);
+}
+
+std::vector<DeviceInfo> list_opengl_devices(std::string_view backend) {
+  std::vector<DeviceInfo> devices;
+  if (OpenGlBackend::alive) OpenGlBackend::alive->suspend();
+  try {
+    for (size_t i = 0; i < platform_of(backend).device_count(); ++i) {
+      try {
+        devices.push_back(open_device(backend, i, false).info);
+      } catch (const Error&) {  // not a device that could be opened
+      }
+    }
+  } catch (const std::exception&) {  // the platform itself is broken: what was found stands
+  }
+  if (OpenGlBackend::alive) OpenGlBackend::alive->resume();
+  return devices;
+}
+
 }  // namespace lamina

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/backend/opengl/framebuffers.h"
+
+namespace lamina::gl {
+namespace {
+
+[[noreturn]] void refuse(const Pass& pass, std::string message) {
+  throw Error(ErrorKind::failed, "opengl", fmt::format("pass '{}'", pass.name), std::move(message));
+}
+
+FramebufferObject make_framebuffer(const Pass& pass, Table<TextureId, Texture>& textures) {
+  GLuint name = 0;
+  glCreateFramebuffers(1, &name);
+  FramebufferObject framebuffer(name);
+  label(GL_FRAMEBUFFER, name, pass.name);
+  const auto attach = [&](GLenum point, const Attachment& to) {
+    glNamedFramebufferTexture(name, point, textures.at(to.texture).object.name(), static_cast<GLint>(to.level));
+  };
+  std::vector<GLenum> draw_buffers;
+  for (const Attachment& color : pass.colors) {
+    draw_buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(draw_buffers.size()));
+    attach(draw_buffers.back(), color);
+  }
+  if (pass.depth) attach(GL_DEPTH_ATTACHMENT, *pass.depth);
+  glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(draw_buffers.size()), draw_buffers.data());
+  throw_on_error(fmt::format("framebuffer of pass '{}'", pass.name));
+  const GLenum status = glCheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER);
+  if (status != GL_FRAMEBUFFER_COMPLETE)
+    refuse(pass, fmt::format("the driver cannot draw into this set of attachments (framebuffer status 0x{:04x})", status));
+  return framebuffer;
+}
+
+}  // namespace
+
+Framebuffers::Target Framebuffers::of(const Pass& pass, Table<TextureId, Texture>& textures) {
+  Key key;
+  for (const Attachment& color : pass.colors) key.attachments.emplace_back(color.texture, color.level);
+  if (pass.depth) key.attachments.emplace_back(pass.depth->texture, pass.depth->level);
+  key.depth = pass.depth.has_value();
+  if (key.attachments.empty()) refuse(pass, "it draws, but has nothing to draw into");
+
+  Target target;
+  for (const auto& [id, level] : key.attachments) {
+    const Texture& texture = textures.at(id);
+    if (level >= texture.desc.levels) refuse(pass, fmt::format("texture '{}' has no level {}", texture.desc.name, level));
+    const uint32_t width = texture.width(level), height = texture.height(level);
+    if (target.width != 0 && (target.width != width || target.height != height))
+      refuse(pass, fmt::format("texture '{}' is {} x {} pixels, others are {} x {}", texture.desc.name, width, height,
+                               target.width, target.height));
+    target.width = width;
+    target.height = height;
+  }
+
+  auto found = framebuffers_.find(key);
+  if (found == framebuffers_.end()) found = framebuffers_.emplace(std::move(key), make_framebuffer(pass, textures)).first;
+  target.name = found->second.name();
+  return target;
+}
+
+void Framebuffers::forget(TextureId texture) {
+  std::erase_if(framebuffers_, [&](const auto& item) {
+    for (const auto& [id, level] : item.first.attachments)
+      if (id == texture) return true;
+    return false;
+  });
+}
+
+}  // namespace lamina::gl

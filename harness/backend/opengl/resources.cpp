@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/backend/opengl/resources.h"
+
+#include "harness/backend/opengl/gl_format.h"
+
+namespace lamina::gl {
+namespace {
+
+void check(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels, uint32_t max_size) {
+  const auto refuse = [&](std::string message) {
+    throw Error(ErrorKind::bad_input, "opengl", fmt::format("texture '{}'", desc.name), std::move(message));
+  };
+  if (desc.width == 0 || desc.height == 0 || desc.width > max_size || desc.height > max_size)
+    refuse(fmt::format("{} x {} pixels; the device takes 1 to {} on a side", desc.width, desc.height, max_size));
+  const uint32_t most = full_mip_levels(desc.width, desc.height);
+  if (desc.levels == 0 || desc.levels > most)
+    refuse(fmt::format("{} levels; {} x {} pixels take 1 to {}", desc.levels, desc.width, desc.height, most));
+  if (levels.size() > desc.levels) refuse(fmt::format("texels for {} levels, but it has {}", levels.size(), desc.levels));
+}
+
+}  // namespace
+
+Texture make_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels, uint32_t max_size) {
+  check(desc, levels, max_size);
+  const GlFormat format = gl_format(desc.format);
+  GLuint name = 0;
+  glCreateTextures(GL_TEXTURE_2D, 1, &name);
+  Texture texture{TextureObject(name), desc};
+  label(GL_TEXTURE, name, desc.name);
+  glTextureStorage2D(name, static_cast<GLsizei>(desc.levels), format.internal, static_cast<GLsizei>(desc.width),
+                     static_cast<GLsizei>(desc.height));
+  throw_on_error(fmt::format("texture '{}'", desc.name));  // before the upload: there may be no room
+  for (uint32_t level = 0; level < levels.size(); ++level) {
+    if (levels[level].size() != texture.level_bytes(level))
+      throw Error(ErrorKind::bad_input, "opengl", fmt::format("texture '{}', level {}", desc.name, level),
+                  fmt::format("{} bytes of texels, {} are needed", levels[level].size(), texture.level_bytes(level)));
+    glTextureSubImage2D(name, static_cast<GLint>(level), 0, 0, static_cast<GLsizei>(texture.width(level)),
+                        static_cast<GLsizei>(texture.height(level)), format.layout, format.type, levels[level].data());
+  }
+  throw_on_error(fmt::format("texture '{}'", desc.name));
+  return texture;
+}
+
+Buffer make_buffer(std::string name, size_t size_bytes, std::span<const std::byte> data) {
+  const std::string subject = fmt::format("buffer '{}'", name);
+  if (size_bytes == 0) throw Error(ErrorKind::bad_input, "opengl", subject, "its size is 0 bytes");
+  GLuint object = 0;
+  glCreateBuffers(1, &object);
+  Buffer buffer{BufferObject(object), std::move(name), size_bytes};
+  label(GL_BUFFER, object, buffer.name);
+  glNamedBufferStorage(object, static_cast<GLsizeiptr>(size_bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  throw_on_error(subject);
+  if (!data.empty()) write(buffer, data);
+  return buffer;
+}
+
+void write(const Buffer& buffer, std::span<const std::byte> data) {
+  const std::string subject = fmt::format("buffer '{}'", buffer.name);
+  if (data.size() > buffer.size_bytes)
+    throw Error(ErrorKind::bad_input, "opengl", subject,
+                fmt::format("{} bytes are written, it holds {}", data.size(), buffer.size_bytes));
+  glNamedBufferSubData(buffer.object.name(), 0, static_cast<GLsizeiptr>(data.size()), data.data());
+  throw_on_error(subject);
+}
+
+std::vector<std::byte> read(const Texture& texture, uint32_t level) {
+  const std::string subject = fmt::format("texture '{}', level {}", texture.desc.name, level);
+  if (level >= texture.desc.levels)
+    throw Error(ErrorKind::bad_input, "opengl", subject, fmt::format("it has {} levels", texture.desc.levels));
+  const GlFormat format = gl_format(texture.desc.format);
+  constexpr size_t most_bytes = 0x7fffffff;  // glGetTextureImage counts bytes in a signed 32-bit integer
+  if (texture.level_bytes(level) > most_bytes)
+    throw Error(ErrorKind::failed, "opengl", subject,
+                fmt::format("{} bytes are over the {} that OpenGL reads back at once", texture.level_bytes(level), most_bytes));
+  std::vector<std::byte> texels(texture.level_bytes(level));
+  glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  glGetTextureImage(texture.object.name(), static_cast<GLint>(level), format.layout, format.type,
+                    static_cast<GLsizei>(texels.size()), texels.data());
+  throw_on_error(subject);
+  return texels;
+}
+
+std::vector<std::byte> read(const Buffer& buffer) {
+  std::vector<std::byte> bytes(buffer.size_bytes);
+  glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  glGetNamedBufferSubData(buffer.object.name(), 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+  throw_on_error(fmt::format("buffer '{}'", buffer.name));
+  return bytes;
+}
+
+Samplers::Samplers() {
+  for (Filter filter : {Filter::nearest, Filter::linear, Filter::trilinear}) {
+    for (Wrap wrap : {Wrap::clamp, Wrap::repeat}) {
+      GLuint name = 0;
+      glCreateSamplers(1, &name);
+      label(GL_SAMPLER, name, fmt::format("{} {}", name_of(filter), wrap == Wrap::clamp ? "clamp" : "repeat"));
+      const GLint within = filter == Filter::nearest ? GL_NEAREST : GL_LINEAR;
+      glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER, filter == Filter::trilinear ? GL_LINEAR_MIPMAP_LINEAR : within);
+      glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, within);
+      const GLint edge = wrap == Wrap::clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
+      glSamplerParameteri(name, GL_TEXTURE_WRAP_S, edge);
+      glSamplerParameteri(name, GL_TEXTURE_WRAP_T, edge);
+      samplers_[index({filter, wrap})] = SamplerObject(name);
+    }
+  }
+  throw_on_error("samplers");
+}
+
+}  // namespace lamina::gl

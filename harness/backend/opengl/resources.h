@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Textures, buffers and samplers.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "harness/backend/backend.h"
+#include "harness/backend/opengl/object.h"
+
+namespace lamina::gl {
+
+struct Texture {
+  TextureObject object;
+  TextureDesc desc;
+
+  uint32_t width(uint32_t level) const { return std::max(1u, desc.width >> level); }
+  uint32_t height(uint32_t level) const { return std::max(1u, desc.height >> level); }
+  size_t level_bytes(uint32_t level) const { return size_t{width(level)} * height(level) * bytes_per_texel(desc.format); }
+};
+
+struct Buffer {
+  BufferObject object;
+  std::string name;
+  size_t size_bytes = 0;
+};
+
+// As Backend::create_texture and create_buffer say. `max_size` is in pixels.
+Texture make_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels, uint32_t max_size);
+Buffer make_buffer(std::string name, size_t size_bytes, std::span<const std::byte> data);
+void write(const Buffer& buffer, std::span<const std::byte> data);
+std::vector<std::byte> read(const Texture& texture, uint32_t level);
+std::vector<std::byte> read(const Buffer& buffer);
+
+// The six samplers that lamina::Sampler can name.
+class Samplers {
+ public:
+  Samplers();
+  GLuint of(Sampler sampler) const { return samplers_[index(sampler)].name(); }
+
+ private:
+  static size_t index(Sampler sampler) { return 2 * static_cast<size_t>(sampler.filter) + static_cast<size_t>(sampler.wrap); }
+  std::array<SamplerObject, 6> samplers_;
+};
+
+}  // namespace lamina::gl

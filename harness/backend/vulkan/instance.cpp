@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/backend/vulkan/instance.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+
+#include "harness/backend/vulkan/result.h"
+
+namespace lamina::vulkan {
+namespace {
+
+constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
+
+[[noreturn]] void throw_no_device(std::string subject, std::string message) {
+  throw Error(ErrorKind::no_device, "vulkan", std::move(subject), std::move(message));
+}
+
+bool has_layer(const char* name) {
+  uint32_t count = 0;
+  vkEnumerateInstanceLayerProperties(&count, nullptr);
+  std::vector<VkLayerProperties> layers(count);
+  vkEnumerateInstanceLayerProperties(&count, layers.data());
+  return std::any_of(layers.begin(), layers.end(),
+                     [&](const VkLayerProperties& layer) { return std::strcmp(layer.layerName, name) == 0; });
+}
+
+bool has_debug_utils() {
+  uint32_t count = 0;
+  vkEnumerateInstanceExtensionProperties(nullptr, &count, nullptr);
+  std::vector<VkExtensionProperties> extensions(count);
+  vkEnumerateInstanceExtensionProperties(nullptr, &count, extensions.data());
+  return std::any_of(extensions.begin(), extensions.end(), [](const VkExtensionProperties& extension) {
+    return std::strcmp(extension.extensionName, VK_EXT_DEBUG_UTILS_EXTENSION_NAME) == 0;
+  });
+}
+
+VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                                       const VkDebugUtilsMessengerCallbackDataEXT* data, void* messages) {
+  static_cast<MessageList*>(messages)->add(data->pMessage);
+  return VK_FALSE;
+}
+
+// The loader's own talk (type GENERAL) is left out: it warns of every installed driver that finds no hardware.
+VkDebugUtilsMessengerCreateInfoEXT messenger_info(MessageList& messages) {
+  VkDebugUtilsMessengerCreateInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
+  info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
+  info.pfnUserCallback = collect;
+  info.pUserData = &messages;
+  return info;
+}
+
+bool has_features(VkPhysicalDevice device) {
+  VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+  VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13, {}};
+  vkGetPhysicalDeviceFeatures2(device, &features);
+  return features13.dynamicRendering && features13.synchronization2 && features.features.vertexPipelineStoresAndAtomics &&
+         features.features.fragmentStoresAndAtomics;
+}
+
+// Fills the queue family; false where no family both draws and computes.
+bool find_queue_family(Candidate& candidate) {
+  uint32_t count = 0;
+  vkGetPhysicalDeviceQueueFamilyProperties(candidate.handle, &count, nullptr);
+  std::vector<VkQueueFamilyProperties> families(count);
+  vkGetPhysicalDeviceQueueFamilyProperties(candidate.handle, &count, families.data());
+  constexpr VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+  for (uint32_t i = 0; i < count; ++i) {
+    if ((families[i].queueFlags & needed) != needed) continue;
+    candidate.queue_family = i;
+    candidate.timestamp_bits = families[i].timestampValidBits;
+    return true;
+  }
+  return false;
+}
+
+std::string version_text(uint32_t version) {
+  return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version), VK_API_VERSION_PATCH(version));
+}
+
+void describe_device(Candidate& candidate) {
+  VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+  VkPhysicalDeviceMaintenance3Properties sizes{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES, &driver};
+  VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &sizes, {}};
+  vkGetPhysicalDeviceProperties2(candidate.handle, &properties);
+  candidate.properties = properties.properties;
+  candidate.max_allocation_bytes = sizes.maxMemoryAllocationSize;
+
+  const VkPhysicalDeviceLimits& limits = candidate.properties.limits;
+  DeviceInfo& info = candidate.info;
+  info.backend = "vulkan";
+  info.api = Api::vulkan;
+  info.device = candidate.properties.deviceName;
+  info.driver = fmt::format("{} {}", driver.driverName, driver.driverInfo);
+  info.api_version = version_text(candidate.properties.apiVersion);
+  info.software = candidate.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+  info.max_texture_size = std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight});
+}
+
+bool same_ignoring_case(char a, char b) {
+  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+}
+
+}  // namespace
+
+void MessageList::add(std::string message) {
+  const std::lock_guard lock(mutex_);
+  messages_.push_back(std::move(message));
+}
+
+std::vector<std::string> MessageList::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(messages_, {});
+}
+
+Instance::Instance(bool validation) {
+  uint32_t version = VK_API_VERSION_1_0;
+  vkEnumerateInstanceVersion(&version);
+  if (version < VK_API_VERSION_1_3)
+    throw_no_device("loader", fmt::format("Vulkan 1.3 is needed, the loader offers {}", version_text(version)));
+  if (validation && !has_layer(validation_layer))
+    throw_no_device(validation_layer, "the layer is not installed; install the package vulkan-validationlayers");
+  debug_utils_ = has_debug_utils() || validation;
+
+  VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
+  application.pApplicationName = "lamina";
+  application.apiVersion = VK_API_VERSION_1_3;
+
+  const VkDebugUtilsMessengerCreateInfoEXT messenger = messenger_info(messages_);
+  VkValidationFeaturesEXT checks{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT, &messenger};
+  constexpr VkValidationFeatureEnableEXT synchronization = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
+  checks.enabledValidationFeatureCount = 1;
+  checks.pEnabledValidationFeatures = &synchronization;
+
+  const char* debug_extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
+  VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+  info.pApplicationInfo = &application;
+  info.enabledExtensionCount = debug_utils_ ? 1 : 0;
+  info.ppEnabledExtensionNames = &debug_extension;
+  if (validation) {
+    info.pNext = &checks;
+    info.enabledLayerCount = 1;
+    info.ppEnabledLayerNames = &validation_layer;
+  }
+  const VkResult created = vkCreateInstance(&info, nullptr, &instance_);
+  if (created != VK_SUCCESS) throw_no_device("vkCreateInstance", describe(created));
+
+  if (!validation) return;
+  const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
+      vkGetInstanceProcAddr(instance_, "vkCreateDebugUtilsMessengerEXT"));
+  const VkResult listening =
+      create ? create(instance_, &messenger, nullptr, &messenger_) : VK_ERROR_EXTENSION_NOT_PRESENT;
+  if (listening != VK_SUCCESS) {
+    vkDestroyInstance(instance_, nullptr);
+    throw_no_device("vkCreateDebugUtilsMessengerEXT", describe(listening));
+  }
+}
+
+Instance::~Instance() {
+  if (messenger_ != VK_NULL_HANDLE) {
+    const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+        vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
+    destroy(instance_, messenger_, nullptr);
+  }
+  vkDestroyInstance(instance_, nullptr);
+}
+
+std::vector<Candidate> find_candidates(const Instance& instance) {
+  uint32_t count = 0;
+  if (vkEnumeratePhysicalDevices(instance.get(), &count, nullptr) != VK_SUCCESS) return {};
+  std::vector<VkPhysicalDevice> devices(count);
+  if (vkEnumeratePhysicalDevices(instance.get(), &count, devices.data()) != VK_SUCCESS) return {};
+  std::vector<Candidate> candidates;
+  for (VkPhysicalDevice device : devices) {
+    Candidate candidate;
+    candidate.handle = device;
+    vkGetPhysicalDeviceProperties(device, &candidate.properties);
+    if (candidate.properties.apiVersion < VK_API_VERSION_1_3 || !has_features(device) || !find_queue_family(candidate)) continue;
+    describe_device(candidate);
+    candidates.push_back(std::move(candidate));
+  }
+  return candidates;
+}
+
+const Candidate& choose(std::span<const Candidate> candidates, std::string_view wanted) {
+  if (candidates.empty())
+    throw_no_device(std::string(wanted),
+                    "no device with Vulkan 1.3, dynamic rendering and storage writes from all stages; the package "
+                    "mesa-vulkan-drivers brings a software one");
+  if (wanted.empty()) {
+    const auto software = std::find_if(candidates.begin(), candidates.end(), [](const Candidate& c) { return c.info.software; });
+    return software != candidates.end() ? *software : candidates.front();
+  }
+  size_t index = 0;
+  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
+  if (error == std::errc() && end == wanted.data() + wanted.size() && index < candidates.size()) return candidates[index];
+  for (const Candidate& candidate : candidates) {
+    const std::string& name = candidate.info.device;
+    const auto found = std::search(name.begin(), name.end(), wanted.begin(), wanted.end(), same_ignoring_case);
+    if (found != name.end()) return candidate;
+  }
+  std::string list;
+  for (size_t i = 0; i < candidates.size(); ++i)
+    list += fmt::format("{}{}: {}", i > 0 ? ", " : "", i, candidates[i].info.device);
+  throw_no_device(std::string(wanted), fmt::format("no device has this index or this in its name; there is {}", list));
+}
+
+}  // namespace lamina::vulkan

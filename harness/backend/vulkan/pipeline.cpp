@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/backend/vulkan/pipeline.h"
+
+#include <algorithm>
+#include <array>
+
+#include "harness/backend/vulkan/formats.h"
+
+namespace lamina::vulkan {
+namespace {
+
+constexpr uint32_t spirv_magic = 0x07230203;  // SPIR-V 1.6 specification, section 2.3
+constexpr size_t spirv_header_words = 5;
+
+VkShaderStageFlagBits stage_bit(Stage stage) {
+  switch (stage) {
+    case Stage::vertex:
+      return VK_SHADER_STAGE_VERTEX_BIT;
+    case Stage::fragment:
+      return VK_SHADER_STAGE_FRAGMENT_BIT;
+    case Stage::compute:
+      return VK_SHADER_STAGE_COMPUTE_BIT;
+  }
+  return VK_SHADER_STAGE_ALL;
+}
+
+bool has_stage(const PipelineDesc& desc, Stage stage) {
+  return std::any_of(desc.stages.begin(), desc.stages.end(), [&](const ShaderStage& s) { return s.stage == stage; });
+}
+
+void check_stages(const PipelineDesc& desc) {
+  const bool compute = desc.stages.size() == 1 && has_stage(desc, Stage::compute);
+  const bool raster = desc.stages.size() == 2 && has_stage(desc, Stage::vertex) && has_stage(desc, Stage::fragment);
+  if (!compute && !raster) throw_bad_input(desc.name, "a pipeline has a vertex and a fragment stage, or a compute stage alone");
+  for (const ShaderStage& stage : desc.stages)
+    if (stage.spirv.size() <= spirv_header_words || stage.spirv[0] != spirv_magic)
+      throw_failed(desc.name, "a stage is not SPIR-V: its first word is not the magic number; compile the shader again");
+}
+
+void check_bindings(const PipelineDesc& desc) {
+  std::vector<uint32_t> bindings;
+  for (const BindingSlot& slot : desc.bindings) bindings.push_back(slot.binding);
+  std::sort(bindings.begin(), bindings.end());
+  const auto twice = std::adjacent_find(bindings.begin(), bindings.end());
+  if (twice != bindings.end()) throw_bad_input(desc.name, fmt::format("binding {} is listed twice", *twice));
+}
+
+void check_targets(const Device& device, const PipelineDesc& desc) {
+  if (desc.colors.size() > device.limits().maxColorAttachments)
+    throw_failed(desc.name, fmt::format("{} colour targets, {} takes {}", desc.colors.size(), device.info().device,
+                                        device.limits().maxColorAttachments));
+  for (const Format format : desc.colors) {
+    if (is_depth(format)) throw_bad_input(desc.name, fmt::format("{} is not a colour format", name_of(format)));
+    if (desc.blend != Blend::none && !device.supports(vk_format(format), VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT))
+      throw_failed(desc.name, fmt::format("{} cannot blend into {}", device.info().device, name_of(format)));
+  }
+  if (desc.depth_format && !is_depth(*desc.depth_format))
+    throw_bad_input(desc.name, fmt::format("{} is not a depth format", name_of(*desc.depth_format)));
+  if (desc.depth != Depth::none && !desc.depth_format)
+    throw_bad_input(desc.name, "it tests depth and has no depth format");
+  for (const uint32_t location : desc.vertex_locations)
+    if (location >= vertex_offset_bytes.size())
+      throw_bad_input(desc.name, fmt::format("the mesh has no vertex attribute at location {}; its locations are 0 to {}",
+                                             location, vertex_offset_bytes.size() - 1));
+}
+
+DescriptorSetLayoutHandle make_set_layout(Device& device, const PipelineDesc& desc) {
+  VkShaderStageFlags stages = 0;
+  for (const ShaderStage& stage : desc.stages) stages |= stage_bit(stage.stage);
+  std::vector<VkDescriptorSetLayoutBinding> bindings;
+  for (const BindingSlot& slot : desc.bindings)
+    bindings.push_back({slot.binding, descriptor_type(slot.kind), 1, stages, nullptr});
+  VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+  info.bindingCount = static_cast<uint32_t>(bindings.size());
+  info.pBindings = bindings.data();
+  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+  check(vkCreateDescriptorSetLayout(device.get(), &info, nullptr, &layout), desc.name, "vkCreateDescriptorSetLayout");
+  return device.own<DescriptorSetLayoutHandle>(layout, desc.name);
+}
+
+PipelineLayoutHandle make_layout(Device& device, const PipelineDesc& desc, VkDescriptorSetLayout set_layout) {
+  VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+  info.setLayoutCount = 1;
+  info.pSetLayouts = &set_layout;
+  VkPipelineLayout layout = VK_NULL_HANDLE;
+  check(vkCreatePipelineLayout(device.get(), &info, nullptr, &layout), desc.name, "vkCreatePipelineLayout");
+  return device.own<PipelineLayoutHandle>(layout, desc.name);
+}
+
+// Shader modules with their stage descriptions, alive until the pipeline is made.
+class Stages {
+ public:
+  Stages(Device& device, const PipelineDesc& desc) {
+    for (const SpecConstant& constant : desc.constants) {
+      entries_.push_back({constant.id, static_cast<uint32_t>(values_.size() * sizeof(uint32_t)), sizeof(uint32_t)});
+      values_.push_back(constant.bits);
+    }
+    specialization_.mapEntryCount = static_cast<uint32_t>(entries_.size());
+    specialization_.pMapEntries = entries_.data();
+    specialization_.dataSize = values_.size() * sizeof(uint32_t);
+    specialization_.pData = values_.data();
+    for (const ShaderStage& stage : desc.stages) {
+      VkShaderModuleCreateInfo module_info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+      module_info.codeSize = stage.spirv.size() * sizeof(uint32_t);
+      module_info.pCode = stage.spirv.data();
+      VkShaderModule module = VK_NULL_HANDLE;
+      check(vkCreateShaderModule(device.get(), &module_info, nullptr, &module), desc.name, "vkCreateShaderModule");
+      modules_.push_back(device.own<ShaderModuleHandle>(module, desc.name));
+      VkPipelineShaderStageCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
+      info.stage = stage_bit(stage.stage);
+      info.module = module;
+      info.pName = "main";
+      info.pSpecializationInfo = &specialization_;
+      infos_.push_back(info);
+    }
+  }
+  Stages(const Stages&) = delete;
+  Stages& operator=(const Stages&) = delete;
+
+  std::span<const VkPipelineShaderStageCreateInfo> infos() const { return infos_; }
+
+ private:
+  std::vector<VkSpecializationMapEntry> entries_;
+  std::vector<uint32_t> values_;
+  VkSpecializationInfo specialization_{};
+  std::vector<ShaderModuleHandle> modules_;
+  std::vector<VkPipelineShaderStageCreateInfo> infos_;
+};
+
+VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
+  VkPipelineColorBlendAttachmentState state{};
+  state.colorWriteMask =
+      VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+  state.blendEnable = blend != Blend::none;
+  state.colorBlendOp = state.alphaBlendOp = VK_BLEND_OP_ADD;
+  state.srcColorBlendFactor = blend == Blend::alpha ? VK_BLEND_FACTOR_SRC_ALPHA : VK_BLEND_FACTOR_ONE;
+  state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  state.dstColorBlendFactor = state.dstAlphaBlendFactor =
+      blend == Blend::additive ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+  return state;
+}
+
+VkCullModeFlags cull_mode(Cull cull) {
+  switch (cull) {
+    case Cull::none:
+      return VK_CULL_MODE_NONE;
+    case Cull::back:
+      return VK_CULL_MODE_BACK_BIT;
+    case Cull::front:
+      return VK_CULL_MODE_FRONT_BIT;
+  }
+  return VK_CULL_MODE_NONE;
+}
+
+VkPipeline make_raster(Device& device, const PipelineDesc& desc, const Stages& stages, VkPipelineLayout layout) {
+  constexpr std::array<VkFormat, 4> attribute_formats = {VK_FORMAT_R32G32B32_SFLOAT, VK_FORMAT_R32G32B32_SFLOAT,
+                                                         VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R32G32_SFLOAT};
+  const VkVertexInputBindingDescription vertex_binding{0, vertex_stride_bytes, VK_VERTEX_INPUT_RATE_VERTEX};
+  std::vector<VkVertexInputAttributeDescription> attributes;
+  for (const uint32_t location : desc.vertex_locations)
+    attributes.push_back({location, 0, attribute_formats[location], vertex_offset_bytes[location]});
+  VkPipelineVertexInputStateCreateInfo input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+  input.vertexBindingDescriptionCount = attributes.empty() ? 0 : 1;
+  input.pVertexBindingDescriptions = &vertex_binding;
+  input.vertexAttributeDescriptionCount = static_cast<uint32_t>(attributes.size());
+  input.pVertexAttributeDescriptions = attributes.data();
+
+  VkPipelineInputAssemblyStateCreateInfo assembly{VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+
+  VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
+  viewport.viewportCount = viewport.scissorCount = 1;
+  constexpr std::array<VkDynamicState, 2> dynamic_states = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+  VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
+  dynamic.dynamicStateCount = static_cast<uint32_t>(dynamic_states.size());
+  dynamic.pDynamicStates = dynamic_states.data();
+
+  VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+  raster.polygonMode = VK_POLYGON_MODE_FILL;
+  raster.cullMode = cull_mode(desc.cull);
+  raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
+  raster.lineWidth = 1;
+
+  VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+  samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+
+  VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+  depth.depthTestEnable = desc.depth != Depth::none;
+  depth.depthWriteEnable = desc.depth == Depth::read_write;
+  depth.depthCompareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
+
+  const std::vector<VkPipelineColorBlendAttachmentState> blends(desc.colors.size(), blend_state(desc.blend));
+  VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+  blend.attachmentCount = static_cast<uint32_t>(blends.size());
+  blend.pAttachments = blends.data();
+
+  std::vector<VkFormat> color_formats;
+  for (const Format format : desc.colors) color_formats.push_back(vk_format(format));
+  VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
+  rendering.colorAttachmentCount = static_cast<uint32_t>(color_formats.size());
+  rendering.pColorAttachmentFormats = color_formats.data();
+  rendering.depthAttachmentFormat = desc.depth_format ? vk_format(*desc.depth_format) : VK_FORMAT_UNDEFINED;
+
+  VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
+  info.stageCount = static_cast<uint32_t>(stages.infos().size());
+  info.pStages = stages.infos().data();
+  info.pVertexInputState = &input;
+  info.pInputAssemblyState = &assembly;
+  info.pViewportState = &viewport;
+  info.pRasterizationState = &raster;
+  info.pMultisampleState = &samples;
+  info.pDepthStencilState = &depth;
+  info.pColorBlendState = &blend;
+  info.pDynamicState = &dynamic;
+  info.layout = layout;
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  check(vkCreateGraphicsPipelines(device.get(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), desc.name,
+        "vkCreateGraphicsPipelines");
+  return pipeline;
+}
+
+VkPipeline make_compute(Device& device, const PipelineDesc& desc, const Stages& stages, VkPipelineLayout layout) {
+  VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+  info.stage = stages.infos().front();
+  info.layout = layout;
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  check(vkCreateComputePipelines(device.get(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), desc.name,
+        "vkCreateComputePipelines");
+  return pipeline;
+}
+
+}  // namespace
+
+VkDescriptorType descriptor_type(BindingKind kind) {
+  switch (kind) {
+    case BindingKind::texture:
+      return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    case BindingKind::uniform_buffer:
+      return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case BindingKind::storage_buffer:
+      return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    case BindingKind::storage_image:
+      return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+  }
+  return VK_DESCRIPTOR_TYPE_MAX_ENUM;
+}
+
+Pipeline make_pipeline(Device& device, const PipelineDesc& desc) {
+  check_stages(desc);
+  check_bindings(desc);
+  check_targets(device, desc);
+  Pipeline made;
+  made.compute = has_stage(desc, Stage::compute);
+  made.set_layout = make_set_layout(device, desc);
+  made.layout = make_layout(device, desc, made.set_layout.get());
+  const Stages stages(device, desc);
+  const VkPipeline pipeline = made.compute ? make_compute(device, desc, stages, made.layout.get())
+                                           : make_raster(device, desc, stages, made.layout.get());
+  made.pipeline = device.own<PipelineHandle>(pipeline, desc.name);
+  made.desc = desc;
+  for (ShaderStage& stage : made.desc.stages) stage.spirv = {};
+  return made;
+}
+
+}  // namespace lamina::vulkan

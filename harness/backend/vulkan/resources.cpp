@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/backend/vulkan/resources.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "harness/backend/vulkan/formats.h"
+
+namespace lamina::vulkan {
+namespace {
+
+// Staging that is kept between transfers; larger ones are freed after use. Enough for a 2048x2048 rgba16_float target.
+constexpr size_t staging_kept_bytes = size_t{32} << 20;
+constexpr size_t staging_least_bytes = size_t{1} << 16;
+
+// Texels of the levels in one buffer must start at multiples of their size, and of 4 for depth (Vulkan 1.3, VkBufferImageCopy).
+constexpr size_t copy_alignment_bytes = 16;
+
+size_t aligned(size_t bytes) { return (bytes + copy_alignment_bytes - 1) / copy_alignment_bytes * copy_alignment_bytes; }
+
+size_t level_bytes(const TextureDesc& desc, uint32_t level) {
+  const VkExtent2D extent = level_extent(desc, level);
+  return size_t{extent.width} * extent.height * bytes_per_texel(desc.format);
+}
+
+VkBufferImageCopy copy_of(const TextureDesc& desc, uint32_t level, size_t offset) {
+  const VkExtent2D extent = level_extent(desc, level);
+  VkBufferImageCopy copy{};
+  copy.bufferOffset = offset;
+  copy.imageSubresource = {aspect_of(desc.format), level, 0, 1};
+  copy.imageExtent = {extent.width, extent.height, 1};
+  return copy;
+}
+
+VkBufferUsageFlags usage_of(BufferUse use) {
+  constexpr VkBufferUsageFlags copied = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+  switch (use) {
+    case BufferUse::vertex:
+      return copied | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
+    case BufferUse::index:
+      return copied | VK_BUFFER_USAGE_INDEX_BUFFER_BIT;
+    case BufferUse::uniform:
+      return copied | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT;
+    case BufferUse::storage:
+      return copied | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  }
+  return copied;
+}
+
+VkFormatFeatureFlags features_of(const TextureDesc& desc) {
+  VkFormatFeatureFlags features =
+      VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_TRANSFER_SRC_BIT | VK_FORMAT_FEATURE_TRANSFER_DST_BIT;
+  if (desc.target)
+    features |= is_depth(desc.format) ? VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT;
+  if (desc.storage) features |= VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT;
+  return features;
+}
+
+VkImageUsageFlags usage_of(const TextureDesc& desc) {
+  VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  if (desc.target)
+    usage |= is_depth(desc.format) ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+  if (desc.storage) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
+  return usage;
+}
+
+void check_desc(const Device& device, const TextureDesc& desc, std::span<const std::vector<std::byte>> levels) {
+  const uint32_t most = device.info().max_texture_size;
+  if (desc.width == 0 || desc.height == 0 || desc.width > most || desc.height > most)
+    throw_bad_input(desc.name, fmt::format("{}x{} is not a size that {} can make; each side must be 1 to {}", desc.width,
+                                           desc.height, device.info().device, most));
+  if (desc.levels == 0 || desc.levels > full_mip_levels(desc.width, desc.height))
+    throw_bad_input(desc.name, fmt::format("{}x{} has 1 to {} mip levels, not {}", desc.width, desc.height,
+                                           full_mip_levels(desc.width, desc.height), desc.levels));
+  if (levels.size() > desc.levels)
+    throw_bad_input(desc.name, fmt::format("texels of {} levels for a texture of {}", levels.size(), desc.levels));
+  for (uint32_t level = 0; level < levels.size(); ++level)
+    if (levels[level].size() != level_bytes(desc, level))
+      throw_bad_input(desc.name, fmt::format("level {} needs {} bytes of {}, not {}", level, level_bytes(desc, level),
+                                             name_of(desc.format), levels[level].size()));
+  if (!device.supports(vk_format(desc.format), features_of(desc)))
+    throw_failed(desc.name, fmt::format("{} cannot use {} as {}", device.info().device, name_of(desc.format),
+                                        desc.storage  ? "a storage image"
+                                        : desc.target ? "a target"
+                                                      : "a texture"));
+}
+
+}  // namespace
+
+VkExtent2D level_extent(const TextureDesc& desc, uint32_t level) {
+  return {std::max(1u, desc.width >> level), std::max(1u, desc.height >> level)};
+}
+
+VkImageMemoryBarrier2 transition(Texture& texture, VkImageLayout layout) {
+  VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+  barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+  barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  barrier.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+  barrier.oldLayout = texture.layout;
+  barrier.newLayout = layout;
+  barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.image = texture.image.get();
+  barrier.subresourceRange = {aspect_of(texture.desc.format), 0, VK_REMAINING_MIP_LEVELS, 0, 1};
+  texture.layout = layout;
+  return barrier;
+}
+
+TextureId Resources::create_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels) {
+  check_desc(device_, desc, levels);
+  check_room(desc.name);
+  Texture texture = make_texture(desc);
+  if (!levels.empty()) upload(texture, levels);
+  const TextureId id{next_id_++};
+  textures_.emplace(id, std::move(texture));
+  return id;
+}
+
+BufferId Resources::create_buffer(std::string name, BufferUse use, size_t size_bytes, std::span<const std::byte> data) {
+  if (size_bytes == 0) throw_bad_input(name, "a buffer of 0 bytes");
+  const VkPhysicalDeviceLimits& limits = device_.limits();
+  const size_t most = use == BufferUse::uniform   ? limits.maxUniformBufferRange
+                      : use == BufferUse::storage ? limits.maxStorageBufferRange
+                                                  : size_bytes;
+  if (size_bytes > most) throw_failed(name, fmt::format("{} bytes; {} binds at most {}", size_bytes, device_.info().device, most));
+  check_room(name);
+  Buffer buffer =
+      make_buffer(name, size_bytes, usage_of(use), use == BufferUse::uniform ? MemoryUse::host : MemoryUse::device);
+  buffer.use = use;
+  const BufferId id{next_id_++};
+  buffers_.emplace(id, std::move(buffer));
+  if (!data.empty()) {
+    try {
+      write_buffer(id, data);
+    } catch (...) {
+      destroy(id);
+      throw;
+    }
+  }
+  return id;
+}
+
+void Resources::destroy(TextureId id) {
+  at(id, "destroy");
+  textures_.erase(id);
+}
+
+void Resources::destroy(BufferId id) {
+  at(id, "destroy");
+  buffers_.erase(id);
+}
+
+void Resources::write_buffer(BufferId id, std::span<const std::byte> data) {
+  Buffer& buffer = at(id, "write_buffer");
+  if (data.size() > buffer.size_bytes)
+    throw_bad_input(buffer.name, fmt::format("{} bytes written to a buffer of {}", data.size(), buffer.size_bytes));
+  if (data.empty()) return;
+  if (buffer.mapped != nullptr) {
+    std::memcpy(buffer.mapped, data.data(), data.size());
+    return;
+  }
+  Buffer& stage = staging(data.size());
+  std::memcpy(stage.mapped, data.data(), data.size());
+  const VkCommandBuffer commands = device_.begin();
+  full_barrier(commands);
+  const VkBufferCopy copy{0, 0, data.size()};
+  vkCmdCopyBuffer(commands, stage.buffer.get(), buffer.buffer.get(), 1, &copy);
+  full_barrier(commands);
+  device_.submit_and_wait(commands);
+  give_back_staging();
+}
+
+std::vector<std::byte> Resources::read_buffer(BufferId id) {
+  Buffer& buffer = at(id, "read_buffer");
+  if (buffer.mapped != nullptr) return {buffer.mapped, buffer.mapped + buffer.size_bytes};
+  Buffer& stage = staging(buffer.size_bytes);
+  const VkCommandBuffer commands = device_.begin();
+  full_barrier(commands);
+  const VkBufferCopy copy{0, 0, buffer.size_bytes};
+  vkCmdCopyBuffer(commands, buffer.buffer.get(), stage.buffer.get(), 1, &copy);
+  full_barrier(commands);
+  device_.submit_and_wait(commands);
+  std::vector<std::byte> bytes(stage.mapped, stage.mapped + buffer.size_bytes);
+  give_back_staging();
+  return bytes;
+}
+
+std::vector<std::byte> Resources::read_texture(TextureId id, uint32_t level) {
+  Texture& texture = at(id, "read_texture");
+  if (level >= texture.desc.levels)
+    throw_bad_input(texture.desc.name, fmt::format("level {} of a texture of {} levels", level, texture.desc.levels));
+  const size_t size_bytes = level_bytes(texture.desc, level);
+  Buffer& stage = staging(size_bytes);
+  const VkCommandBuffer commands = device_.begin();
+  const VkImageMemoryBarrier2 to_source = transition(texture, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+  full_barrier(commands, {&to_source, 1});
+  const VkBufferImageCopy copy = copy_of(texture.desc, level, 0);
+  vkCmdCopyImageToBuffer(commands, texture.image.get(), texture.layout, stage.buffer.get(), 1, &copy);
+  full_barrier(commands);
+  device_.submit_and_wait(commands);
+  std::vector<std::byte> bytes(stage.mapped, stage.mapped + size_bytes);
+  give_back_staging();
+  return bytes;
+}
+
+Texture& Resources::at(TextureId id, std::string_view subject) {
+  const auto found = textures_.find(id);
+  if (found == textures_.end()) throw_bad_input(subject, "names a texture that does not exist or was destroyed");
+  return found->second;
+}
+
+Buffer& Resources::at(BufferId id, std::string_view subject) {
+  const auto found = buffers_.find(id);
+  if (found == buffers_.end()) throw_bad_input(subject, "names a buffer that does not exist or was destroyed");
+  return found->second;
+}
+
+void Resources::check_room(const std::string& subject) const {
+  // One allocation each, and one for staging.
+  const size_t most = device_.limits().maxMemoryAllocationCount;
+  if (textures_.size() + buffers_.size() + 2 > most)
+    throw_failed(subject, fmt::format("{} textures and buffers exist, the device allows {}", textures_.size() + buffers_.size(),
+                                      most - 1));
+}
+
+Buffer Resources::make_buffer(const std::string& name, size_t size_bytes, VkBufferUsageFlags usage, MemoryUse memory) {
+  VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+  info.size = size_bytes;
+  info.usage = usage;
+  VkBuffer created = VK_NULL_HANDLE;
+  check(vkCreateBuffer(device_.get(), &info, nullptr, &created), name, "vkCreateBuffer");
+  Buffer buffer;
+  buffer.name = name;
+  buffer.size_bytes = size_bytes;
+  buffer.buffer = device_.own<BufferHandle>(created, name);
+  VkMemoryRequirements needed{};
+  vkGetBufferMemoryRequirements(device_.get(), created, &needed);
+  buffer.memory = device_.allocate(needed, memory, name);
+  check(vkBindBufferMemory(device_.get(), created, buffer.memory.get(), 0), name, "vkBindBufferMemory");
+  if (memory == MemoryUse::host) {
+    void* mapped = nullptr;
+    check(vkMapMemory(device_.get(), buffer.memory.get(), 0, VK_WHOLE_SIZE, 0, &mapped), name, "vkMapMemory");
+    buffer.mapped = static_cast<std::byte*>(mapped);
+  }
+  return buffer;
+}
+
+Texture Resources::make_texture(const TextureDesc& desc) {
+  Texture texture;
+  texture.desc = desc;
+  VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
+  info.imageType = VK_IMAGE_TYPE_2D;
+  info.format = vk_format(desc.format);
+  info.extent = {desc.width, desc.height, 1};
+  info.mipLevels = desc.levels;
+  info.arrayLayers = 1;
+  info.samples = VK_SAMPLE_COUNT_1_BIT;
+  info.tiling = VK_IMAGE_TILING_OPTIMAL;
+  info.usage = usage_of(desc);
+  VkImage image = VK_NULL_HANDLE;
+  check(vkCreateImage(device_.get(), &info, nullptr, &image), desc.name, "vkCreateImage");
+  texture.image = device_.own<ImageHandle>(image, desc.name);
+  VkMemoryRequirements needed{};
+  vkGetImageMemoryRequirements(device_.get(), image, &needed);
+  texture.memory = device_.allocate(needed, MemoryUse::device, desc.name);
+  check(vkBindImageMemory(device_.get(), image, texture.memory.get(), 0), desc.name, "vkBindImageMemory");
+
+  const auto view_of = [&](uint32_t level, uint32_t count, const std::string& name) {
+    VkImageViewCreateInfo view_info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+    view_info.image = image;
+    view_info.viewType = VK_IMAGE_VIEW_TYPE_2D;
+    view_info.format = info.format;
+    view_info.subresourceRange = {aspect_of(desc.format), level, count, 0, 1};
+    VkImageView view = VK_NULL_HANDLE;
+    check(vkCreateImageView(device_.get(), &view_info, nullptr, &view), desc.name, "vkCreateImageView");
+    return device_.own<ImageViewHandle>(view, name);
+  };
+  texture.whole = view_of(0, desc.levels, desc.name);
+  if (desc.target || desc.storage)
+    for (uint32_t level = 0; level < desc.levels; ++level)
+      texture.levels.push_back(view_of(level, 1, fmt::format("{} level {}", desc.name, level)));
+  return texture;
+}
+
+void Resources::upload(Texture& texture, std::span<const std::vector<std::byte>> levels) {
+  size_t size_bytes = 0;
+  for (const std::vector<std::byte>& level : levels) size_bytes += aligned(level.size());
+  Buffer& stage = staging(size_bytes);
+  std::vector<VkBufferImageCopy> copies;
+  size_t offset = 0;
+  for (uint32_t level = 0; level < levels.size(); ++level) {
+    std::memcpy(stage.mapped + offset, levels[level].data(), levels[level].size());
+    copies.push_back(copy_of(texture.desc, level, offset));
+    offset += aligned(levels[level].size());
+  }
+  const VkCommandBuffer commands = device_.begin();
+  const VkImageMemoryBarrier2 to_destination = transition(texture, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+  full_barrier(commands, {&to_destination, 1});
+  vkCmdCopyBufferToImage(commands, stage.buffer.get(), texture.image.get(), texture.layout,
+                         static_cast<uint32_t>(copies.size()), copies.data());
+  full_barrier(commands);
+  device_.submit_and_wait(commands);
+  give_back_staging();
+}
+
+Buffer& Resources::staging(size_t size_bytes) {
+  if (staging_.size_bytes < size_bytes) {
+    constexpr VkBufferUsageFlags copied = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    staging_ = {};
+    staging_ = make_buffer("lamina staging", std::max(size_bytes, staging_least_bytes), copied, MemoryUse::host);
+  }
+  return staging_;
+}
+
+void Resources::give_back_staging() {
+  if (staging_.size_bytes > staging_kept_bytes) staging_ = {};
+}
+
+}  // namespace lamina::vulkan

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Textures and buffers: made, filled, read back. One memory allocation each. Buffers that only the host writes (uniforms) are
+// mapped; everything else lives in the device's own memory and is reached through one staging buffer.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "harness/backend/vulkan/device.h"
+
+namespace lamina::vulkan {
+
+struct Texture {
+  TextureDesc desc;
+  MemoryHandle memory;  // before the image: freed after it
+  ImageHandle image;
+  ImageViewHandle whole;                // every level, for sampling
+  std::vector<ImageViewHandle> levels;  // one level each, for drawing and storing; empty where it is only sampled
+  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  // of the whole image, after all that was submitted
+};
+
+struct Buffer {
+  std::string name;
+  BufferUse use = BufferUse::storage;
+  size_t size_bytes = 0;
+  MemoryHandle memory;
+  BufferHandle buffer;
+  std::byte* mapped = nullptr;  // where the host reaches it directly
+};
+
+// Size of one mip level.
+VkExtent2D level_extent(const TextureDesc& desc, uint32_t level);
+
+// The barrier that brings a whole image from its layout to `layout`, and notes it there.
+VkImageMemoryBarrier2 transition(Texture& texture, VkImageLayout layout);
+
+class Resources {
+ public:
+  explicit Resources(Device& device) : device_(device) {}
+
+  // As Backend's functions of these names.
+  TextureId create_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels);
+  BufferId create_buffer(std::string name, BufferUse use, size_t size_bytes, std::span<const std::byte> data);
+  void destroy(TextureId id);
+  void destroy(BufferId id);
+  void write_buffer(BufferId id, std::span<const std::byte> data);
+  std::vector<std::byte> read_texture(TextureId id, uint32_t level);
+  std::vector<std::byte> read_buffer(BufferId id);
+
+  // Throws Error(bad_input) for an id that was never given out or is destroyed; `subject` is who asks.
+  Texture& at(TextureId id, std::string_view subject);
+  Buffer& at(BufferId id, std::string_view subject);
+
+ private:
+  void check_room(const std::string& subject) const;
+  Buffer make_buffer(const std::string& name, size_t size_bytes, VkBufferUsageFlags usage, MemoryUse memory);
+  Texture make_texture(const TextureDesc& desc);
+  void upload(Texture& texture, std::span<const std::vector<std::byte>> levels);
+  // The staging buffer, at least this large; give_back_staging() frees it where it grew too large to keep.
+  Buffer& staging(size_t size_bytes);
+  void give_back_staging();
+
+  Device& device_;
+  Buffer staging_;
+  // Ids are never used twice, so that a stale one is caught.
+  std::map<TextureId, Texture> textures_;
+  std::map<BufferId, Buffer> buffers_;
+  uint32_t next_id_ = 0;
+};
+
+}  // namespace lamina::vulkan

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/core/toml_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/core/text.h"
+
+namespace lamina {
+
+TomlTable TomlTable::parse(const std::filesystem::path& file, std::string stage) {
+  const std::string text = read_file(file, stage);
+  try {
+    auto root = std::make_shared<const toml::table>(toml::parse(text, file.string()));
+    return {root, root.get(), file.string(), std::move(stage)};
+  } catch (const toml::parse_error& failure) {
+    throw Error(ErrorKind::bad_input, stage, fmt::format("{}:{}", file.string(), failure.source().begin.line),
+                std::string(failure.description()));
+  }
+}
+
+const toml::node* TomlTable::find(std::string_view key) const {
+  asked_.emplace(key);
+  return table_->get(key);
+}
+
+std::string TomlTable::where(std::string_view key) const {
+  const toml::node* node = key.empty() ? nullptr : table_->get(key);
+  const toml::source_region& region = node ? node->source() : table_->source();
+  return region.begin.line > 0 ? fmt::format("{}:{}", file_, region.begin.line) : file_;
+}
+
+Error TomlTable::error(std::string_view key, std::string message) const {
+  return {ErrorKind::bad_input, stage_, where(key), std::move(message)};
+}
+
+bool TomlTable::has(std::string_view key) const { return find(key) != nullptr; }
+
+bool TomlTable::is_string(std::string_view key) const { return has(key) && find(key)->is_string(); }
+bool TomlTable::is_table(std::string_view key) const { return has(key) && find(key)->is_table(); }
+bool TomlTable::is_list(std::string_view key) const { return has(key) && find(key)->is_array(); }
+
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<std::string> names;
+  for (const auto& [name, node] : *table_) {
+    (void)node;
+    names.emplace_back(name.str());
+  }
+  return names;
+}
+
+std::optional<std::string> TomlTable::optional_string(std::string_view key) const {
+  const toml::node* node = find(key);
+  if (!node) return std::nullopt;
+  if (!node->is_string()) throw error(key, fmt::format("'{}' must be a string", key));
+  return node->as_string()->get();
+}
+
+std::string TomlTable::string(std::string_view key) const {
+  auto value = optional_string(key);
+  if (!value) throw error({}, fmt::format("'{}' is missing: it must be a string", key));
+  return *value;
+}
+
+std::optional<bool> TomlTable::optional_bool(std::string_view key) const {
+  const toml::node* node = find(key);
+  if (!node) return std::nullopt;
+  if (!node->is_boolean()) throw error(key, fmt::format("'{}' must be true or false", key));
+  return node->as_boolean()->get();
+}
+
+std::optional<double> TomlTable::optional_number(std::string_view key, double low, double high) const {
+  const toml::node* node = find(key);
+  if (!node) return std::nullopt;
+  const auto value = node->value<double>();
+  if (!node->is_number() || !value || !std::isfinite(*value) || *value < low || *value > high)
+    throw error(key, fmt::format("'{}' must be a number from {} to {}", key, low, high));
+  return value;
+}
+
+std::optional<std::vector<double>> TomlTable::optional_numbers(std::string_view key) const {
+  const toml::node* node = find(key);
+  if (!node) return std::nullopt;
+  std::vector<double> values;
+  const toml::array* array = node->as_array();
+  for (size_t i = 0; array && i < array->size(); ++i) {
+    const auto value = (*array)[i].value<double>();
+    if ((*array)[i].is_number() && value && std::isfinite(*value)) values.push_back(*value);
+  }
+  if (!array || values.size() != array->size()) throw error(key, fmt::format("'{}' must be a list of finite numbers", key));
+  return values;
+}
+
+std::optional<glm::vec3> TomlTable::optional_vec3(std::string_view key) const {
+  const auto values = has(key) ? optional_numbers(key) : std::nullopt;
+  if (!values) return std::nullopt;
+  if (values->size() != 3) throw error(key, fmt::format("'{}' must be a list of three numbers", key));
+  return glm::vec3((*values)[0], (*values)[1], (*values)[2]);
+}
+
+std::optional<std::vector<std::string>> TomlTable::optional_strings(std::string_view key) const {
+  const toml::node* node = find(key);
+  if (!node) return std::nullopt;
+  std::vector<std::string> values;
+  const toml::array* array = node->as_array();
+  for (size_t i = 0; array && i < array->size(); ++i)
+    if ((*array)[i].is_string()) values.push_back((*array)[i].as_string()->get());
+  if (!array || values.size() != array->size()) throw error(key, fmt::format("'{}' must be a list of strings", key));
+  return values;
+}
+
+TomlTable TomlTable::table(std::string_view key) const {
+  static const auto empty = std::make_shared<const toml::table>();
+  const toml::node* node = find(key);
+  if (!node) return {empty, empty.get(), file_, stage_};
+  if (!node->is_table()) throw error(key, fmt::format("'{}' must be a table", key));
+  return {root_, node->as_table(), file_, stage_};
+}
+
+std::vector<std::pair<std::string, TomlTable>> TomlTable::tables(std::string_view key) const {
+  const TomlTable parent = table(key);
+  std::vector<std::pair<std::string, TomlTable>> entries;
+  for (const auto& [name, node] : *parent.table_) {
+    (void)node;
+    entries.emplace_back(std::string(name.str()), parent.table(name.str()));
+  }
+  // toml++ keeps keys sorted by name; the file's order is what its author means.
+  std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+    return a.second.table_->source().begin.line < b.second.table_->source().begin.line;
+  });
+  return entries;
+}
+
+std::vector<TomlTable> TomlTable::array_of_tables(std::string_view key) const {
+  const toml::node* node = find(key);
+  std::vector<TomlTable> entries;
+  if (!node) return entries;
+  const toml::array* array = node->as_array();
+  for (size_t i = 0; array && i < array->size(); ++i)
+    if (const toml::table* entry = (*array)[i].as_table()) entries.push_back({root_, entry, file_, stage_});
+  if (!array || entries.size() != array->size()) throw error(key, fmt::format("'{}' must be a list of tables, [[{}]]", key, key));
+  return entries;
+}
+
+std::vector<std::pair<std::string, std::string>> TomlTable::texts() const {
+  std::vector<std::pair<std::string, std::string>> entries;
+  for (const auto& [name, node] : *table_) {
+    asked_.emplace(name.str());
+    std::string text;
+    if (node.is_string()) text = node.as_string()->get();
+    else if (node.is_integer()) text = fmt::format("{}", node.as_integer()->get());
+    else if (node.is_floating_point()) text = fmt::format("{}", node.as_floating_point()->get());
+    else if (node.is_boolean()) text = node.as_boolean()->get() ? "true" : "false";
+    else throw error(name.str(), fmt::format("'{}' must be a number, a string, true or false", name.str()));
+    entries.emplace_back(std::string(name.str()), text);
+  }
+  return entries;
+}
+
+void TomlTable::refuse_unknown_keys() const {
+  const std::vector<std::string> known(asked_.begin(), asked_.end());
+  for (const auto& [name, node] : *table_) {
+    (void)node;
+    if (!asked_.contains(name.str())) throw error(name.str(), unknown_name("key", name.str(), known));
+  }
+}
+
+}  // namespace lamina

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/graph/frame.h"
+
+#include <glm/gtc/packing.hpp>
+
+#include <cstring>
+
+#include "harness/graph/frame_builder.h"
+
+namespace lamina {
+
+uint64_t PassCounts::fetches() const {
+  uint64_t sum = 0;
+  for (const TextureFetches& texture : by_texture) sum += texture.fetches;
+  return sum;
+}
+
+Frame::Frame(SceneResources& resources, const Graph& graph, Build build, const Parameters& parameters)
+    : resources_(resources), backend_(resources.backend()), build_(build) {
+  try {
+    FrameBuilder(*this, graph, parameters).build();
+  } catch (...) {
+    release();
+    throw;
+  }
+}
+
+Frame::~Frame() { release(); }
+
+void Frame::release() {
+  for (const PipelineId id : pipelines_) backend_.destroy(id);
+  for (const BufferId id : buffers_) backend_.destroy(id);
+  for (const TextureId id : textures_) backend_.destroy(id);
+}
+
+FrameTimes Frame::run_sequence(Sequence& sequence, size_t view, Timing timing) {
+  for (const Step& step : sequence.steps)
+    if (step.counters) backend_.write_buffer(step.counters, std::as_bytes(std::span(step.cleared)));
+  const RunTimes times = backend_.run(sequence.passes_by_view.at(view), timing);
+  FrameTimes sums;
+  sums.wall_ms = times.wall_ms;
+  if (timing == Timing::off) return sums;
+  sums.pass_ms.assign(sequence.steps.size(), 0);
+  for (size_t i = 0; i < times.pass_ms.size(); ++i) sums.pass_ms[sequence.step_of_pass[i]] += times.pass_ms[i];
+  return sums;
+}
+
+FrameTimes Frame::run_once(Timing timing) { return run_sequence(once_, 0, timing); }
+FrameTimes Frame::run(size_t view, Timing timing) { return run_sequence(frame_, view, timing); }
+
+Image Frame::picture() { return image_from_rgba16(resources_.width_px(), resources_.height_px(), backend_.read_texture(picture_)); }
+
+std::vector<PassCounts> Frame::counts(Sequence& sequence) {
+  std::vector<PassCounts> all;
+  for (const Step& step : sequence.steps) {
+    PassCounts& pass = all.emplace_back();
+    if (!step.counters) continue;
+    const std::vector<std::byte> bytes = backend_.read_buffer(step.counters);
+    const auto counter = [&](uint32_t word) {
+      uint64_t value = 0;  // low word first, as the host's order is
+      std::memcpy(&value, bytes.data() + size_t{word} * 4, 8);
+      return value;
+    };
+    for (const Counted& counted : step.counted) {
+      (counted.stage == Stage::vertex ? pass.vertices : pass.fragments) += counter(counted.first_word);
+      pass.early_tests = pass.early_tests && (counted.stage != Stage::fragment || counted.early_tests);
+      for (size_t k = 0; k < counted.slots.size(); ++k) {
+        TextureFetches row = counted.slots[k];
+        row.fetches = counter(counted.first_word + 2 + 2 * static_cast<uint32_t>(k));
+        bool merged = false;
+        for (TextureFetches& other : pass.by_texture)
+          if (other.texture == row.texture && other.format == row.format && other.filter == row.filter) other.fetches += row.fetches, merged = true;
+        if (!merged) pass.by_texture.push_back(row);
+      }
+    }
+  }
+  return all;
+}
+
+Mask Frame::coverage(std::string_view effect) {
+  Mask mask{static_cast<int>(resources_.width_px()), static_cast<int>(resources_.height_px()), {}};
+  mask.on.assign(size_t{resources_.width_px()} * resources_.height_px(), 0);
+  for (const Step& step : frame_.steps) {
+    if (step.pass->variant->effect != effect || step.coverage_word == 0) continue;
+    const std::vector<std::byte> bytes = backend_.read_buffer(step.counters);
+    for (size_t i = 0; i < mask.on.size(); ++i) {
+      uint32_t times = 0;
+      std::memcpy(&times, bytes.data() + (step.coverage_word + i) * 4, 4);
+      if (times > 0) mask.on[i] = 1;
+    }
+  }
+  return mask;
+}
+
+Image image_from_rgba16(uint32_t width, uint32_t height, std::span<const std::byte> halves) {
+  Image image{static_cast<int>(width), static_cast<int>(height), {}};
+  image.rgba.resize(size_t{width} * height * 4);
+  for (size_t i = 0; i < image.rgba.size(); ++i) {
+    uint16_t half = 0;
+    std::memcpy(&half, halves.data() + i * 2, 2);
+    image.rgba[i] = glm::unpackHalf1x16(half);
+  }
+  return image;
+}
+
+}  // namespace lamina

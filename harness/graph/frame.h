@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// A graph made ready on a backend: targets, pipelines and the list of passes of every view. Either the timed build, or the counting
+// build of the same shaders; never both in one frame.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/graph/graph.h"
+#include "harness/graph/scene_resources.h"
+
+namespace lamina {
+
+// Texture operations that a pass executed on one texture.
+struct TextureFetches {
+  std::string texture;  // the sampler's name in the shader
+  std::string format;   // "rgba8_srgb"
+  std::string filter;   // "trilinear"
+  uint64_t fetches = 0;
+};
+struct PassCounts {
+  uint64_t vertices = 0;   // invocations of the vertex shader
+  uint64_t fragments = 0;  // invocations of the fragment shader, or of the compute shader
+  bool early_tests = true;  // false: some shader discards or writes depth, so fragments hidden later are counted too
+  std::vector<TextureFetches> by_texture;
+  uint64_t fetches() const;
+};
+
+struct FrameTimes {
+  std::vector<double> pass_ms;  // one a logical pass; empty where timing was off
+  double wall_ms = 0;
+};
+
+enum class Build : uint8_t { timed, counting };
+
+// Values for specialization constants by name: the variant's parameters.
+using Parameters = std::map<std::string, double>;
+
+class Frame {
+ public:
+  // Everything given must outlive the frame. Throws Error(failed) where the device refuses.
+  Frame(SceneResources& resources, const Graph& graph, Build build, const Parameters& parameters = {});
+  ~Frame();
+  Frame(const Frame&) = delete;
+  Frame& operator=(const Frame&) = delete;
+
+  // The logical passes in order, as the graph names them; those done once, and those of every frame.
+  const std::vector<std::string>& once_names() const { return once_.names; }
+  const std::vector<std::string>& frame_names() const { return frame_.names; }
+
+  // The passes done once; before the first run().
+  FrameTimes run_once(Timing timing);
+  // One frame of scene.views[view].
+  FrameTimes run(size_t view, Timing timing);
+
+  // The picture of the last run(): linear light; alpha as the passes left it.
+  Image picture();
+
+  // Counting build only: what the last run_once() and run() executed, in the order of the names; and the pixels of the frame in which
+  // the passes of `effect` shaded at least one fragment.
+  std::vector<PassCounts> once_counts() { return counts(once_); }
+  std::vector<PassCounts> frame_counts() { return counts(frame_); }
+  Mask coverage(std::string_view effect);
+
+ private:
+  // A counting build's bookkeeping for one counted stage of one draw.
+  struct Counted {
+    Stage stage;
+    uint32_t first_word;
+    std::vector<TextureFetches> slots;
+    bool early_tests;
+  };
+  struct Step {
+    const GraphPass* pass;
+    BufferId counters;  // counting build
+    uint32_t coverage_word = 0;
+    std::vector<uint32_t> cleared;  // what the counters hold before a run
+    std::vector<Counted> counted;
+  };
+  // A list of logical passes; each is one or more backend passes (per object, per repetition).
+  struct Sequence {
+    std::vector<std::string> names;
+    std::vector<Step> steps;                        // beside names
+    std::vector<size_t> step_of_pass;               // beside every list of passes
+    std::vector<std::vector<Pass>> passes_by_view;  // [view]; passes done once: one list
+  };
+  friend class FrameBuilder;
+
+  void release();
+  FrameTimes run_sequence(Sequence& sequence, size_t view, Timing timing);
+  std::vector<PassCounts> counts(Sequence& sequence);
+
+  SceneResources& resources_;
+  Backend& backend_;
+  Build build_;
+  Sequence once_, frame_;
+  TextureId picture_;
+  std::vector<TextureId> textures_;
+  std::vector<BufferId> buffers_;
+  std::vector<PipelineId> pipelines_;
+};
+
+// Half-precision floats to single.
+Image image_from_rgba16(uint32_t width, uint32_t height, std::span<const std::byte> halves);
+
+}  // namespace lamina

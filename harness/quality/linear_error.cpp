@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Errors in linear light, r, g and b alike, unbounded. Sums are in double, in the order of the pixels.
+#include <algorithm>
+#include <cmath>
+
+#include "harness/quality/pixels.h"
+
+namespace lamina {
+namespace {
+
+// Calls `each` with every difference of a counted pixel, and returns how many pixels that were.
+template <class Each>
+size_t for_differences(std::string_view figure, const Image& test, const Image& reference, const Mask* mask, Each each) {
+  check_pair(figure, test, reference);
+  check_mask(figure, mask, test.width, test.height);
+  const size_t pixels = test.rgba.size() / 4, counted = counted_pixels(figure, mask, pixels);
+  for (size_t pixel = 0; pixel < pixels; ++pixel) {
+    if (!counts(mask, pixel)) continue;
+    if (!is_finite_pixel(test, pixel)) check_finite(figure, test, "test");  // throws, with place and count
+    if (!is_finite_pixel(reference, pixel)) check_finite(figure, reference, "reference");
+    for (size_t i = 4 * pixel; i < 4 * pixel + 3; ++i) each(double{test.rgba[i]} - double{reference.rgba[i]});
+  }
+  return counted;
+}
+
+}  // namespace
+
+double rmse_linear(const Image& test, const Image& reference, const Mask* mask) {
+  double squares = 0;
+  const size_t counted = for_differences("RMSE", test, reference, mask, [&](double d) { squares += d * d; });
+  return std::sqrt(squares / (3 * static_cast<double>(counted)));
+}
+
+double max_linear(const Image& test, const Image& reference, const Mask* mask) {
+  double greatest = 0;
+  for_differences("maximum", test, reference, mask, [&](double d) { greatest = std::max(greatest, std::abs(d)); });
+  return greatest;
+}
+
+size_t nonfinite_pixels(const Image& image) {
+  check_picture("non-finite pixels", image);
+  size_t bad = 0;
+  for (size_t pixel = 0; pixel < image.rgba.size() / 4; ++pixel) bad += !is_finite_pixel(image, pixel);
+  return bad;
+}
+
+}  // namespace lamina

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of a record to JSON, and a cell's passes back.
+#include <cmath>
+
+#include "harness/core/error.h"
+#include "harness/record/record.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string name_of(const CellRow& cell) {
+  return fmt::format("cell {}/{} on {}, view '{}'", cell.effect, cell.variant, cell.backend, cell.view);
+}
+
+// JSON has neither NaN nor infinity, and the library would write a silent null.
+Json finite(double value, const std::string& owner, std::string_view what) {
+  if (!std::isfinite(value))
+    throw Error(ErrorKind::failed, "record", owner, fmt::format("{} is not a finite number; this cell must be a failed one", what));
+  return value;
+}
+
+Json figures_to_json(const std::optional<ErrorFigures>& figures, const std::string& owner) {
+  if (!figures) return nullptr;
+  const bool identical = std::isinf(figures->psnr_db) && figures->psnr_db > 0;
+  return {{"psnr_db", identical ? Json(nullptr) : finite(figures->psnr_db, owner, "psnr_db")},
+          {"identical", identical},
+          {"ssim", finite(figures->ssim, owner, "ssim")},
+          {"flip", finite(figures->flip, owner, "flip")},
+          {"rmse_linear", finite(figures->rmse_linear, owner, "rmse_linear")},
+          {"max_linear", finite(figures->max_linear, owner, "max_linear")}};
+}
+
+Json interval_to_json(const std::optional<Interval>& interval, const std::string& owner) {
+  if (!interval) return nullptr;
+  return {{"median", finite(interval->median, owner, "ratio_to_baseline.median")},
+          {"low", finite(interval->low, owner, "ratio_to_baseline.low")},
+          {"high", finite(interval->high, owner, "ratio_to_baseline.high")},
+          {"rounds", interval->rounds},
+          {"coverage", finite(interval->coverage, owner, "ratio_to_baseline.coverage")}};
+}
+
+Json median_or_null(const std::vector<double>& samples) { return samples.empty() ? Json(nullptr) : Json(median(samples)); }
+
+// Work that is done once has no rounds to pair by: each such pass counts with its own median. No such pass costs nothing, which is
+// known; one without samples makes the sum unknown.
+Json once_ms(const CellRow& cell) {
+  double sum_ms = 0;
+  for (const PassRow& pass : cell.passes) {
+    if (!pass.once) continue;
+    if (pass.ms.empty()) return nullptr;
+    sum_ms += median(pass.ms);
+  }
+  return sum_ms;
+}
+
+}  // namespace
+
+std::vector<double> frame_samples_ms(std::span<const PassRow> passes) {
+  std::vector<double> sum_ms;
+  const PassRow* first = nullptr;
+  for (const PassRow& pass : passes) {
+    if (pass.once) continue;
+    if (!first) {
+      first = &pass;
+      sum_ms = pass.ms;
+      continue;
+    }
+    if (pass.ms.size() != sum_ms.size())
+      throw Error(ErrorKind::failed, "record", fmt::format("pass '{}'", pass.name),
+                  fmt::format("has {} samples where pass '{}' has {}; every pass of a frame needs one a round", pass.ms.size(),
+                              first->name, sum_ms.size()));
+    for (size_t round = 0; round < sum_ms.size(); ++round) sum_ms[round] += pass.ms[round];
+  }
+  return sum_ms;
+}
+
+Json to_json(const CellRow& cell) {
+  const std::string owner = name_of(cell);
+  const auto count = [&](uint64_t value) { return cell.failed && value == 0 ? Json(nullptr) : Json(value); };
+
+  Json passes = Json::array();
+  for (const PassRow& pass : cell.passes) {
+    const std::vector<double> ms = cell.timed ? pass.ms : std::vector<double>{};
+    for (const double sample_ms : ms) finite(sample_ms, owner, fmt::format("a sample of pass '{}'", pass.name));
+    Json by_texture = Json::array();
+    for (const TextureFetches& fetched : pass.by_texture)
+      by_texture.push_back({{"texture", fetched.texture},
+                            {"format", fetched.format},
+                            {"filter", fetched.filter},
+                            {"fetches", fetched.fetches}});
+    passes.push_back({{"name", pass.name},
+                      {"once", pass.once},
+                      {"ms", ms},
+                      {"median_ms", median_or_null(ms)},
+                      {"fragments", count(pass.fragments)},
+                      {"vertices", count(pass.vertices)},
+                      {"fetches", count(pass.fetches)},
+                      {"by_texture", std::move(by_texture)}});
+  }
+  Json params = Json::object();
+  for (const auto& [path, value] : cell.params) params[path] = finite(value, owner, path);
+
+  const bool has_times = cell.timed && !cell.failed;
+  Json line;
+  line["kind"] = "cell";
+  line["scene"] = cell.scene;
+  line["effect"] = cell.effect;
+  line["variant"] = cell.variant;
+  line["baseline"] = cell.baseline;
+  line["backend"] = cell.backend;
+  line["device"] = cell.device;
+  line["width"] = cell.width;
+  line["height"] = cell.height;
+  line["view"] = cell.view;
+  line["params"] = std::move(params);
+  line["status"] = cell.failed ? "failed" : "ok";
+  line["reason"] = cell.reason;
+  line["timed"] = cell.timed;
+  line["passes"] = std::move(passes);
+  line["median_ms"] = has_times ? median_or_null(frame_samples_ms(cell.passes)) : Json(nullptr);
+  line["once_ms"] = has_times ? once_ms(cell) : Json(nullptr);
+  line["cold_ms"] = cell.cold_ms > 0 ? finite(cell.cold_ms, owner, "cold_ms") : Json(nullptr);
+  line["ratio_to_baseline"] = has_times ? interval_to_json(cell.ratio_to_baseline, owner) : Json(nullptr);
+  line["fetches"] = count(cell.fetches);
+  line["fetches_per_pixel"] =
+      cell.covered_pixels == 0 ? Json(nullptr) : finite(cell.fetches_per_pixel, owner, "fetches_per_pixel");
+  line["error"] = {{"baseline", figures_to_json(cell.error_covered, owner)},
+                   {"frame", figures_to_json(cell.error_frame, owner)},
+                   {"truth", nullptr}};
+  line["nonfinite_pixels"] = count(cell.nonfinite_pixels);
+  line["covered_pixels"] = count(cell.covered_pixels);
+  line["image"] = cell.image;
+  line["difference"] = cell.difference;
+  line["flip"] = cell.flip;
+  line["image_hash"] = cell.image_hash;
+  line["shader_hashes"] = cell.shader_hashes;
+  return line;
+}
+
+Json to_json(const TimerRow& timer) {
+  const std::string owner = fmt::format("timer certificate of {}", timer.backend);
+  const bool measured = !timer.linearity.empty();
+  for (const double factor : timer.linearity) finite(factor, owner, "linearity");
+  return {{"kind", "timer"},
+          {"backend", timer.backend},
+          {"ok", timer.ok},
+          {"linearity", timer.linearity},
+          {"additivity", measured ? finite(timer.additivity, owner, "additivity") : Json(nullptr)},
+          {"attribution", measured ? finite(timer.attribution, owner, "attribution") : Json(nullptr)},
+          {"reason", timer.reason}};
+}
+
+std::vector<PassRow> passes_of(const nlohmann::json& cell) {
+  // Null stands for a count that is not known, in failed cells alone.
+  const auto count = [](const nlohmann::json& value) { return value.is_null() ? uint64_t{0} : value.get<uint64_t>(); };
+  std::vector<PassRow> passes;
+  for (const nlohmann::json& from : cell.at("passes")) {
+    PassRow pass;
+    pass.name = from.at("name");
+    pass.once = from.at("once");
+    pass.ms = from.at("ms").get<std::vector<double>>();
+    pass.fragments = count(from.at("fragments"));
+    pass.vertices = count(from.at("vertices"));
+    pass.fetches = count(from.at("fetches"));
+    for (const nlohmann::json& fetched : from.at("by_texture"))
+      pass.by_texture.push_back({.texture = fetched.at("texture"),
+                                 .format = fetched.at("format"),
+                                 .filter = fetched.at("filter"),
+                                 .fetches = count(fetched.at("fetches"))});
+    passes.push_back(std::move(pass));
+  }
+  return passes;
+}
+
+}  // namespace lamina

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads a record and checks every line, so that what makes reports of it can trust each field.
+#include <array>
+#include <initializer_list>
+#include <utility>
+
+#include "harness/core/error.h"
+#include "harness/core/text.h"
+#include "harness/record/record.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+
+[[noreturn]] void refuse(const std::string& where, std::string message) {
+  throw Error(ErrorKind::bad_input, "record", where, std::move(message));
+}
+
+struct Type {
+  bool (*fits)(const Json&);
+  const char* words;
+};
+constexpr Type text = {[](const Json& v) { return v.is_string(); }, "a string"};
+constexpr Type boolean = {[](const Json& v) { return v.is_boolean(); }, "true or false"};
+constexpr Type count = {[](const Json& v) { return v.is_number_unsigned(); }, "a whole number"};
+constexpr Type count_or_null = {[](const Json& v) { return v.is_null() || v.is_number_unsigned(); }, "a whole number or null"};
+constexpr Type number = {[](const Json& v) { return v.is_number(); }, "a number"};
+constexpr Type number_or_null = {[](const Json& v) { return v.is_null() || v.is_number(); }, "a number or null"};
+constexpr Type numbers = {[](const Json& v) {
+                            if (!v.is_array()) return false;
+                            for (const Json& element : v)
+                              if (!element.is_number()) return false;
+                            return true;
+                          },
+                          "an array of numbers"};
+constexpr Type array = {[](const Json& v) { return v.is_array(); }, "an array"};
+constexpr Type object = {[](const Json& v) { return v.is_object(); }, "an object"};
+constexpr Type object_or_null = {[](const Json& v) { return v.is_null() || v.is_object(); }, "an object or null"};
+constexpr Type numbers_by_name = {[](const Json& v) {
+                                    if (!v.is_object()) return false;
+                                    for (const Json& element : v)
+                                      if (!element.is_number()) return false;
+                                    return true;
+                                  },
+                                  "an object of numbers"};
+constexpr Type texts = {[](const Json& v) {
+                          if (!v.is_array()) return false;
+                          for (const Json& element : v)
+                            if (!element.is_string()) return false;
+                          return true;
+                        },
+                        "an array of strings"};
+constexpr Type status = {[](const Json& v) { return v == "ok" || v == "failed"; }, "\"ok\" or \"failed\""};
+
+using Fields = std::initializer_list<std::pair<const char*, Type>>;
+
+// `inside` names the object in messages: "" for the line itself, "passes." for one of its passes.
+void check(const Json& value, const Fields& fields, const std::string& where, const std::string& inside = "") {
+  if (!value.is_object()) refuse(where, fmt::format("{} is not an object", inside.empty() ? "the line" : inside));
+  for (const auto& [name, type] : fields) {
+    const auto field = value.find(name);
+    if (field == value.end()) refuse(where, fmt::format("the field '{}{}' is missing", inside, name));
+    if (!type.fits(*field)) refuse(where, fmt::format("the field '{}{}' is not {}", inside, name, type.words));
+  }
+}
+
+void check_cell(const Json& line, const std::string& where) {
+  check(line, {{"scene", text},
+               {"effect", text},
+               {"variant", text},
+               {"baseline", boolean},
+               {"backend", text},
+               {"device", text},
+               {"width", count},
+               {"height", count},
+               {"view", text},
+               {"params", numbers_by_name},
+               {"status", status},
+               {"reason", text},
+               {"timed", boolean},
+               {"passes", array},
+               {"median_ms", number_or_null},
+               {"once_ms", number_or_null},
+               {"cold_ms", number_or_null},
+               {"ratio_to_baseline", object_or_null},
+               {"fetches", count_or_null},
+               {"fetches_per_pixel", number_or_null},
+               {"error", object},
+               {"nonfinite_pixels", count_or_null},
+               {"covered_pixels", count_or_null},
+               {"image", text},
+               {"difference", text},
+               {"flip", text},
+               {"image_hash", text},
+               {"shader_hashes", texts}},
+        where);
+  for (const Json& pass : line["passes"]) {
+    check(pass, {{"name", text},
+                 {"once", boolean},
+                 {"ms", numbers},
+                 {"median_ms", number_or_null},
+                 {"fragments", count_or_null},
+                 {"vertices", count_or_null},
+                 {"fetches", count_or_null},
+                 {"by_texture", array}},
+          where, "passes.");
+    for (const Json& fetched : pass["by_texture"])
+      check(fetched, {{"texture", text}, {"format", text}, {"filter", text}, {"fetches", count}}, where, "passes.by_texture.");
+  }
+  if (const Json& ratio = line["ratio_to_baseline"]; !ratio.is_null())
+    check(ratio, {{"median", number}, {"low", number}, {"high", number}, {"rounds", count}, {"coverage", number}}, where,
+          "ratio_to_baseline.");
+  check(line["error"], {{"baseline", object_or_null}, {"frame", object_or_null}, {"truth", object_or_null}}, where, "error.");
+  for (const char* against : {"baseline", "frame", "truth"})
+    if (const Json& figures = line["error"][against]; !figures.is_null()) {
+      check(figures, {{"psnr_db", number_or_null},
+                      {"identical", boolean},
+                      {"ssim", number},
+                      {"flip", number},
+                      {"rmse_linear", number},
+                      {"max_linear", number}},
+            where, fmt::format("error.{}.", against));
+      if (figures["psnr_db"].is_null() != figures["identical"].get<bool>())
+        refuse(where, fmt::format("'error.{}.psnr_db' must be null for identical pictures and for no others", against));
+    }
+  if (line["status"] == "ok") {
+    try {
+      frame_samples_ms(passes_of(line));
+    } catch (const Error& error) {
+      refuse(where, fmt::format("{} {}", error.subject(), error.message()));
+    }
+  }
+}
+
+void check_timer(const Json& line, const std::string& where) {
+  check(line, {{"backend", text},
+               {"ok", boolean},
+               {"linearity", numbers},
+               {"additivity", number_or_null},
+               {"attribution", number_or_null},
+               {"reason", text}},
+        where);
+}
+
+void check_plan(const Json& line, const std::string& where) {
+  check(line, {{"effects", array}}, where);
+  for (const Json& effect : line["effects"])
+    check(effect, {{"effect", text}, {"called_for", boolean}, {"reason", text}}, where, "effects.");
+}
+
+void check_run(const Json& line, const std::string& where) {
+  check(line, {{"schema", count}}, where);
+  if (line["schema"] != record_schema)
+    refuse(where, fmt::format("the record's schema is {}, this program reads schema {}; use the program that wrote it",
+                              line["schema"].dump(), record_schema));
+}
+
+// The kind of a line; checks that it is an object with one.
+std::string kind_of(const Json& line, const std::string& where) {
+  check(line, {{"kind", text}}, where);
+  return line["kind"];
+}
+
+void add_line(Record& record, Json line, const std::string& where) {
+  const std::string kind = kind_of(line, where);
+  if (kind == "cell") {
+    check_cell(line, where);
+    record.cells.push_back(std::move(line));
+  } else if (kind == "timer") {
+    check_timer(line, where);
+    record.timers.push_back(std::move(line));
+  } else if (kind == "plan") {
+    check_plan(line, where);
+    record.plans.push_back(std::move(line));
+  } else if (kind == "run") {
+    refuse(where, "a second line of kind 'run'; one record holds one run, so split the file before this line");
+  } else {
+    const std::vector<std::string> known = {"run", "timer", "plan", "cell"};
+    refuse(where, unknown_name("kind of line", kind, known));
+  }
+}
+
+}  // namespace
+
+Record read_record(const std::filesystem::path& file) {
+  const std::string content = read_file(file, "record");
+  Record record;
+  size_t number_of_line = 0;
+  for (size_t begin = 0; begin < content.size();) {
+    const size_t newline = content.find('\n', begin);
+    const bool ended = newline != std::string::npos;
+    const std::string_view words = std::string_view(content).substr(begin, ended ? newline - begin : std::string::npos);
+    begin = ended ? newline + 1 : content.size();
+    const std::string where = fmt::format("{}:{}", file.string(), ++number_of_line);
+
+    Json line;
+    try {
+      line = Json::parse(words);
+    } catch (const Json::out_of_range&) {
+      refuse(where, "holds a number too large for a double");
+    } catch (const Json::parse_error& error) {
+      if (!ended && number_of_line > 1) {  // what a crash or a full disk leaves; a whole line ends in a newline
+        record.run["truncated"] = fmt::format("line {} is cut short and left out: the run did not end well", number_of_line);
+        break;
+      }
+      refuse(where, fmt::format("is not JSON from byte {} of the line on; mend or remove the line, or run again", error.byte));
+    }
+    if (number_of_line > 1) {
+      add_line(record, std::move(line), where);
+      continue;
+    }
+    if (kind_of(line, where) != "run") refuse(where, "the first line is not of kind 'run'; this is no record, or its start is lost");
+    check_run(line, where);
+    record.run = std::move(line);
+  }
+  if (number_of_line == 0) refuse(fmt::format("{}:1", file.string()), "the file is empty; a record begins with a line of kind 'run'");
+  return record;
+}
+
+}  // namespace lamina

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+// See heart_shape.h.
+#include "harness/scene/heart_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace lamina {
+namespace {
+
+float smooth_min(float a, float b, float width) {
+  const float h = std::max(width - std::abs(a - b), 0.0f) / width;
+  return std::min(a, b) - h * h * width * 0.25f;
+}
+
+// An ellipsoid whose cross-section narrows along its axis: by `taper` of itself at the far end.
+class Egg {
+ public:
+  // `radii`: across, across towards `front`, along `axis`. All in metres.
+  Egg(glm::vec3 center, glm::vec3 axis, glm::vec3 front, glm::vec3 radii, float taper)
+      : center_(center), along_(glm::normalize(axis)), radii_(radii), taper_(taper) {
+    side_ = glm::normalize(glm::cross(along_, front));
+    front_ = glm::cross(side_, along_);
+  }
+  float distance(glm::vec3 p, float size) const {
+    const glm::vec3 q = (p - center_) / size;
+    const float h = glm::dot(q, along_);
+    const float narrow = std::max(1 - taper_ * h / radii_.z, 0.25f);
+    const glm::vec3 radii(radii_.x * narrow, radii_.y * narrow, radii_.z);
+    const glm::vec3 scaled = glm::vec3(glm::dot(q, side_), glm::dot(q, front_), h) / radii;
+    const float k = glm::length(scaled);
+    // Quilez's estimate k (k - 1) / |q / r^2|; at the centre, where it is 0/0, minus the smallest radius.
+    const float slope = glm::length(scaled / radii);
+    return size * (slope > 1e-6f ? k * (k - 1) / slope : -std::min({radii.x, radii.y, radii.z}));
+  }
+
+ private:
+  glm::vec3 center_, along_, side_{}, front_{}, radii_;
+  float taper_;
+};
+
+// A tube around a smooth curve through points, with a hollow at its end.
+class Tube {
+ public:
+  struct Knot {
+    glm::vec3 at;
+    float radius;
+  };
+  explicit Tube(const std::vector<Knot>& knots) {
+    constexpr int pieces = 5;  // straight pieces between knots: bends stay under 15 degrees
+    const auto knot = [&](size_t i) { return knots[std::min(i, knots.size() - 1)]; };
+    for (size_t k = 0; k + 1 < knots.size(); ++k) {
+      const Knot before = knot(k == 0 ? 0 : k - 1), from = knot(k), to = knot(k + 1), after = knot(k + 2);
+      for (int i = 0; i < pieces; ++i) {
+        // Catmull and Rom's cubic (1974).
+        const float t = static_cast<float>(i) / pieces;
+        const glm::vec3 c1 = 0.5f * (to.at - before.at), c2 = before.at - 2.5f * from.at + 2.0f * to.at - 0.5f * after.at,
+                        c3 = 1.5f * (from.at - to.at) + 0.5f * (after.at - before.at);
+        path_.push_back({from.at + t * (c1 + t * (c2 + t * c3)), from.radius + t * (to.radius - from.radius)});
+      }
+    }
+    path_.push_back(knots.back());
+    for (const Knot& a : path_) center_ += a.at / static_cast<float>(path_.size());
+    for (const Knot& a : path_) reach_ = std::max(reach_, glm::distance(a.at, center_) + a.radius);
+  }
+
+  // No greater than the distance: cheap.
+  float lower_bound(glm::vec3 p) const { return glm::distance(p, center_) - reach_; }
+
+  float distance(glm::vec3 p, float growth) const {
+    const float grown = growth * static_cast<float>(path_.size() - 1);
+    float nearest = 1e9f;
+    for (size_t i = 0; i + 1 < path_.size(); ++i) {
+      const float share = std::clamp(grown - static_cast<float>(i), 0.0f, 1.0f);
+      if (share <= 0 && i > 0) break;
+      const Knot &a = path_[i], &b = path_[i + 1];
+      const glm::vec3 ab = share * (b.at - a.at), ap = p - a.at;
+      const float t = std::clamp(glm::dot(ap, ab) / std::max(glm::dot(ab, ab), 1e-9f), 0.0f, 1.0f);
+      nearest = std::min(nearest, glm::length(ap - t * ab) - (a.radius + t * share * (b.radius - a.radius)));
+    }
+    return nearest;
+  }
+
+  // Of the hollow at the end: a ball that leaves a wall of a quarter of the radius.
+  float hollow(glm::vec3 p) const {
+    const Knot &end = path_.back(), &before = path_[path_.size() - 2];
+    const glm::vec3 center = end.at + 0.75f * end.radius * glm::normalize(end.at - before.at);
+    return glm::distance(p, center) - 1.0f * end.radius;
+  }
+
+ private:
+  std::vector<Knot> path_;
+  glm::vec3 center_{0};
+  float reach_ = 0;
+};
+
+enum class Kind : uint8_t { aorta, pulmonary, cava };
+struct Vessel {
+  Kind kind;
+  Tube tube;
+};
+
+struct Anatomy {
+  glm::vec3 axis = heart_apex - heart_base;
+  Egg left_ventricle{{0.25f, -0.34f, -0.10f}, {0.46f, -1.0f, 0.22f}, {0, 0, 1}, {0.54f, 0.56f, 0.84f}, 0.22f};
+  Egg right_ventricle{{-0.13f, -0.24f, 0.20f}, {0.52f, -1.0f, 0.02f}, {0.15f, 0, 1}, {0.54f, 0.44f, 0.74f}, 0.24f};
+  std::array<Egg, 2> atria{{{{-0.56f, 0.26f, -0.06f}, {-0.1f, 1, 0}, {0, 0, 1}, {0.32f, 0.36f, 0.42f}, 0.10f},
+                            {{0.20f, 0.44f, -0.40f}, {1, 0.1f, 0}, {0, 0, 1}, {0.30f, 0.32f, 0.52f}, 0.0f}}};
+  std::array<Egg, 2> auricles{{{{-0.40f, 0.40f, 0.30f}, {0.75f, 0.45f, 0.25f}, {0, 0, 1}, {0.17f, 0.15f, 0.30f}, 0.25f},
+                               {{0.58f, 0.36f, 0.10f}, {0.10f, -0.45f, 0.75f}, {1, 0, 0}, {0.17f, 0.14f, 0.30f}, 0.30f}}};
+  std::array<Vessel, 6> vessels{
+      {{Kind::aorta,
+        Tube({{{-0.06f, 0.25f, 0.06f}, 0.19f}, {{-0.15f, 0.72f, 0.12f}, 0.205f}, {{-0.07f, 1.10f, 0.04f}, 0.19f},
+              {{0.16f, 1.30f, -0.14f}, 0.18f}, {{0.46f, 1.27f, -0.36f}, 0.165f}, {{0.62f, 1.06f, -0.48f}, 0.155f}})},
+       {Kind::aorta, Tube({{{-0.04f, 1.15f, 0.02f}, 0.09f}, {{-0.14f, 1.48f, 0.05f}, 0.085f}, {{-0.26f, 1.66f, 0.06f}, 0.085f}})},
+       {Kind::aorta, Tube({{{0.14f, 1.30f, -0.12f}, 0.07f}, {{0.13f, 1.54f, -0.12f}, 0.065f}, {{0.10f, 1.70f, -0.10f}, 0.065f}})},
+       {Kind::aorta, Tube({{{0.36f, 1.30f, -0.29f}, 0.07f}, {{0.42f, 1.50f, -0.31f}, 0.066f}, {{0.52f, 1.64f, -0.30f}, 0.066f}})},
+       {Kind::pulmonary,
+        Tube({{{0.10f, 0.15f, 0.30f}, 0.20f}, {{0.15f, 0.56f, 0.36f}, 0.20f}, {{0.28f, 0.82f, 0.24f}, 0.19f},
+              {{0.53f, 0.92f, 0.10f}, 0.165f}, {{0.74f, 0.90f, 0.02f}, 0.15f}})},
+       {Kind::cava, Tube({{{-0.56f, 0.30f, -0.08f}, 0.15f}, {{-0.57f, 0.76f, -0.12f}, 0.145f}, {{-0.62f, 1.10f, -0.14f}, 0.145f},
+                          {{-0.66f, 1.28f, -0.13f}, 0.15f}})}}};
+};
+
+const Anatomy& anatomy() {
+  static const Anatomy made;
+  return made;
+}
+
+// Widths of the unions in metres: soft between chambers, tight around vessels so that their necks stay.
+constexpr float ventricle_blend = 0.10f, atrium_blend = 0.10f, auricle_blend = 0.05f, vessel_blend = 0.07f, lip_blend = 0.035f;
+
+float ventricles(const Anatomy& a, glm::vec3 p) {
+  return smooth_min(a.left_ventricle.distance(p, 1), a.right_ventricle.distance(p, 1), ventricle_blend);
+}
+
+float atria(const Anatomy& a, glm::vec3 p, float growth) {
+  float d = std::min(a.atria[0].distance(p, 1), a.atria[1].distance(p, 1));
+  const float size = 0.4f + 0.6f * growth;
+  for (const Egg& auricle : a.auricles) d = smooth_min(d, auricle.distance(p, size), auricle_blend);
+  return d;
+}
+
+// Cuts a vessel's hollow end out of the whole; the hollow opens over the last fifth of the growth.
+float cut_lumen(const Tube& tube, glm::vec3 p, float d, float growth) {
+  const float opening = std::clamp((growth - 0.8f) * 5, 0.0f, 1.0f);
+  if (opening <= 0) return d;
+  const float hollow = tube.hollow(p) + (1 - opening) * 0.12f;
+  return -smooth_min(-d, hollow, lip_blend);
+}
+
+}  // namespace
+
+float heart_distance(glm::vec3 p, float growth) {
+  const Anatomy& a = anatomy();
+  float d = smooth_min(ventricles(a, p), atria(a, p, growth), atrium_blend);
+  for (const Vessel& vessel : a.vessels)
+    if (vessel.tube.lower_bound(p) < d + vessel_blend) d = smooth_min(d, vessel.tube.distance(p, growth), vessel_blend);
+  for (const Vessel& vessel : a.vessels)
+    if (vessel.tube.lower_bound(p) < 0.3f) d = cut_lumen(vessel.tube, p, d, growth);
+  return d;
+}
+
+glm::vec3 heart_gradient(glm::vec3 p, float growth) {
+  // Differences along a tetrahedron's corners: four evaluations instead of six. 2 mm is below every blend width and far above
+  // a float's rounding at this size.
+  constexpr float step = 0.002f;
+  glm::vec3 sum(0);
+  for (const glm::vec3 corner : {glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1), glm::vec3(-1, 1, -1), glm::vec3(1, 1, 1)})
+    sum += corner * heart_distance(p + step * corner, growth);
+  return sum / (4 * step);
+}
+
+glm::vec3 onto_heart(glm::vec3 p, float growth, int steps) {
+  // Steps are held to 5 cm: the estimate is only first-order far from the surface.
+  for (int i = 0; i < steps; ++i) {
+    const glm::vec3 g = heart_gradient(p, growth);
+    const glm::vec3 move = g * (heart_distance(p, growth) / std::max(glm::dot(g, g), 0.1f));
+    p -= move * std::min(1.0f, 0.05f / std::max(glm::length(move), 1e-9f));
+  }
+  return p;
+}
+
+HeartRegions heart_regions(glm::vec3 p) {
+  const Anatomy& a = anatomy();
+  const float left = a.left_ventricle.distance(p, 1), right = a.right_ventricle.distance(p, 1);
+  const float below = smooth_min(left, right, ventricle_blend), above = atria(a, p, 1);
+  std::array<float, 3> kinds = {1e9f, 1e9f, 1e9f};
+  HeartRegions r;
+  r.lumen = -1;
+  for (const Vessel& vessel : a.vessels) {
+    float& nearest = kinds[static_cast<size_t>(vessel.kind)];
+    nearest = std::min(nearest, vessel.tube.distance(p, 1));
+    r.lumen = std::max(r.lumen, -vessel.tube.hollow(p));
+  }
+  r.sulcus = left - right;
+  r.base = below - above;
+  r.tube = std::min(below, above) - *std::min_element(kinds.begin(), kinds.end());
+  // Shares fall over 4 cm, so that colours meet softly.
+  const float best = *std::min_element(kinds.begin(), kinds.end());
+  std::array<float, 3> share{};
+  float sum = 0;
+  for (size_t i = 0; i < 3; ++i) sum += share[i] = std::exp(-(kinds[i] - best) / 0.04f);
+  r.aorta = share[0] / sum;
+  r.pulmonary = share[1] / sum;
+  r.cava = share[2] / sum;
+  return r;
+}
+
+}  // namespace lamina

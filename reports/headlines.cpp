@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// One plain sentence for each variant: what it saves on each backend, and what it loses.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/words.h"
+
+namespace lamina {
+namespace {
+
+// From here on "times faster" reads better than a percentage; an editorial choice.
+constexpr double ratio_for_times = 1.5;
+
+std::string speed_words(const Interval& ratio, const std::string& baseline) {
+  const double r = ratio.median;
+  std::string words;
+  if (ratio.low <= 1 && ratio.high >= 1)
+    words = fmt::format("is neither faster nor slower than {} beyond the noise (ratio {:.3f} to {:.3f})", baseline, ratio.low, ratio.high);
+  else if (r < 1)
+    words = r * ratio_for_times <= 1 ? fmt::format("is {:.1f} times faster than {}", 1 / r, baseline)
+                                     : fmt::format("takes {:.2g}% less time than {}", 100 * (1 - r), baseline);
+  else
+    words = r >= ratio_for_times ? fmt::format("is {:.1f} times slower than {}", r, baseline)
+                                 : fmt::format("takes {:.2g}% more time than {}", 100 * (r - 1), baseline);
+  return words;
+}
+
+std::string loss_words(const SummaryRow& row) {
+  if (!row.mean || !row.worst) return "";
+  if (std::isinf(row.worst->psnr_db)) return " with the same picture";
+  return fmt::format(" at SSIM {:.3f} (worst view {:.3f})", row.mean->ssim, row.worst->ssim);
+}
+
+std::string clause(const SummaryRow& row, const std::string& baseline) {
+  if (row.failed_views == row.views) return fmt::format("failed on {}: {}", row.backend, row.reason);
+  std::string words = row.ratio ? speed_words(*row.ratio, baseline) : fmt::format("has no time to set against {}", baseline);
+  words += fmt::format(" on {}", row.backend) + loss_words(row);
+  if (row.ratio && row.ratio->coverage < report_confidence)
+    words += fmt::format(", by {} round{} only", row.ratio->rounds, row.ratio->rounds == 1 ? "" : "s");
+  if (row.failed_views > 0) words += fmt::format(", where {} of {} views failed", row.failed_views, row.views);
+  return words;
+}
+
+}  // namespace
+
+std::vector<Headline> headlines(const std::vector<SummaryRow>& rows) {
+  std::vector<std::pair<std::string, Headline>> by_effect;
+  for (const SummaryRow& row : rows) {
+    if (row.baseline) continue;
+    const auto baseline = std::find_if(rows.begin(), rows.end(),
+                                       [&](const SummaryRow& r) { return r.baseline && r.effect == row.effect && r.backend == row.backend; });
+    const std::string words = clause(row, baseline == rows.end() ? "the baseline" : baseline->variant);
+    const auto known = std::find_if(by_effect.begin(), by_effect.end(),
+                                    [&](const auto& h) { return h.first == row.effect && h.second.variant == row.variant; });
+    if (known == by_effect.end())
+      by_effect.push_back({row.effect, {.variant = row.variant, .words = words}});
+    else
+      known->second.words += "; it " + words;
+  }
+  std::vector<Headline> all;
+  for (auto& [effect, headline] : by_effect) {
+    headline.words += '.';
+    all.push_back(std::move(headline));
+  }
+  return all;
+}
+
+}  // namespace lamina

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// The summary as Markdown with GitHub's tables (GitHub Flavored Markdown Spec 0.29, section 4.10).
+#include <fmt/format.h>
+
+#include "reports/words.h"
+
+namespace lamina {
+namespace {
+
+// Text that no Markdown or HTML in it can break out of: one line, with what has a meaning escaped. Underscores stay, for inside
+// words they mean nothing and names are full of them.
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : one_line(text)) {
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '&')
+      out += "&amp;";
+    else if (std::string_view("\\`*|[]#").find(c) != std::string_view::npos)
+      out += std::string("\\") + c;
+    else
+      out += c;
+  }
+  return out;
+}
+
+template <class Range>
+std::string table_row(const Range& cells) {
+  std::string row = "|";
+  for (const auto& cell : cells) row += fmt::format(" {} |", escaped(cell));
+  return row + "\n";
+}
+
+std::string summary_section(const std::vector<SummaryRow>& rows) {
+  std::string text;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    if (i == 0 || rows[i].effect != rows[i - 1].effect) {
+      text += fmt::format("\n## {}\n\n", escaped(rows[i].effect)) + table_row(summary_columns);
+      text += "|---|---|---:|---:|---:|---:|---:|---:|---|\n";
+    }
+    text += table_row(summary_cells(rows[i]));
+  }
+  text += "\n";
+  for (const std::string& note : summary_notes(rows)) text += fmt::format("{}  \n", escaped(note));
+  return text;
+}
+
+std::string passes_section(const std::vector<PassSummary>& passes) {
+  if (passes.empty()) return "";
+  std::string text =
+      "\n## Passes\n\nMeans over views; fetches per pixel that the effect covers.\n\n"
+      "| variant | backend | pass | done | ms | fragments | fetches/px | by texture |\n|---|---|---|---|---:|---:|---:|---|\n";
+  for (const PassSummary& pass : passes) {
+    std::string shares;
+    for (const PassSummary::Share& share : pass.shares) shares += (shares.empty() ? "" : ", ") + words_for_share(share);
+    text += table_row(std::array<std::string, 8>{
+        pass.variant, pass.backend, pass.name, pass.once ? "once" : "each frame", pass.ms ? words_for_ms(*pass.ms) : "-",
+        fmt::format("{:.0f}", pass.fragments), pass.fetches_per_pixel ? fmt::format("{:.1f}", *pass.fetches_per_pixel) : "-", shares});
+  }
+  return text;
+}
+
+std::string list_section(const char* title, const std::vector<std::string>& lines) {
+  if (lines.empty()) return "";
+  std::string text = fmt::format("\n## {}\n\n", title);
+  for (const std::string& line : lines) text += fmt::format("- {}\n", escaped(line));
+  return text;
+}
+
+}  // namespace
+
+std::string markdown_summary(const Record& record) {
+  const std::vector<SummaryRow> rows = summarize(record);
+  std::string text = fmt::format("# {}\n\n", escaped(title_of(record)));
+  for (const std::string& warning : warnings_of(record)) text += fmt::format("**Warning:** {}\n\n", escaped(warning));
+  for (const Headline& headline : headlines(rows))
+    text += fmt::format("- **{}** {}\n", escaped(headline.variant), escaped(headline.words));
+  text += summary_section(rows);
+  text += passes_section(summarize_passes(record));
+  text += list_section("What the scene calls for", plan_lines(record));
+  std::vector<std::string> failed, certified, facts;
+  for (const auto& [cell, reason] : failures(record)) failed.push_back(cell + ": " + reason);
+  for (const Certificate& certificate : certificates(record)) certified.push_back(certificate.words);
+  for (const auto& [label, value] : run_facts(record)) facts.push_back(label + ": " + value);
+  text += list_section("Failures", failed);
+  text += list_section("Timer", certified);
+  text += list_section("What was run", facts);
+  return text;
+}
+
+}  // namespace lamina

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each pass of a variant costs, over the views: time, shaded fragments, and fetches by texture, format and filter.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/words.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Sums {
+  double covered_pixels = 0, fetches = 0, ms = 0;
+  size_t timed_views = 0;
+};
+
+PassSummary::Share& share_of(PassSummary& pass, const TextureFetches& fetched) {
+  const auto known = std::find_if(pass.shares.begin(), pass.shares.end(), [&](const PassSummary::Share& share) {
+    return share.texture == fetched.texture && share.format == fetched.format && share.filter == fetched.filter;
+  });
+  if (known != pass.shares.end()) return *known;
+  return pass.shares.emplace_back(
+      PassSummary::Share{.texture = fetched.texture, .format = fetched.format, .filter = fetched.filter});
+}
+
+}  // namespace
+
+std::vector<PassSummary> summarize_passes(const Record& record) {
+  std::vector<PassSummary> passes;
+  std::vector<Sums> sums;  // of the pass at the same index
+  for (const Json& cell : record.cells) {
+    if (cell.at("status") == "failed") continue;
+    const std::string backend = cell.at("backend");
+    for (const PassRow& row : passes_of(cell)) {
+      const auto known = std::find_if(passes.begin(), passes.end(), [&](const PassSummary& p) {
+        return p.name == row.name && p.backend == backend && p.once == row.once && p.variant == cell.at("variant") &&
+               p.effect == cell.at("effect");
+      });
+      const size_t index = static_cast<size_t>(known - passes.begin());
+      if (known == passes.end()) {
+        PassSummary& added = passes.emplace_back();
+        added.effect = cell.at("effect");
+        added.variant = cell.at("variant");
+        added.backend = backend;
+        added.name = row.name;
+        added.once = row.once;
+        sums.emplace_back();
+      }
+      PassSummary& pass = passes[index];
+      Sums& sum = sums[index];
+      ++pass.views;
+      pass.fragments += static_cast<double>(row.fragments);
+      sum.fetches += static_cast<double>(row.fetches);
+      if (const Json& covered = cell.at("covered_pixels"); !covered.is_null()) sum.covered_pixels += covered.get<double>();
+      for (const TextureFetches& fetched : row.by_texture) share_of(pass, fetched).fetches += fetched.fetches;
+      if (!row.ms.empty() && cell.at("timed").get<bool>() && times_shown(record, backend)) {
+        sum.ms += median(row.ms);
+        ++sum.timed_views;
+      }
+    }
+  }
+  for (size_t i = 0; i < passes.size(); ++i) {
+    PassSummary& pass = passes[i];
+    const Sums& sum = sums[i];
+    pass.fragments /= static_cast<double>(pass.views);
+    if (sum.timed_views > 0) pass.ms = sum.ms / static_cast<double>(sum.timed_views);
+    if (sum.covered_pixels == 0) continue;
+    pass.fetches_per_pixel = sum.fetches / sum.covered_pixels;
+    for (PassSummary::Share& share : pass.shares) share.per_pixel = static_cast<double>(share.fetches) / sum.covered_pixels;
+  }
+  return passes;
+}
+
+std::string words_for_share(const PassSummary::Share& share) {
+  return fmt::format("{} ({}, {}) {:.1f}/px", share.texture, share.format, share.filter, share.per_pixel);
+}
+
+}  // namespace lamina

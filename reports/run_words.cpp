@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// What was run, on what, by a timer how good, and what failed: the parts of a record that are not figures.
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "reports/words.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string words_of(const Json& timer) {
+  const std::string backend = timer.at("backend");
+  std::string measured;
+  if (const auto& linearity = timer.at("linearity"); !linearity.empty()) {
+    std::vector<std::string> works, factors;
+    for (size_t i = 0; i < linearity.size(); ++i) {
+      works.push_back(fmt::format("{}x", 1ull << i));
+      factors.push_back(fmt::format("{:.3f}", linearity[i].get<double>()));
+    }
+    measured = fmt::format("; {} work took {} of linear", fmt::join(works, ", "), fmt::join(factors, ", "));
+  }
+  if (const auto& additivity = timer.at("additivity"); !additivity.is_null())
+    measured += fmt::format("; the passes add up to {:.3f} of the wall time", additivity.get<double>());
+  if (const auto& attribution = timer.at("attribution"); !attribution.is_null())
+    measured += fmt::format("; a pass's share is off by at most {:.1f}% in another order", 100 * attribution.get<double>());
+  if (timer.at("ok").get<bool>()) return fmt::format("the timer's certificate on {} holds{}", backend, measured);
+  return fmt::format("the timer's certificate on {} FAILED ({}), so no times are shown{}", backend,
+                     timer.at("reason").get<std::string>(), measured);
+}
+
+}  // namespace
+
+std::string title_of(const Record& record) {
+  std::set<std::string> scenes, sizes, views;
+  for (const Json& cell : record.cells) {
+    scenes.insert(cell.at("scene"));
+    sizes.insert(fmt::format("{}x{}", cell.at("width").dump(), cell.at("height").dump()));
+    views.insert(cell.at("view"));
+  }
+  if (record.cells.empty()) return fmt::format("{}: no cells", text_at(record.run, "/scene"));
+  return fmt::format("{}, {}, {} view{}", fmt::join(scenes, " and "), fmt::join(sizes, " and "), views.size(),
+                     views.size() == 1 ? "" : "s");
+}
+
+std::vector<std::string> warnings_of(const Record& record) {
+  std::vector<std::string> warnings;
+  if (const std::string build = text_at(record.run, "/build"); build != "release")
+    warnings.push_back(fmt::format("the build is '{}', not 'release': its times do not count", build.empty() ? "unknown" : build));
+  if (const std::string truncated = text_at(record.run, "/truncated"); !truncated.empty())
+    warnings.push_back(fmt::format("the record is incomplete: {}", truncated));
+  if (const auto own = record.run.find("warnings"); own != record.run.end() && own->is_array())
+    for (const Json& warning : *own) warnings.push_back(warning.is_string() ? warning.get<std::string>() : warning.dump());
+  return warnings;
+}
+
+std::vector<Certificate> certificates(const Record& record) {
+  std::vector<Certificate> all;
+  std::set<std::string> certified;
+  for (const Json& timer : record.timers) {
+    certified.insert(timer.at("backend").get<std::string>());
+    all.push_back({.backend = timer.at("backend"), .ok = timer.at("ok"), .words = words_of(timer)});
+  }
+  for (const Json& cell : record.cells) {
+    const std::string backend = cell.at("backend");
+    if (!certified.insert(backend).second) continue;
+    all.push_back({.backend = backend,
+                   .words = fmt::format("the record holds no timer certificate of {}, so no times are shown", backend)});
+  }
+  return all;
+}
+
+std::vector<std::string> plan_lines(const Record& record) {
+  std::vector<std::string> lines;
+  for (const Json& plan : record.plans)
+    for (const Json& effect : plan.at("effects"))
+      lines.push_back(fmt::format("{}: {}: {}", effect.at("effect").get<std::string>(),
+                                  effect.at("called_for").get<bool>() ? "called for" : "not called for",
+                                  effect.at("reason").get<std::string>()));
+  return lines;
+}
+
+std::vector<std::pair<std::string, std::string>> failures(const Record& record) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const Json& cell : record.cells)
+    if (cell.at("status") == "failed")
+      all.emplace_back(fmt::format("{} on {}, view {}", cell.at("variant").get<std::string>(), cell.at("backend").get<std::string>(),
+                                   cell.at("view").get<std::string>()),
+                       cell.at("reason").get<std::string>());
+  return all;
+}
+
+std::vector<std::pair<std::string, std::string>> run_facts(const Record& record) {
+  const Json& run = record.run;
+  std::vector<std::pair<std::string, std::string>> facts;
+  const auto add = [&](std::string label, std::string value) {
+    if (!value.empty()) facts.emplace_back(std::move(label), std::move(value));
+  };
+  add("Command", text_at(run, "/command"));
+  add("Scene", text_at(run, "/scene"));
+  add("Settings", run.contains("settings") ? entries_of(run["settings"]) : "");
+  if (const auto devices = run.find("devices"); devices != run.end() && devices->is_array())
+    for (const Json& device : *devices) {
+      std::string words = text_at(device, "/device");
+      for (const char* part : {"/driver", "/api_version"})
+        if (const std::string more = text_at(device, part); !more.empty()) words += ", " + more;
+      add(fmt::format("Device of {}", text_at(device, "/backend")), words);
+    }
+  add("Machine", run.contains("machine") ? entries_of(run["machine"]) : "");
+  add("Lamina", text_at(run, "/lamina"));
+  add("Commit", text_at(run, "/commit"));
+  add("Build", text_at(run, "/build"));
+  return facts;
+}
+
+}  // namespace lamina

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// A record's cells to one row for each variant and backend.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "reports/reports.h"
+#include "reports/words.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+// What identifies a picture apart from who made it, so that a variant's cell finds the baseline's.
+using Shot = std::tuple<std::string, uint64_t, uint64_t, std::string, std::string>;
+using Samples = std::map<Shot, std::vector<double>>;  // the frame's time of each round, ms
+
+Shot shot_of(const Json& cell) {
+  return {cell.at("scene"), cell.at("width"), cell.at("height"), cell.at("params").dump(), cell.at("view")};
+}
+
+struct Group {
+  SummaryRow row;
+  size_t first_cell = 0;             // order of appearance
+  std::vector<const Json*> good;     // cells that did not fail
+  Samples samples;                   // of the good cells that were timed
+};
+
+// Below min_rounds_for_95 no order statistics reach 95%: then the whole range, whose coverage of the median is 1 - 2 / 2^n.
+Interval interval_or_range(std::vector<double> samples) {
+  if (samples.size() >= min_rounds_for_95) return median_interval(samples);
+  const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
+  return {.median = median(samples),
+          .low = *low,
+          .high = *high,
+          .rounds = samples.size(),
+          .coverage = 1 - std::exp2(1 - static_cast<double>(samples.size()))};
+}
+
+// Of each round that every shot has: the sum of the shots' times.
+std::vector<double> sum_ms(const Samples& samples, const std::vector<Shot>& shots) {
+  size_t rounds = shots.empty() ? 0 : std::numeric_limits<size_t>::max();
+  for (const Shot& shot : shots) rounds = std::min(rounds, samples.at(shot).size());
+  std::vector<double> sums(rounds, 0.0);
+  for (const Shot& shot : shots)
+    for (size_t round = 0; round < rounds; ++round) sums[round] += samples.at(shot)[round];
+  return sums;
+}
+
+std::optional<Interval> mean_frame_ms(const Samples& samples) {
+  std::vector<Shot> shots;
+  for (const auto& [shot, unused] : samples) shots.push_back(shot);
+  std::vector<double> means = sum_ms(samples, shots);
+  if (means.empty()) return std::nullopt;
+  for (double& mean : means) mean /= static_cast<double>(shots.size());
+  return interval_or_range(std::move(means));
+}
+
+std::optional<Interval> ratio_of(const Samples& variant, const Samples& baseline) {
+  std::vector<Shot> shots;
+  for (const auto& [shot, unused] : variant)
+    if (baseline.contains(shot)) shots.push_back(shot);
+  std::vector<double> a = sum_ms(variant, shots), b = sum_ms(baseline, shots);
+  const size_t rounds = std::min(a.size(), b.size());
+  a.resize(rounds), b.resize(rounds);
+  if (rounds == 0 || std::any_of(b.begin(), b.end(), [](double ms) { return ms <= 0; })) return std::nullopt;
+  if (rounds >= min_rounds_for_95) return ratio_interval(a, b);
+  for (size_t round = 0; round < rounds; ++round) a[round] /= b[round];
+  return interval_or_range(std::move(a));
+}
+
+std::optional<double> fetches_per_pixel(const std::vector<const Json*>& cells) {
+  double fetches = 0, pixels = 0;
+  for (const Json* cell : cells) {
+    if (cell->at("fetches").is_null() || cell->at("covered_pixels").is_null()) continue;
+    fetches += cell->at("fetches").get<double>();
+    pixels += cell->at("covered_pixels").get<double>();
+  }
+  if (pixels == 0) return std::nullopt;
+  return fetches / pixels;
+}
+
+void add_errors(SummaryRow& row, const std::vector<const Json*>& cells) {
+  size_t count = 0;
+  ErrorFigures sum;         // psnr_db holds the sum of squared errors, relative to the peak's square
+  ErrorFigures worst{.psnr_db = std::numeric_limits<double>::infinity(), .ssim = 1};
+  double worst_flip = -1;   // below every figure, so that the first view is taken
+  for (const Json* cell : cells) {
+    const std::optional<ErrorFigures> figures = figures_of(cell->at("error").at("baseline"));
+    if (!figures) continue;
+    ++count;
+    sum.psnr_db += std::pow(10.0, -figures->psnr_db / 10);  // 0 for identical pictures
+    sum.ssim += figures->ssim;
+    sum.flip += figures->flip;
+    sum.rmse_linear += figures->rmse_linear;
+    sum.max_linear += figures->max_linear;
+    worst.psnr_db = std::min(worst.psnr_db, figures->psnr_db);
+    worst.ssim = std::min(worst.ssim, figures->ssim);
+    worst.rmse_linear = std::max(worst.rmse_linear, figures->rmse_linear);
+    worst.max_linear = std::max(worst.max_linear, figures->max_linear);
+    if (figures->flip > worst_flip) {
+      worst.flip = worst_flip = figures->flip;
+      row.worst_view = cell->at("view");
+    }
+  }
+  if (count == 0) return;
+  const double n = static_cast<double>(count);
+  row.mean = ErrorFigures{.psnr_db = -10 * std::log10(sum.psnr_db / n),
+                          .ssim = sum.ssim / n,
+                          .flip = sum.flip / n,
+                          .rmse_linear = sum.rmse_linear / n,
+                          .max_linear = sum.max_linear / n};
+  row.worst = worst;
+}
+
+std::vector<Group> group_cells(const Record& record) {
+  std::vector<Group> groups;
+  for (size_t i = 0; i < record.cells.size(); ++i) {
+    const Json& cell = record.cells[i];
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& known) {
+      return known.row.effect == cell.at("effect") && known.row.variant == cell.at("variant") &&
+             known.row.backend == cell.at("backend");
+    });
+    if (group == groups.end()) {
+      group = groups.insert(groups.end(), Group{});
+      group->first_cell = i;
+      group->row.effect = cell.at("effect");
+      group->row.variant = cell.at("variant");
+      group->row.backend = cell.at("backend");
+      group->row.baseline = cell.at("baseline");
+    }
+    ++group->row.views;
+    if (cell.at("status") == "failed") {
+      if (++group->row.failed_views == 1) group->row.reason = cell.at("reason");
+      continue;
+    }
+    group->good.push_back(&cell);
+    if (std::vector<double> samples = shown_samples_ms(record, cell); !samples.empty())
+      group->samples[shot_of(cell)] = std::move(samples);
+  }
+  return groups;
+}
+
+// Where the effect, then the effect's backend, first appears; then the baseline, then the variants.
+void sort_groups(std::vector<Group>& groups) {
+  std::map<std::string, size_t> effect_at;
+  std::map<std::pair<std::string, std::string>, size_t> backend_at;
+  for (const Group& group : groups) {
+    effect_at.try_emplace(group.row.effect, group.first_cell);
+    backend_at.try_emplace({group.row.effect, group.row.backend}, group.first_cell);
+  }
+  const auto place = [&](const Group& group) {
+    return std::tuple(effect_at.at(group.row.effect), backend_at.at({group.row.effect, group.row.backend}), !group.row.baseline,
+                      group.first_cell);
+  };
+  std::sort(groups.begin(), groups.end(), [&](const Group& a, const Group& b) { return place(a) < place(b); });
+}
+
+}  // namespace
+
+std::vector<SummaryRow> summarize(const Record& record) {
+  std::vector<Group> groups = group_cells(record);
+  sort_groups(groups);
+  std::vector<SummaryRow> rows;
+  for (Group& group : groups) {
+    SummaryRow& row = group.row;
+    row.frame_ms = mean_frame_ms(group.samples);
+    row.fetches_per_pixel = fetches_per_pixel(group.good);
+    add_errors(row, group.good);
+    if (!row.baseline) {
+      const auto baseline = std::find_if(groups.begin(), groups.end(), [&](const Group& other) {
+        return other.row.baseline && other.row.effect == row.effect && other.row.backend == row.backend;
+      });
+      if (baseline != groups.end()) row.ratio = ratio_of(group.samples, baseline->samples);
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace lamina

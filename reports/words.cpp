@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// A record's values and figures as text.
+#include "reports/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string text_of(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+const char* mark_of(const Interval& interval) { return interval.coverage < report_confidence ? "*" : ""; }
+
+std::string mean_and_worst(double mean, double worst, int digits) { return fmt::format("{:.{}f} ({:.{}f})", mean, digits, worst, digits); }
+
+}  // namespace
+
+std::string text_at(const Json& value, const char* pointer) {
+  const Json::json_pointer path(pointer);
+  return value.contains(path) ? text_of(value.at(path)) : std::string();
+}
+
+std::string entries_of(const Json& object) {
+  if (!object.is_object()) return {};
+  std::string words;
+  for (const auto& [key, value] : object.items()) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", key, text_of(value));
+  return words;
+}
+
+std::optional<ErrorFigures> figures_of(const Json& figures) {
+  if (figures.is_null()) return std::nullopt;
+  const Json& psnr_db = figures.at("psnr_db");
+  return ErrorFigures{.psnr_db = psnr_db.is_null() ? std::numeric_limits<double>::infinity() : psnr_db.get<double>(),
+                      .ssim = figures.at("ssim"),
+                      .flip = figures.at("flip"),
+                      .rmse_linear = figures.at("rmse_linear"),
+                      .max_linear = figures.at("max_linear")};
+}
+
+std::optional<Interval> interval_of(const Json& interval) {
+  if (interval.is_null()) return std::nullopt;
+  return Interval{.median = interval.at("median"),
+                  .low = interval.at("low"),
+                  .high = interval.at("high"),
+                  .rounds = interval.at("rounds"),
+                  .coverage = interval.at("coverage")};
+}
+
+bool times_shown(const Record& record, std::string_view backend) {
+  bool certified = false;
+  for (const Json& timer : record.timers) {
+    if (timer.at("backend") != backend) continue;
+    if (!timer.at("ok").get<bool>()) return false;
+    certified = true;
+  }
+  return certified;
+}
+
+std::vector<double> shown_samples_ms(const Record& record, const Json& cell) {
+  if (cell.at("status") == "failed" || !cell.at("timed").get<bool>()) return {};
+  if (!times_shown(record, cell.at("backend").get<std::string>())) return {};
+  return frame_samples_ms(passes_of(cell));
+}
+
+std::string words_for_ms(double ms) { return fmt::format("{:.{}f}", ms, ms >= 100 ? 1 : ms >= 10 ? 2 : 3); }
+
+std::string words_for_ms(const Interval& ms) {
+  return fmt::format("{} [{}, {}]{}", words_for_ms(ms.median), words_for_ms(ms.low), words_for_ms(ms.high), mark_of(ms));
+}
+
+std::string words_for_ratio(const Interval& ratio) {
+  return fmt::format("{:.3f} [{:.3f}, {:.3f}]{}", ratio.median, ratio.low, ratio.high, mark_of(ratio));
+}
+
+std::string words_for_psnr(double psnr_db) { return fmt::format("{:.1f}", psnr_db); }
+
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  return line;
+}
+
+std::array<std::string, summary_columns.size()> summary_cells(const SummaryRow& row) {
+  const bool failed = row.failed_views == row.views;
+  const std::string unknown = failed ? "failed" : "-";
+  std::array<std::string, summary_columns.size()> cells;
+  cells[0] = row.variant;
+  cells[1] = row.backend;
+  cells[2] = row.frame_ms ? words_for_ms(*row.frame_ms) : failed ? "failed" : "not timed";
+  cells[3] = row.baseline ? "baseline" : row.ratio ? words_for_ratio(*row.ratio) : unknown;
+  cells[4] = row.fetches_per_pixel ? fmt::format("{:.1f}", *row.fetches_per_pixel) : unknown;
+  for (size_t i = 5; i < cells.size(); ++i) cells[i] = row.baseline ? "" : unknown;
+  if (row.mean && row.worst) {
+    cells[5] = fmt::format("{} ({})", words_for_psnr(row.mean->psnr_db), words_for_psnr(row.worst->psnr_db));
+    cells[6] = mean_and_worst(row.mean->ssim, row.worst->ssim, 4);
+    cells[7] = mean_and_worst(row.mean->flip, row.worst->flip, 4);
+    cells[8] = row.worst_view;
+  }
+  return cells;
+}
+
+std::vector<std::string> summary_notes(const std::vector<SummaryRow>& rows) {
+  std::vector<std::string> notes = {
+      "Frame: the median over rounds of the mean over views, without what is done once. Ratio: to the baseline's time, paired by "
+      "round; under 1 is faster.",
+      "PSNR, SSIM and FLIP: mean over views (worst view), against the baseline, over the pixels that the effect covers, on 8-bit sRGB. "
+      "Worst view: by FLIP."};
+  const auto short_of_rounds = [](const std::optional<Interval>& i) { return i && i->coverage < report_confidence; };
+  if (std::any_of(rows.begin(), rows.end(), [&](const SummaryRow& r) { return short_of_rounds(r.frame_ms) || short_of_rounds(r.ratio); }))
+    notes.push_back(fmt::format("* fewer than {} rounds: the range of the samples, not a 95% interval.", min_rounds_for_95));
+  return notes;
+}
+
+}  // namespace lamina

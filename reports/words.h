@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the reports share: the same words and the same rounding whether a terminal, Markdown or a page shows them. All strings are
+// plain text, not yet escaped for where they go.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "reports/reports.h"
+
+namespace lamina {
+
+// ---- Reading a record ----------------------------------------------------------------------------------------------------
+
+// The value at a JSON pointer as text ("/machine/cpu"); "" where there is none.
+std::string text_at(const nlohmann::json& value, const char* pointer);
+// An object's entries as "key value, key value"; "" for anything else.
+std::string entries_of(const nlohmann::json& object);
+// PSNR is +infinity for identical pictures. Nothing for null.
+std::optional<ErrorFigures> figures_of(const nlohmann::json& figures);
+std::optional<Interval> interval_of(const nlohmann::json& interval);
+
+// Whether the backend has a timer certificate and every one of it is good. Where not, no report shows its times.
+bool times_shown(const Record& record, std::string_view backend);
+// A cell's frame time of each round, or nothing where it failed or its backend's times are not shown.
+std::vector<double> shown_samples_ms(const Record& record, const nlohmann::json& cell);
+
+// ---- Numbers -------------------------------------------------------------------------------------------------------------
+
+std::string words_for_ms(double ms);                 // three significant digits or more, no unit
+std::string words_for_ms(const Interval& ms);        // "12.31 [12.10, 12.52]", with a * where it covers less than 95%
+std::string words_for_ratio(const Interval& ratio);  // "0.476 [0.470, 0.483]", likewise
+std::string words_for_psnr(double psnr_db);          // "34.2", or "inf"
+inline constexpr double report_confidence = 0.95;    // an interval that covers less is marked
+
+// ---- Paragraphs and tables -----------------------------------------------------------------------------------------------
+
+// "heart, 512x512, 3 views" and what else a title should say.
+std::string title_of(const Record& record);
+// What makes the figures worth less, one sentence each: a build that is not release, a record cut short, the run's own warnings.
+std::vector<std::string> warnings_of(const Record& record);
+// One sentence a variant, with numbers: how much faster on each backend, at what loss.
+struct Headline {
+  std::string variant, words;
+};
+std::vector<Headline> headlines(const std::vector<SummaryRow>& rows);
+
+// The columns of the summary table; the first two are names, the rest figures.
+inline constexpr std::array<const char*, 9> summary_columns = {"variant", "backend", "frame ms [95%]", "ratio [95%]", "fetches/px",
+                                                              "PSNR dB", "SSIM",    "FLIP",           "worst view"};
+std::array<std::string, summary_columns.size()> summary_cells(const SummaryRow& row);
+// How to read the table, one sentence each.
+std::vector<std::string> summary_notes(const std::vector<SummaryRow>& rows);
+
+// A pass of a variant on a backend, over the views that have it.
+struct PassSummary {
+  struct Share {
+    std::string texture, format, filter;
+    uint64_t fetches = 0;  // over all views
+    double per_pixel = 0;  // fetches / covered pixels
+  };
+  std::string effect, variant, backend, name;
+  bool once = false;
+  size_t views = 0;
+  std::optional<double> ms;  // mean over views of the median over rounds
+  double fragments = 0;      // mean over views
+  std::optional<double> fetches_per_pixel;
+  std::vector<Share> shares;
+};
+std::vector<PassSummary> summarize_passes(const Record& record);
+std::string words_for_share(const PassSummary::Share& share);  // "light_map (rgba16_float, linear) 13.0/px"
+
+struct Certificate {
+  std::string backend;
+  bool ok = false;
+  std::string words;
+};
+std::vector<Certificate> certificates(const Record& record);
+// "layered_material: called for, because ..."
+std::vector<std::string> plan_lines(const Record& record);
+// Every failed cell: what it is, and why it failed.
+std::vector<std::pair<std::string, std::string>> failures(const Record& record);
+// Label and value: machine, devices, threads, commit, settings, command.
+std::vector<std::pair<std::string, std::string>> run_facts(const Record& record);
+
+// The text with each control character (newlines included) as a space.
+std::string one_line(std::string_view text);
+
+}  // namespace lamina

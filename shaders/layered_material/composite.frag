@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// The layered material on screen. One of three definitions says where the light comes from:
+//   LIGHT_FROM_MAP     both layers from the light map, the inner one's blurred by the thickness (Oat 2006, listing 3)
+//   LIGHT_FROM_TAPS    outer: N.L of the mapped normal; inner: the mean of N.L over 13 taps of the normal map (section 4.6, first
+//                      optimization; the lighting terms are averaged, never the normals)
+//   LIGHT_FROM_VERTEX  outer: N.L of the mapped normal; inner: N.L of the vertex normal (section 4.6, second optimization)
+#include "../common/frame.glsl"
+#include "../common/surface.glsl"
+#include "../common/mesh_in.glsl"
+#include "layers.glsl"
+#include "poisson_disc.glsl"
+
+#ifdef LIGHT_FROM_MAP
+layout(binding = 7) uniform sampler2D light_map;
+#endif
+layout(location = 0) out vec4 out_color;
+
+#ifdef LIGHT_FROM_TAPS
+// The disc of poisson_disc() over the normal map, each tap turned into light before the mean is taken.
+vec3 light_over_disc(SurfacePoint point, vec2 center, vec2 radius, Footprint footprint) {
+  vec3 texel = textureGrad(outer_normal, center, footprint.uv_dx, footprint.uv_dy).xyz;
+  vec3 middle = diffuse_light(point.world_from_tangent * decode_normal(texel), point.position);
+  vec3 difference = vec3(0.0);
+  for (int i = 0; i < 12; ++i) {
+    texel = textureGrad(outer_normal, center + disc_taps[i] * radius, footprint.uv_dx, footprint.uv_dy).xyz;
+    difference += diffuse_light(point.world_from_tangent * decode_normal(texel), point.position) - middle;
+  }
+  return middle + difference / 13.0;
+}
+#endif
+
+void main() {
+  SurfacePoint point = surface_point();
+  Footprint footprint = Footprint(dFdx(point.uv), dFdy(point.uv));
+  vec4 outer_base = textureGrad(outer_albedo, point.uv, footprint.uv_dx, footprint.uv_dy);
+  vec3 normal_tangent = decode_normal(textureGrad(outer_normal, point.uv, footprint.uv_dx, footprint.uv_dy).xyz);
+
+#ifdef LIGHT_FROM_MAP
+  vec3 outer_light = textureGrad(light_map, point.uv, footprint.uv_dx, footprint.uv_dy).rgb;
+#else
+  vec3 outer_light = diffuse_light(point.world_from_tangent * normal_tangent, point.position);
+#endif
+  vec3 color = outer_base.rgb * outer_light;
+
+#ifdef INNER_LAYER
+  vec3 view_tangent = normalize(eye_world.xyz - point.position) * point.world_from_tangent;
+#ifdef LAYER_DEPTH
+  vec2 texel = 1.0 / vec2(textureSize(inner_albedo, 0));
+  float thickness_texels = layer.x;
+  vec2 light_radius = thickness_texels * layer.y * texel;
+  InnerPoint inner = inner_point(point.uv, view_tangent, normal_tangent, thickness_texels, texel);
+  vec3 inner_base = poisson_disc(inner_albedo, inner.uv, inner.distance_texels * texel, footprint);
+#else
+  // No depth: no offset, and a disc of radius 0 is its centre.
+  vec3 inner_base = textureGrad(inner_albedo, point.uv, footprint.uv_dx, footprint.uv_dy).rgb;
+#endif
+
+#if defined(LIGHT_FROM_VERTEX)
+  vec3 inner_light = diffuse_light(point.normal, point.position);
+#elif !defined(LAYER_DEPTH)
+  vec3 inner_light = outer_light;
+#elif defined(LIGHT_FROM_MAP)
+  vec3 inner_light = poisson_disc(light_map, inner.uv, light_radius, footprint);
+#else
+  vec3 inner_light = light_over_disc(point, inner.uv, light_radius, footprint);
+#endif
+  float n_dot_v = clamp(dot(normal_tangent, view_tangent), 0.0, 1.0);
+  color = join_layers(color, inner_base * inner_light, outer_base.a, n_dot_v);
+#endif
+
+  out_color = vec4(color, 1.0);
+}
