@@ -9,12 +9,6 @@
 
 namespace lamina {
 
-uint64_t PassCounts::fetches() const {
-  uint64_t sum = 0;
-  for (const TextureFetches& texture : by_texture) sum += texture.fetches;
-  return sum;
-}
-
 Frame::Frame(SceneResources& resources, const Graph& graph, Build build, const Parameters& parameters)
     : resources_(resources), backend_(resources.backend()), build_(build) {
   try {

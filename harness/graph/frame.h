@@ -9,25 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "harness/graph/counts.h"
 #include "harness/graph/graph.h"
 #include "harness/graph/scene_resources.h"
 
 namespace lamina {
-
-// Texture operations that a pass executed on one texture.
-struct TextureFetches {
-  std::string texture;  // the sampler's name in the shader
-  std::string format;   // "rgba8_srgb"
-  std::string filter;   // "trilinear"
-  uint64_t fetches = 0;
-};
-struct PassCounts {
-  uint64_t vertices = 0;   // invocations of the vertex shader
-  uint64_t fragments = 0;  // invocations of the fragment shader, or of the compute shader
-  bool early_tests = true;  // false: some shader discards or writes depth, so fragments hidden later are counted too
-  std::vector<TextureFetches> by_texture;
-  uint64_t fetches() const;
-};
 
 struct FrameTimes {
   std::vector<double> pass_ms;  // one a logical pass; empty where timing was off

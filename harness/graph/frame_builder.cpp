@@ -13,11 +13,8 @@ namespace {
 
 constexpr uint32_t counter_header_words = 2;  // shader.h's CountingLayout: width of the coverage map, 0
 
-const ShaderResource* find_resource(const GraphDraw& draw, std::string_view name) {
-  for (const auto& stage : draw.stages)
-    for (const ShaderResource& resource : stage->reflection.resources)
-      if (resource.name == name) return &resource;
-  return nullptr;
+bool writes_frame(const GraphPass& pass) {
+  return std::find(pass.pass->writes.begin(), pass.pass->writes.end(), "frame") != pass.pass->writes.end();
 }
 
 bool reads_target(const GraphDraw& draw, const std::string& name) {
@@ -288,11 +285,6 @@ std::vector<SpecConstant> FrameBuilder::constants(const GraphPass& pass, const G
       if (text) values.push_back({constant.id, constant_bits(constant, *text, pass.pass->where)});
     }
   return values;
-}
-
-bool FrameBuilder::writes_frame(const GraphPass& pass) const {
-  const auto& writes = pass.pass->writes;
-  return std::find(writes.begin(), writes.end(), "frame") != writes.end();
 }
 
 FrameBuilder::Target& FrameBuilder::target(const GraphPass& pass, const std::string& name, Object object) {

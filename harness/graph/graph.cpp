@@ -40,7 +40,7 @@ Source resolve_source(const VariantManifest& variant, const PassManifest& pass, 
     source.sampler = object_sampler;
   } else {
     std::vector<std::string> names = {"frame", "depth"};
-    for (const TargetManifest& target : variant.targets) names.push_back(target.name);
+    for (const TargetManifest& known : variant.targets) names.push_back(known.name);
     if (object) names.insert(names.end(), object_textures.begin(), object_textures.end());
     throw Error(ErrorKind::bad_input, "variants", pass.where,
                 fmt::format("pass '{}' samples '{}': {}", pass.name, sampler, unknown_name("texture", read.source, names)));

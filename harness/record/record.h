@@ -12,19 +12,14 @@
 #include <string>
 #include <vector>
 
+#include "harness/graph/counts.h"
 #include "harness/measure/statistics.h"
+#include "harness/measure/timer_certificate.h"
 #include "harness/quality/quality.h"
 
 namespace lamina {
 
 inline constexpr int record_schema = 1;  // of the run line; a reader refuses any other
-
-struct TextureFetches {
-  std::string texture;  // the sampler's name in the shader
-  std::string format;   // "rgba8_srgb"
-  std::string filter;   // "trilinear"
-  uint64_t fetches = 0;
-};
 
 struct PassRow {
   std::string name;
@@ -33,6 +28,7 @@ struct PassRow {
   uint64_t fragments = 0;      // shader invocations of the fragment (or compute) stage, hidden fragments excluded
   uint64_t vertices = 0;       // invocations of the vertex stage
   uint64_t fetches = 0;
+  bool early_tests = true;     // false: fragments hidden later are counted too, since the shader discards or writes depth
   std::vector<TextureFetches> by_texture;
 };
 
@@ -61,18 +57,6 @@ struct CellRow {
   std::vector<std::string> shader_hashes;
 };
 
-struct TimerRow {
-  std::string backend;
-  bool ok = false;
-  std::vector<double> linearity;  // time of 1x, 2x, 4x, 8x work over that multiple of the 1x time: 1 is perfect
-  double additivity = 0;          // sum of passes over the wall time
-  double attribution = 0;         // greatest relative error of a pass's share when the order is shuffled
-  std::string reason;             // why not ok
-};
-
-// One line of the record. What is not known is null, never 0: figures of a failed cell that are still 0, times of a cell that is
-// not timed, fetches a pixel where no pixel is covered. PSNR of equal pictures is null with "identical": true. Throws Error(failed)
-// for a number that is not finite, and as frame_samples_ms() does.
 nlohmann::ordered_json to_json(const CellRow& cell);
 // Additivity and attribution are null where linearity is empty, which is a certificate that never got to measure.
 nlohmann::ordered_json to_json(const TimerRow& timer);

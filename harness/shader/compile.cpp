@@ -18,9 +18,6 @@
 namespace lamina {
 namespace {
 
-// Debian builds glslang without run-time type information, which the sanitizer's check of virtual tables would look up.
-#define LAMINA_CALLS_GLSLANG __attribute__((no_sanitize("vptr")))
-
 constexpr int glsl_version = 450;
 // Version of the dialect, not of the API: 100 is the only one of GL_KHR_vulkan_glsl and of GL_ARB_gl_spirv.
 constexpr int dialect_version = 100;
@@ -82,7 +79,7 @@ std::string preamble_of(const ShaderRequest& request) {
 
 // The parse's input, set up alike for compiling and for preprocessing.
 struct Source {
-  LAMINA_CALLS_GLSLANG Source(const ShaderRequest& request, const std::string& file, const std::string& text, const std::string& preamble)
+  Source(const ShaderRequest& request, const std::string& file, const std::string& text, const std::string& preamble)
       : shader(language_of(request.stage)), text_begin(text.data()), length(static_cast<int>(text.size())), name(file.c_str()) {
     const EShLanguage language = language_of(request.stage);
     const bool vulkan = request.api == Api::vulkan;
@@ -107,6 +104,15 @@ EShMessages messages_for(Api api) {
   return static_cast<EShMessages>(rules);
 }
 
+// glslang gives a sampler or image that asks for no binding number 0 in OpenGL's SPIR-V, without a word.
+void check_bindings_are_written(const glslang::TIntermediate& tree, const std::string& file) {
+  for (TIntermNode* node : tree.findLinkerObjects()->getSequence()) {
+    const glslang::TIntermSymbol* symbol = node->getAsSymbolNode();
+    if (symbol->getBasicType() == glslang::EbtSampler && !symbol->getQualifier().hasBinding())
+      refuse(file, fmt::format("'{}' has no binding; give it one with layout(binding = N)", symbol->getName().c_str()));
+  }
+}
+
 // Without #line directives and empty lines: neither where the files lie nor their comments change the hash.
 std::string without_places(const std::string& preprocessed) {
   std::string text;
@@ -124,7 +130,7 @@ std::string without_places(const std::string& preprocessed) {
 
 }  // namespace
 
-LAMINA_CALLS_GLSLANG CompiledShader compile_shader(const ShaderRequest& request) {
+CompiledShader compile_shader(const ShaderRequest& request) {
   static const bool initialized = glslang::InitializeProcess();
   if (!initialized) throw Error(ErrorKind::failed, "shader", "glslang", "cannot be initialized");
 
@@ -144,7 +150,9 @@ LAMINA_CALLS_GLSLANG CompiledShader compile_shader(const ShaderRequest& request)
 
   CompiledShader compiled;
   compiled.stage = request.stage;
-  glslang::GlslangToSpv(*program.getIntermediate(language_of(request.stage)), compiled.spirv);
+  const glslang::TIntermediate& tree = *program.getIntermediate(language_of(request.stage));
+  check_bindings_are_written(tree, file);
+  glslang::GlslangToSpv(tree, compiled.spirv);
   check_interface(compiled.spirv, file);
   validate_spirv(compiled.spirv, request.api, ErrorKind::bad_input, file);
   compiled.reflection = reflect(compiled.spirv);

@@ -1,2 +1,270 @@
 // SPDX-License-Identifier: Apache-2.0
+// The counting build: rewrites SPIR-V so that a shader counts its texture operations and its invocations.
+//
+// In: a module of compile_shader(). Out: the same module, all functions inlined into main, with an atomic increment before every
+// texture operation, and one or two at main's beginning. What is counted is what the source says: an operation whose result
+// nothing uses still counts, though a driver leaves it out of the timed build.
+#include <algorithm>
+#include <initializer_list>
+#include <map>
+#include <spirv-tools/optimizer.hpp>
+
+#include "harness/shader/early_tests.h"
 #include "harness/shader/shader.h"
+#include "harness/shader/spirv_module.h"
+
+namespace lamina {
+namespace {
+
+using Words = std::vector<uint32_t>;
+
+constexpr size_t header_words = 5, bound_word = 3;  // of a module, by the specification's section 2.3
+
+[[noreturn]] void refuse(std::string message) { throw Error(ErrorKind::failed, "shader", "counting build", std::move(message)); }
+
+void emit(Words& out, spv::Op op, std::initializer_list<uint32_t> operands) {
+  out.push_back(static_cast<uint32_t>(operands.size() + 1) << spv::WordCountShift | static_cast<uint32_t>(op));
+  out.insert(out.end(), operands);
+}
+
+// A texture that is passed to a function is a variable at the call, so the calls must go. The inliner leaves alone what
+// returns early, so those returns must go before.
+Words inlined(const Words& spirv, Api api) {
+  spvtools::Optimizer optimizer(api == Api::vulkan ? SPV_ENV_VULKAN_1_0 : SPV_ENV_OPENGL_4_5);
+  std::string complaint;
+  optimizer.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* text) { complaint = text; });
+  optimizer.RegisterPass(spvtools::CreateMergeReturnPass())
+      .RegisterPass(spvtools::CreateInlineExhaustivePass())
+      .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
+  spvtools::OptimizerOptions options;
+  options.set_run_validator(false);  // compile_shader() did, and the result is validated as a whole
+  Words result;
+  if (!optimizer.Run(spirv.data(), spirv.size(), &result, options)) refuse("SPIRV-Tools cannot inline the functions: " + complaint);
+  return result;
+}
+
+bool is_texture_operation(spv::Op op) {
+  return (op >= spv::OpImageSampleImplicitLod && op <= spv::OpImageDrefGather) ||
+         (op >= spv::OpImageSparseSampleImplicitLod && op <= spv::OpImageSparseDrefGather);
+}
+
+// The binding of the texture that `operation` reads.
+uint32_t texture_binding(const SpirvModule& module, const SpirvInstruction& operation) {
+  constexpr size_t image_word = 3;  // of the operation, and of each instruction that it may reach its variable through
+  uint32_t id = operation.words[image_word];
+  for (;;) {
+    const SpirvInstruction& source = module.definition(id);
+    switch (source.op()) {
+      case spv::OpVariable: {
+        const auto binding = module.decoration(id, spv::DecorationBinding);
+        if (!binding) refuse(fmt::format("texture '{}' has no binding", module.name(id)));
+        return *binding;
+      }
+      case spv::OpLoad:
+      case spv::OpAccessChain:
+      case spv::OpInBoundsAccessChain:
+      case spv::OpCopyObject:
+      case spv::OpImage:
+      case spv::OpSampledImage: id = source.words[image_word]; break;
+      default:
+        refuse(fmt::format("cannot tell which texture '{}' is, in a function that cannot be inlined; sample it in the caller",
+                           module.name(id)));
+    }
+  }
+}
+
+class Instrumenter {
+ public:
+  Instrumenter(std::span<const uint32_t> spirv, Stage stage, const CountingLayout& layout)
+      : header_(spirv.first(header_words)), module_(spirv), stage_(stage), layout_(layout), bound_(spirv[bound_word]) {}
+
+  CountingShader instrument() {
+    read();
+    declare();
+    write();
+    CountingShader result;
+    result.spirv = std::move(out_);
+    for (const auto& [binding, slot] : slots_) result.slots.push_back(binding);
+    result.early_fragment_tests = early_;
+    result.words = static_cast<uint32_t>(2 + 2 * slots_.size());
+    return result;
+  }
+
+ private:
+  // What there is to count.
+  void read() {
+    for (const SpirvInstruction& i : module_.instructions()) {
+      if (i.op() == spv::OpEntryPoint) main_ = i.words[2];
+      if (i.op() == spv::OpDecorate && i.words[2] == spv::DecorationBinding && i.words[3] == layout_.binding)
+        refuse(fmt::format("binding {} is taken by '{}'; the counters need one of their own", layout_.binding,
+                           module_.name(i.words[1])));
+      if (i.op() == spv::OpDecorate && i.words[2] == spv::DecorationBuiltIn && i.words[3] == spv::BuiltInFragCoord)
+        frag_coord_ = i.words[1];
+      if (is_texture_operation(i.op())) slots_.emplace(texture_binding(module_, i), 0);
+    }
+    uint32_t next = 0;
+    for (auto& [binding, slot] : slots_) slot = next++;
+    early_ = stage_ == Stage::fragment && (demands_early_tests(module_) || allows_early_tests(module_));
+    maps_coverage_ = stage_ == Stage::fragment && layout_.coverage_word != 0;
+  }
+
+  // The counter buffer, and the types and constants that counting needs.
+  void declare() {
+    uint_ = type(spv::OpTypeInt, {32, 0});
+    bool_ = type(spv::OpTypeBool, {});
+    uint_pointer_ = type(spv::OpTypePointer, {spv::StorageClassUniform, uint_});
+    const uint32_t array = new_id(), block = new_id(), pointer = new_id();
+    counters_ = new_id();
+    emit(globals_, spv::OpTypeRuntimeArray, {array, uint_});
+    emit(globals_, spv::OpTypeStruct, {block, array});
+    emit(globals_, spv::OpTypePointer, {pointer, spv::StorageClassUniform, block});
+    emit(globals_, spv::OpVariable, {pointer, counters_, spv::StorageClassUniform});
+    emit(decorations_, spv::OpDecorate, {array, spv::DecorationArrayStride, sizeof(uint32_t)});
+    emit(decorations_, spv::OpMemberDecorate, {block, 0, spv::DecorationOffset, 0});
+    emit(decorations_, spv::OpDecorate, {block, spv::DecorationBufferBlock});  // a storage buffer, as SPIR-V 1.0 says it
+    emit(decorations_, spv::OpDecorate, {counters_, spv::DecorationDescriptorSet, 0});
+    emit(decorations_, spv::OpDecorate, {counters_, spv::DecorationBinding, layout_.binding});
+
+    if (!maps_coverage_) return;
+    float_ = type(spv::OpTypeFloat, {32});
+    float4_ = type(spv::OpTypeVector, {float_, 4});
+    if (frag_coord_ != 0) return;
+    frag_coord_ = new_id();
+    const uint32_t input = type(spv::OpTypePointer, {spv::StorageClassInput, float4_});
+    emit(globals_, spv::OpVariable, {input, frag_coord_, spv::StorageClassInput});
+    emit(decorations_, spv::OpDecorate, {frag_coord_, spv::DecorationBuiltIn, spv::BuiltInFragCoord});
+  }
+
+  // The id of the type of these operands. Two ids may not name the same type, so one that is there is taken.
+  uint32_t type(spv::Op op, std::initializer_list<uint32_t> operands) {
+    for (const SpirvInstruction& i : module_.instructions())
+      if (i.op() == op && std::ranges::equal(i.words.subspan(2), operands)) return i.result;
+    const uint32_t id = new_id();
+    globals_.push_back(static_cast<uint32_t>(operands.size() + 2) << spv::WordCountShift | static_cast<uint32_t>(op));
+    globals_.push_back(id);
+    globals_.insert(globals_.end(), operands);
+    return id;
+  }
+
+  uint32_t constant(uint32_t value) {
+    const auto [known, fresh] = constants_.emplace(value, 0);
+    if (fresh) emit(globals_, spv::OpConstant, {uint_, known->second = new_id(), value});
+    return known->second;
+  }
+
+  uint32_t new_id() { return bound_++; }
+
+  // Writes an instruction that makes a value of `result_type`; returns the value's id.
+  uint32_t value(spv::Op op, uint32_t result_type, std::initializer_list<uint32_t> operands) {
+    const uint32_t id = new_id();
+    body_.push_back(static_cast<uint32_t>(operands.size() + 3) << spv::WordCountShift | static_cast<uint32_t>(op));
+    body_.push_back(result_type);
+    body_.push_back(id);
+    body_.insert(body_.end(), operands);
+    return id;
+  }
+
+  uint32_t word_pointer(uint32_t index) { return value(spv::OpAccessChain, uint_pointer_, {counters_, constant(0), index}); }
+
+  // Adds `amount` to the word at `index`; returns what it was before. Order does not matter to a sum: relaxed semantics.
+  uint32_t atomic_add(uint32_t index, uint32_t amount) {
+    const uint32_t pointer = word_pointer(index);
+    return value(spv::OpAtomicIAdd, uint_, {pointer, constant(spv::ScopeDevice), constant(spv::MemorySemanticsMaskNone), amount});
+  }
+
+  // Counts 1 in the 64-bit counter at `word`. Exactly one increment finds the low word full, and that one carries. There is no
+  // branch, so the shader's blocks, and with them its phis and merges, stay as they are.
+  void count(uint32_t word) {
+    const uint32_t before = atomic_add(constant(word), constant(1));
+    const uint32_t full = value(spv::OpIEqual, bool_, {before, constant(0xffffffffu)});
+    const uint32_t carry = value(spv::OpSelect, uint_, {full, constant(1), constant(0)});
+    atomic_add(constant(word + 1), carry);
+  }
+
+  void map_coverage() {
+    const uint32_t position = value(spv::OpLoad, float4_, {frag_coord_});
+    const uint32_t x = value(spv::OpConvertFToU, uint_, {value(spv::OpCompositeExtract, float_, {position, 0})});
+    const uint32_t y = value(spv::OpConvertFToU, uint_, {value(spv::OpCompositeExtract, float_, {position, 1})});
+    const uint32_t width = value(spv::OpLoad, uint_, {word_pointer(constant(0))});
+    const uint32_t rows = value(spv::OpIMul, uint_, {y, width});
+    const uint32_t pixel = value(spv::OpIAdd, uint_, {rows, x});
+    atomic_add(value(spv::OpIAdd, uint_, {pixel, constant(layout_.coverage_word)}), constant(1));
+  }
+
+  // Copies the module. The functions are written first, for they say which constants the sections before them must hold.
+  void write() {
+    const std::span<const SpirvInstruction> all = module_.instructions();
+    const auto functions = std::ranges::find(all, spv::OpFunction, &SpirvInstruction::op);
+    write_functions({functions, all.end()});
+
+    out_.assign(header_.begin(), header_.end());
+    out_[bound_word] = bound_;
+    write_preamble({all.begin(), functions});
+    append(out_, globals_);
+    append(out_, body_);
+  }
+
+  void write_functions(std::span<const SpirvInstruction> instructions) {
+    bool before_main_begins = false;  // between main's OpFunction and the first instruction that is no variable
+    for (const SpirvInstruction& i : instructions) {
+      const spv::Op op = i.op();
+      if (before_main_begins && op != spv::OpLabel && op != spv::OpVariable && op != spv::OpLine && op != spv::OpNoLine) {
+        count(layout_.first_word);
+        if (maps_coverage_) map_coverage();
+        before_main_begins = false;
+      }
+      if (op == spv::OpFunction) before_main_begins = i.result == main_;
+      if (is_texture_operation(op)) count(layout_.first_word + 2 + 2 * slots_.at(texture_binding(module_, i)));
+      append(body_, i.words);
+    }
+  }
+
+  // Capabilities to global variables. Decorations close the section before the types.
+  void write_preamble(std::span<const SpirvInstruction> instructions) {
+    bool decorated = false;
+    for (const SpirvInstruction& i : instructions) {
+      if (!decorated && i.result != 0 && i.op() != spv::OpExtInstImport && i.op() != spv::OpString &&
+          i.op() != spv::OpDecorationGroup) {
+        append(out_, decorations_);
+        decorated = true;
+      }
+      append(out_, i.words);
+      if (i.op() == spv::OpEntryPoint) finish_entry_point(i);
+    }
+  }
+
+  void finish_entry_point(const SpirvInstruction& entry) {
+    // Execution model, function and a name come before the interface; the name's last word ends in a zero byte.
+    const auto name_end = std::ranges::find_if(entry.words.subspan(3), [](uint32_t word) { return word >> 24 == 0; });
+    if (maps_coverage_ && std::find(name_end + 1, entry.words.end(), frag_coord_) == entry.words.end()) {
+      out_[out_.size() - entry.words.size()] += 1u << spv::WordCountShift;
+      out_.push_back(frag_coord_);
+    }
+    if (early_ && !demands_early_tests(module_)) emit(out_, spv::OpExecutionMode, {main_, spv::ExecutionModeEarlyFragmentTests});
+  }
+
+  static void append(Words& to, std::span<const uint32_t> words) { to.insert(to.end(), words.begin(), words.end()); }
+
+  const std::span<const uint32_t> header_;
+  const SpirvModule module_;
+  const Stage stage_;
+  const CountingLayout& layout_;
+  uint32_t bound_;
+  uint32_t main_ = 0, frag_coord_ = 0;
+  std::map<uint32_t, uint32_t> slots_;  // binding -> slot
+  bool early_ = false, maps_coverage_ = false;
+  uint32_t uint_ = 0, bool_ = 0, float_ = 0, float4_ = 0, uint_pointer_ = 0, counters_ = 0;
+  std::map<uint32_t, uint32_t> constants_;  // value -> id
+  Words decorations_, globals_, body_, out_;
+};
+
+}  // namespace
+
+CountingShader add_counters(const CompiledShader& shader, Api api, const CountingLayout& layout) {
+  const Words spirv = inlined(shader.spirv, api);
+  CountingShader result = Instrumenter(spirv, shader.stage, layout).instrument();
+  validate_spirv(result.spirv, api, ErrorKind::failed, "counting build");
+  return result;
+}
+
+}  // namespace lamina

@@ -11,8 +11,7 @@ constexpr size_t deepest_include = 64;  // deeper than any sensible nesting; a f
 
 }  // namespace
 
-FileIncluder::IncludeResult* FileIncluder::open(const std::filesystem::path& path, size_t depth) {
-  if (depth > deepest_include) return give("", "files include each other in a circle; give them include guards");
+FileIncluder::IncludeResult* FileIncluder::open(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return nullptr;
   try {
@@ -23,12 +22,14 @@ FileIncluder::IncludeResult* FileIncluder::open(const std::filesystem::path& pat
 }
 
 FileIncluder::IncludeResult* FileIncluder::includeLocal(const char* header, const char* includer, size_t depth) {
-  return open((std::filesystem::path(includer).parent_path() / header).lexically_normal(), depth);
+  if (depth > deepest_include) return nullptr;
+  return open((std::filesystem::path(includer).parent_path() / header).lexically_normal());
 }
 
 FileIncluder::IncludeResult* FileIncluder::includeSystem(const char* header, const char*, size_t depth) {
+  if (depth > deepest_include) return give("", "files include each other in a circle; give them include guards");
   for (const std::filesystem::path& folder : folders_)
-    if (IncludeResult* result = open((folder / header).lexically_normal(), depth)) return result;
+    if (IncludeResult* result = open((folder / header).lexically_normal())) return result;
   return give("", "no such file beside the including file or in the include folders");
 }
 

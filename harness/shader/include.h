@@ -17,6 +17,7 @@ class FileIncluder : public glslang::TShader::Includer {
  public:
   explicit FileIncluder(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
 
+  // What glslang asks for "path", and where that gives nullptr and for <path>.
   IncludeResult* includeLocal(const char* header, const char* includer, size_t depth) override;
   IncludeResult* includeSystem(const char* header, const char* includer, size_t depth) override;
   void releaseInclude(IncludeResult*) override {}
@@ -31,7 +32,7 @@ class FileIncluder : public glslang::TShader::Includer {
   // glslang takes a result without a name for a failure, and its text for the reason.
   IncludeResult* give(const std::string& name, std::string text) { return &included_.emplace_back(name, std::move(text)).result; }
   // The file's result, or nullptr where there is no such file.
-  IncludeResult* open(const std::filesystem::path& path, size_t depth);
+  IncludeResult* open(const std::filesystem::path& path);
 
   std::vector<std::filesystem::path> folders_;
   std::deque<Included> included_;  // a deque: what it holds never moves

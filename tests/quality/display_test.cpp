@@ -53,10 +53,10 @@ TEST(ToDisplay, ClampsWhatADisplayCannotShowAndDropsAlpha) {
 
 TEST(ToDisplay, RefusesNan) {
   Image image = flat_linear(3, 2, 0.5f);
-  image.rgba[4 * 4 + 1] = nan;
+  image.rgba[4 * 5 + 1] = nan;
   const std::string message = refusal([&] { to_display(image); });
   EXPECT_NE(message.find("1 of 6 pixels"), std::string::npos) << message;
-  EXPECT_NE(message.find("x 1, y 1"), std::string::npos) << message;
+  EXPECT_NE(message.find("x 2, y 1"), std::string::npos) << message;
 }
 
 TEST(ToDisplay, RefusesAnEmptyAndAHalfFilledPicture) {

@@ -12,19 +12,21 @@
 
 namespace lamina {
 
+using Colour8 = std::array<int, 3>;  // r, g, b from 0 to 255
+
 // colour(x, y) gives r, g, b as integers; only their low eight bits are kept.
 template <class Colour>
 DisplayImage painted(int width, int height, Colour colour) {
   DisplayImage image{width, height, {}};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
-      for (int value : std::array<int, 3>(colour(x, y))) image.rgb.push_back(static_cast<uint8_t>(value));
+      for (int value : Colour8(colour(x, y))) image.rgb.push_back(static_cast<uint8_t>(value));
   return image;
 }
 
-inline std::array<int, 3> grey(int code) { return {code, code, code}; }
+inline Colour8 grey(int code) { return {code, code, code}; }
 
-inline DisplayImage flat(int width, int height, std::array<int, 3> colour) {
+inline DisplayImage flat(int width, int height, Colour8 colour) {
   return painted(width, height, [&](int, int) { return colour; });
 }
 
@@ -32,7 +34,7 @@ inline DisplayImage flat(int width, int height, std::array<int, 3> colour) {
 inline DisplayImage noise(int width, int height, uint32_t seed) {
   std::mt19937 random(seed);
   const auto code = [&] { return static_cast<int>(random() >> 24); };
-  return painted(width, height, [&](int, int) { return std::array<int, 3>{code(), code(), code()}; });
+  return painted(width, height, [&](int, int) { return Colour8{code(), code(), code()}; });
 }
 
 inline Image flat_linear(int width, int height, float value) {

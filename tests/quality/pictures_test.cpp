@@ -92,7 +92,7 @@ TEST_F(WritePng, GivesTheSameBytesForTheSamePicture) {
 
 TEST_F(WritePng, SaysWhereItCannotWriteAndLeavesNothing) {
   const std::string message = refusal([&] { write_png(folder_ / "none" / "a.png", flat(2, 2, grey(1))); });
-  EXPECT_NE(message.find("No such file or directory"), std::string::npos) << message;
+  EXPECT_NE(message.find("Could not open file"), std::string::npos) << message;
   std::filesystem::create_directories(folder_ / "b.png");  // a folder is in the way
   EXPECT_NE(refusal([&] { write_png(folder_ / "b.png", flat(2, 2, grey(1))); }), "");
   EXPECT_EQ(files(), 1);

@@ -53,9 +53,7 @@ double mean_of(const std::vector<double>& values) {
 
 TEST(Ssim, AgreesWithThePapersFormula) {
   const DisplayImage a = noise(23, 19, 1);
-  const DisplayImage smooth = painted(23, 19, [](int x, int y) {
-    return std::array<int, 3>{9 * x, 200 - 3 * y, 40 + x * y / 4};
-  });
+  const DisplayImage smooth = painted(23, 19, [](int x, int y) { return Colour8{9 * x, 200 - 3 * y, 40 + x * y / 4}; });
   const DisplayImage bright = painted(23, 19, [](int x, int y) { return grey(250 + (x + y) % 3); });
   for (const auto& [test, reference] : {std::pair{a, noise(23, 19, 2)}, {smooth, a}, {bright, flat(23, 19, grey(251))}})
     EXPECT_NEAR(ssim(test, reference), mean_of(paper_ssim(test, reference)), 1e-6);

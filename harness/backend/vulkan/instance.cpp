@@ -2,8 +2,10 @@
 #include "harness/backend/vulkan/instance.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstring>
+#include <utility>
 
 #include "harness/backend/vulkan/result.h"
 

@@ -112,9 +112,7 @@ TextureId Resources::create_texture(const TextureDesc& desc, std::span<const std
   check_room(desc.name);
   Texture texture = make_texture(desc);
   if (!levels.empty()) upload(texture, levels);
-  const TextureId id{next_id_++};
-  textures_.emplace(id, std::move(texture));
-  return id;
+  return textures_.add(std::move(texture));
 }
 
 BufferId Resources::create_buffer(std::string name, BufferUse use, size_t size_bytes, std::span<const std::byte> data) {
@@ -128,31 +126,13 @@ BufferId Resources::create_buffer(std::string name, BufferUse use, size_t size_b
   Buffer buffer =
       make_buffer(name, size_bytes, usage_of(use), use == BufferUse::uniform ? MemoryUse::host : MemoryUse::device);
   buffer.use = use;
-  const BufferId id{next_id_++};
-  buffers_.emplace(id, std::move(buffer));
-  if (!data.empty()) {
-    try {
-      write_buffer(id, data);
-    } catch (...) {
-      destroy(id);
-      throw;
-    }
-  }
-  return id;
+  write(buffer, data);
+  return buffers_.add(std::move(buffer));
 }
 
-void Resources::destroy(TextureId id) {
-  at(id, "destroy");
-  textures_.erase(id);
-}
+void Resources::write_buffer(BufferId id, std::span<const std::byte> data) { write(at(id, "write_buffer"), data); }
 
-void Resources::destroy(BufferId id) {
-  at(id, "destroy");
-  buffers_.erase(id);
-}
-
-void Resources::write_buffer(BufferId id, std::span<const std::byte> data) {
-  Buffer& buffer = at(id, "write_buffer");
+void Resources::write(Buffer& buffer, std::span<const std::byte> data) {
   if (data.size() > buffer.size_bytes)
     throw_bad_input(buffer.name, fmt::format("{} bytes written to a buffer of {}", data.size(), buffer.size_bytes));
   if (data.empty()) return;
@@ -202,18 +182,6 @@ std::vector<std::byte> Resources::read_texture(TextureId id, uint32_t level) {
   std::vector<std::byte> bytes(stage.mapped, stage.mapped + size_bytes);
   give_back_staging();
   return bytes;
-}
-
-Texture& Resources::at(TextureId id, std::string_view subject) {
-  const auto found = textures_.find(id);
-  if (found == textures_.end()) throw_bad_input(subject, "names a texture that does not exist or was destroyed");
-  return found->second;
-}
-
-Buffer& Resources::at(BufferId id, std::string_view subject) {
-  const auto found = buffers_.find(id);
-  if (found == buffers_.end()) throw_bad_input(subject, "names a buffer that does not exist or was destroyed");
-  return found->second;
 }
 
 void Resources::check_room(const std::string& subject) const {

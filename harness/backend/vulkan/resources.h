@@ -5,12 +5,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "harness/backend/vulkan/device.h"
+#include "harness/backend/vulkan/table.h"
 
 namespace lamina::vulkan {
 
@@ -45,18 +45,18 @@ class Resources {
   // As Backend's functions of these names.
   TextureId create_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels);
   BufferId create_buffer(std::string name, BufferUse use, size_t size_bytes, std::span<const std::byte> data);
-  void destroy(TextureId id);
-  void destroy(BufferId id);
+  void destroy(TextureId id) { textures_.erase(id); }
+  void destroy(BufferId id) { buffers_.erase(id); }
   void write_buffer(BufferId id, std::span<const std::byte> data);
   std::vector<std::byte> read_texture(TextureId id, uint32_t level);
   std::vector<std::byte> read_buffer(BufferId id);
 
-  // Throws Error(bad_input) for an id that was never given out or is destroyed; `subject` is who asks.
-  Texture& at(TextureId id, std::string_view subject);
-  Buffer& at(BufferId id, std::string_view subject);
+  Texture& at(TextureId id, std::string_view subject) { return textures_.at(id, subject); }
+  Buffer& at(BufferId id, std::string_view subject) { return buffers_.at(id, subject); }
 
  private:
   void check_room(const std::string& subject) const;
+  void write(Buffer& buffer, std::span<const std::byte> data);
   Buffer make_buffer(const std::string& name, size_t size_bytes, VkBufferUsageFlags usage, MemoryUse memory);
   Texture make_texture(const TextureDesc& desc);
   void upload(Texture& texture, std::span<const std::vector<std::byte>> levels);
@@ -66,10 +66,8 @@ class Resources {
 
   Device& device_;
   Buffer staging_;
-  // Ids are never used twice, so that a stale one is caught.
-  std::map<TextureId, Texture> textures_;
-  std::map<BufferId, Buffer> buffers_;
-  uint32_t next_id_ = 0;
+  Table<TextureId, Texture> textures_{"texture"};
+  Table<BufferId, Buffer> buffers_{"buffer"};
 };
 
 }  // namespace lamina::vulkan

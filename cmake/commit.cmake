@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: Apache-2.0
+# Writes commit.h with the commit that is built ("-dirty" with local changes), touching it only when it changes.
+execute_process(COMMAND git -C ${SOURCE} rev-parse --short=12 HEAD OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+execute_process(COMMAND git -C ${SOURCE} status --porcelain --untracked-files=no OUTPUT_VARIABLE changes ERROR_QUIET)
+if(NOT commit)
+  set(commit "unknown")
+elseif(changes)
+  string(APPEND commit "-dirty")
+endif()
+file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "// SPDX-License-Identifier: Apache-2.0\n#pragma once\n#define LAMINA_COMMIT \"@commit@\"\n" @ONLY)

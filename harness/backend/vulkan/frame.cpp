@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// The second half of a frame: recording, submitting, timing.
+#include "harness/backend/vulkan/frame.h"
+
+#include <algorithm>
+
+#include "harness/backend/vulkan/formats.h"
+
+namespace lamina::vulkan {
+namespace {
+
+VkAttachmentLoadOp load_op(Load load) {
+  switch (load) {
+    case Load::clear:
+      return VK_ATTACHMENT_LOAD_OP_CLEAR;
+    case Load::keep:
+      return VK_ATTACHMENT_LOAD_OP_LOAD;
+    case Load::discard:
+      return VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+  }
+  return VK_ATTACHMENT_LOAD_OP_CLEAR;
+}
+
+VkClearValue clear_value(Format format, const std::array<float, 4>& clear) {
+  VkClearValue value{};
+  for (size_t i = 0; i < 4; ++i) {
+    if (format == Format::r32_uint)
+      value.color.uint32[i] = static_cast<uint32_t>(clear[i]);
+    else
+      value.color.float32[i] = clear[i];
+  }
+  if (is_depth(format)) value.depthStencil = {clear[0], 0};
+  return value;
+}
+
+}  // namespace
+
+RunTimes FrameRunner::run(std::span<const Pass> passes, Timing timing) {
+  std::vector<PreparedPass> prepared;
+  std::vector<const Pipeline*> pipelines;
+  for (const Pass& pass : passes) {
+    prepared.push_back(prepare(pass));
+    pipelines.insert(pipelines.end(), prepared.back().pipelines.begin(), prepared.back().pipelines.end());
+  }
+  descriptors_.start(pipelines);
+  for (size_t i = 0; i < passes.size(); ++i)
+    for (size_t draw = 0; draw < prepared[i].pipelines.size(); ++draw)
+      prepared[i].sets.push_back(
+          descriptors_.make_set(*prepared[i].pipelines[draw], passes[i].draws[draw], resources_, prepared[i].layouts));
+
+  const bool timed = timing == Timing::bracketed;
+  const uint32_t count = static_cast<uint32_t>(passes.size());
+  const VkCommandBuffer commands = device_.begin();
+  if (timed) timestamps_.start(commands, count + 1);
+  for (uint32_t i = 0; i < count; ++i) {
+    std::vector<VkImageMemoryBarrier2> transitions;
+    for (const auto& [id, layout] : prepared[i].layouts) transitions.push_back(transition(resources_.at(id, passes[i].name), layout));
+    if (timed) timestamps_.mark(commands, i);
+    full_barrier(commands, transitions);
+    device_.begin_label(commands, passes[i].name);
+    record(commands, passes[i], prepared[i]);
+    device_.end_label(commands);
+  }
+  if (timed) timestamps_.mark(commands, count);
+  full_barrier(commands);
+
+  RunTimes times;
+  times.wall_ms = device_.submit_and_wait(commands);
+  if (timed) times.pass_ms = timestamps_.read_ms();
+  return times;
+}
+
+void FrameRunner::record(VkCommandBuffer commands, const Pass& pass, const PreparedPass& prepared) {
+  switch (pass.kind) {
+    case PassKind::raster:
+      return record_raster(commands, pass, prepared);
+    case PassKind::compute:
+      return record_compute(commands, pass, prepared);
+    case PassKind::mips:
+      return record_mips(commands, pass);
+  }
+}
+
+void FrameRunner::record_raster(VkCommandBuffer commands, const Pass& pass, const PreparedPass& prepared) {
+  std::vector<VkRenderingAttachmentInfo> colors;
+  for (const Attachment& color : pass.colors) colors.push_back(attachment_info(color, prepared.layouts));
+  VkRenderingAttachmentInfo depth{};
+  if (pass.depth) depth = attachment_info(*pass.depth, prepared.layouts);
+
+  VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
+  info.renderArea.extent = prepared.extent;
+  info.layerCount = 1;
+  info.colorAttachmentCount = static_cast<uint32_t>(colors.size());
+  info.pColorAttachments = colors.data();
+  info.pDepthAttachment = pass.depth ? &depth : nullptr;
+  vkCmdBeginRendering(commands, &info);
+
+  const VkViewport viewport{
+      0, 0, static_cast<float>(prepared.extent.width), static_cast<float>(prepared.extent.height), 0, 1};
+  vkCmdSetViewport(commands, 0, 1, &viewport);
+  vkCmdSetScissor(commands, 0, 1, &info.renderArea);
+  for (size_t i = 0; i < pass.draws.size(); ++i) {
+    const Draw& draw = pass.draws[i];
+    const Pipeline& pipeline = *prepared.pipelines[i];
+    bind(commands, pipeline, prepared.sets[i]);
+    if (!pipeline.desc.vertex_locations.empty()) {
+      const VkBuffer vertices = resources_.at(draw.vertices, pass.name).buffer.get();
+      const VkDeviceSize offset = 0;
+      vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
+    }
+    if (draw.indices) {
+      vkCmdBindIndexBuffer(commands, resources_.at(draw.indices, pass.name).buffer.get(), 0, VK_INDEX_TYPE_UINT32);
+      vkCmdDrawIndexed(commands, draw.count, draw.instances, 0, 0, 0);
+    } else {
+      vkCmdDraw(commands, draw.count, draw.instances, 0, 0);
+    }
+  }
+  vkCmdEndRendering(commands);
+}
+
+void FrameRunner::record_compute(VkCommandBuffer commands, const Pass& pass, const PreparedPass& prepared) {
+  for (size_t i = 0; i < pass.draws.size(); ++i) {
+    const Draw& draw = pass.draws[i];
+    // Dispatches of one pass follow each other as draws do: each sees what the one before it wrote.
+    if (i > 0) full_barrier(commands);
+    bind(commands, *prepared.pipelines[i], prepared.sets[i]);
+    vkCmdDispatch(commands, draw.groups[0], draw.groups[1], draw.groups[2]);
+  }
+}
+
+void FrameRunner::record_mips(VkCommandBuffer commands, const Pass& pass) {
+  const Texture& texture = resources_.at(pass.mips_of, pass.name);
+  for (uint32_t level = 1; level < texture.desc.levels; ++level) {
+    if (level > 1) full_barrier(commands);
+    const VkExtent2D from = level_extent(texture.desc, level - 1), to = level_extent(texture.desc, level);
+    VkImageBlit blit{};
+    blit.srcSubresource = {aspect_of(texture.desc.format), level - 1, 0, 1};
+    blit.srcOffsets[1] = {static_cast<int32_t>(from.width), static_cast<int32_t>(from.height), 1};
+    blit.dstSubresource = {aspect_of(texture.desc.format), level, 0, 1};
+    blit.dstOffsets[1] = {static_cast<int32_t>(to.width), static_cast<int32_t>(to.height), 1};
+    vkCmdBlitImage(commands, texture.image.get(), texture.layout, texture.image.get(), texture.layout, 1, &blit, VK_FILTER_LINEAR);
+  }
+}
+
+void FrameRunner::bind(VkCommandBuffer commands, const Pipeline& pipeline, VkDescriptorSet set) {
+  const VkPipelineBindPoint point = pipeline.compute ? VK_PIPELINE_BIND_POINT_COMPUTE : VK_PIPELINE_BIND_POINT_GRAPHICS;
+  vkCmdBindPipeline(commands, point, pipeline.pipeline.get());
+  vkCmdBindDescriptorSets(commands, point, pipeline.layout.get(), 0, 1, &set, 0, nullptr);
+}
+
+VkRenderingAttachmentInfo FrameRunner::attachment_info(const Attachment& attachment, const PassLayouts& layouts) {
+  const Texture& texture = resources_.at(attachment.texture, "attachment");
+  VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+  info.imageView = texture.levels[attachment.level].get();
+  info.imageLayout = layouts.at(attachment.texture);
+  info.loadOp = load_op(attachment.load);
+  info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+  info.clearValue = clear_value(texture.desc.format, attachment.clear);
+  return info;
+}
+
+}  // namespace lamina::vulkan

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// All variants of one effect on one backend: rendered, counted, scored against the baseline, timed. What fails becomes a failed row;
+// the rest goes on.
+#pragma once
+
+#include <memory>
+
+#include "harness/cli/commands.h"
+#include "harness/graph/frame.h"
+#include "harness/measure/rounds.h"
+#include "harness/record/record.h"
+
+namespace lamina {
+
+class BackendRun {
+ public:
+  // Everything must outlive this. `images` is the folder of the pictures, whose paths in rows begin with "images/".
+  BackendRun(Backend& backend, SceneResources& resources, const Plan& plan, const EffectManifest& effect, ShaderCache& shaders,
+             const CompareOptions& options, const std::filesystem::path& images);
+
+  void prepare(Progress& progress);     // pipelines and targets, first frame; what is done once
+  void count(Progress& progress);       // by the counting build
+  void score(Progress& progress);       // pictures, and their errors
+  RoundsResult time(Progress& progress, bool timer_ok);
+
+  // One row a variant and view, the baseline's first.
+  std::vector<CellRow> rows() const;
+
+ private:
+  struct Variant {
+    const VariantManifest* manifest = nullptr;
+    std::string failure;
+    Graph graph;
+    std::unique_ptr<Frame> frame;
+    std::vector<std::vector<double>> once_ms;  // [pass][repetition]
+    std::vector<CellRow> rows;                 // [view]
+    std::vector<Mask> covered;                 // [view]
+  };
+  template <class Work>
+  void attempt(Variant& variant, Work&& work);
+  void score_view(Variant& variant, size_t view, const Image* baseline);
+  Image render(Variant& variant, size_t view);
+  std::string picture_path(const CellRow& row, std::string_view suffix) const;
+
+  SceneResources& resources_;
+  const Plan& plan_;
+  ShaderCache& shaders_;
+  const CompareOptions& options_;
+  const std::filesystem::path& images_;
+  std::vector<Variant> variants_;  // the baseline first
+};
+
+// Failed rows for a backend that cannot run at all.
+std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene, const EffectManifest& effect, const CompareOptions& options,
+                                 const std::string& reason);
+
+}  // namespace lamina

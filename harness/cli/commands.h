@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands, each in a file of its own; main.cpp reads their options.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/backend/backend.h"
+#include "harness/plan/plan.h"
+
+namespace lamina {
+
+// What commands that look at a scene have in common.
+struct SceneOptions {
+  std::string scene = "heart";
+  std::optional<float> time_s;
+  std::vector<std::filesystem::path> variants_dirs;
+};
+
+struct CompareOptions {
+  SceneOptions scene;
+  std::filesystem::path out = "lamina-out";
+  std::vector<std::string> backends = {"vulkan", "osmesa"};
+  std::vector<std::string> variants;  // by name; empty: all. The baseline is always there.
+  std::string device;
+  uint32_t width_px = 512, height_px = 512;
+  bool quick = false;
+  double budget_s = 20;     // of the timed rounds, a backend and effect
+  double precision = 0.01;  // half width of each ratio's interval, relative
+  uint64_t seed = 1;
+  bool validation = false;
+  std::string command;      // as the user typed it
+};
+
+// Difference pictures are |test - baseline| of display values times this; records and reports state it.
+inline constexpr double difference_gain = 4;
+
+// Each returns the exit status, and throws Error.
+int run_compare(const CompareOptions& options);
+int run_plan(const SceneOptions& options);
+int run_list(const SceneOptions& options);
+int run_report(const std::vector<std::filesystem::path>& records);
+
+// The folder that holds variants/ and shaders/: LAMINA_HOME in the environment, else the source folder of this build.
+std::filesystem::path home_folder();
+Library load_library_for(const SceneOptions& options);
+// A scene that has objects and views, or Error(bad_input).
+Scene load_scene_for(const SceneOptions& options);
+
+// One line on standard error that is written over, with the fraction done and the time left; silent where no person watches.
+class Progress {
+ public:
+  explicit Progress(std::string title);
+  ~Progress();
+  void show(double fraction, const std::string& what);
+
+ private:
+  std::string title_;
+  bool watched_;
+  double start_s_;
+};
+
+}  // namespace lamina

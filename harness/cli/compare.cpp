@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// lamina compare: every variant of every effect that the scene calls for, on every backend. The whole flow, top to bottom.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "harness/cli/backend_run.h"
+#include "harness/cli/run_line.h"
+#include "harness/core/text.h"
+#include "harness/measure/timer_certificate.h"
+#include "reports/reports.h"
+
+namespace lamina {
+namespace {
+
+// The run's folder with its images, empty of an earlier run's. Throws Error(bad_input) where it cannot be written.
+void make_run_folder(const std::filesystem::path& out) {
+  std::error_code failure;
+  std::filesystem::remove_all(out / "images", failure);
+  if (!failure) std::filesystem::create_directories(out / "images", failure);
+  if (failure || ::access(out.c_str(), W_OK) != 0)
+    throw Error(ErrorKind::bad_input, "compare", out.string(), "the folder cannot be made or written; choose another with --out");
+}
+
+// Effects with something to compare; where there are none, whatever the scene calls for, so that its picture and cost are known.
+std::vector<const EffectManifest*> compared_effects(const Plan& plan) {
+  std::vector<const EffectManifest*> several, all;
+  for (const EffectPlan& entry : plan.effects) {
+    if (!entry.called_for) continue;
+    all.push_back(entry.effect);
+    if (entry.effect->variants.size() > 1) several.push_back(entry.effect);
+  }
+  return several.empty() ? all : several;
+}
+
+void check_variant_names(const std::vector<const EffectManifest*>& effects, const std::vector<std::string>& wanted) {
+  std::vector<std::string> names;
+  for (const EffectManifest* effect : effects)
+    for (const VariantManifest& variant : effect->variants) names.push_back(variant.name);
+  for (const std::string& name : wanted)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw Error(ErrorKind::bad_input, "compare", "--variant", unknown_name("variant", name, names));
+}
+
+struct OpenedBackend {
+  std::string name, failure;
+  std::optional<DeviceInfo> info;
+};
+
+// Which backends open here. Each is closed again: two OpenGL contexts do not live side by side.
+std::vector<OpenedBackend> probe_backends(const CompareOptions& options) {
+  std::vector<OpenedBackend> probed;
+  size_t open = 0;
+  for (const std::string& name : options.backends) {
+    OpenedBackend& entry = probed.emplace_back();
+    entry.name = name;
+    try {
+      entry.info = open_backend(name, {options.device, options.validation})->info();
+      ++open;
+    } catch (const Error& error) {
+      if (error.kind() == ErrorKind::bad_input) throw;
+      entry.failure = error.what();
+      fmt::print(stderr, "lamina: {}\n", error.what());
+    }
+    if (entry.info && std::max(options.width_px, options.height_px) > entry.info->max_texture_size)
+      throw Error(ErrorKind::bad_input, "compare", "--size", fmt::format("{}x{} is larger than {} pixels, the most that {} can draw",
+                                                                         options.width_px, options.height_px, entry.info->max_texture_size, name));
+  }
+  if (open == 0) throw Error(ErrorKind::no_device, "compare", "no usable device", "none of the backends could be opened; see the messages above");
+  return probed;
+}
+
+struct BackendTotals {
+  double wall_ms = 0, device_ms = 0;
+};
+
+// One backend: certificate, then each effect. Appends every row as it is finished.
+void run_backend(const OpenedBackend& opened, const Scene& scene, const Library& library, const Plan& plan,
+                 const std::vector<const EffectManifest*>& effects, const CompareOptions& options, RecordWriter& record) {
+  const std::filesystem::path images = options.out / "images";
+  const std::unique_ptr<Backend> backend = open_backend(opened.name, {options.device, options.validation});
+  Progress progress(opened.name);
+  progress.show(0, "certifying the timer");
+  const TimerRow timer = certify_timer(*backend, library.shaders);
+  record.append(to_json(timer));
+  SceneResources resources(*backend, scene, options.width_px, options.height_px);
+  ShaderCache shaders(backend->info().api, library.shaders);
+  for (const EffectManifest* effect : effects) {
+    BackendRun run(*backend, resources, plan, *effect, shaders, options, images);
+    run.prepare(progress);
+    run.count(progress);
+    run.score(progress);
+    const RoundsResult rounds = run.time(progress, timer.ok);
+    for (const CellRow& row : run.rows()) record.append(to_json(row));
+    if (timer.ok && rounds.rounds > 0)
+      record.append({{"kind", "phase"}, {"backend", opened.name}, {"effect", effect->name}, {"rounds", rounds.rounds},
+                     {"wall_ms", rounds.wall_ms}, {"device_ms", rounds.device_ms}});
+  }
+  for (const std::string& message : backend->take_messages()) fmt::print(stderr, "lamina: {}: {}\n", opened.name, message);
+}
+
+}  // namespace
+
+int run_compare(const CompareOptions& options) {
+  const Scene scene = load_scene_for(options.scene);
+  const Library library = load_library_for(options.scene);
+  const Plan plan = make_plan(library, scene);
+  const std::vector<const EffectManifest*> effects = compared_effects(plan);
+  check_variant_names(effects, options.variants);
+  const std::vector<OpenedBackend> backends = probe_backends(options);
+
+  make_run_folder(options.out);
+  RecordWriter record(options.out / "record.jsonl");
+  std::vector<DeviceInfo> devices;
+  for (const OpenedBackend& backend : backends)
+    if (backend.info) devices.push_back(*backend.info);
+  record.append(run_line(options, scene, devices));
+  ShaderCache shaders(Api::vulkan, library.shaders);
+  record.append(plan_line(plan, scene, shaders));
+  for (const std::string& warning : scene.warnings) fmt::print(stderr, "lamina: note: {}\n", warning);
+
+  for (const OpenedBackend& backend : backends) {
+    std::string failure = backend.failure;
+    try {
+      if (failure.empty()) run_backend(backend, scene, library, plan, effects, options, record);
+    } catch (const Error& error) {
+      failure = error.what();
+    }
+    if (failure.empty()) continue;
+    for (const EffectManifest* effect : effects)
+      for (const CellRow& row : failed_rows(backend.name, scene, *effect, options, failure)) record.append(to_json(row));
+  }
+
+  write_reports(options.out);
+  const Record written = read_record(options.out / "record.jsonl");
+  fmt::print("{}\nreport: {}\n", terminal_table(written, ::isatty(STDOUT_FILENO) == 1), (options.out / "index.html").string());
+  const bool failed = std::any_of(written.cells.begin(), written.cells.end(), [](const auto& cell) { return cell.at("status") == "failed"; });
+  const bool uncertified = std::any_of(written.timers.begin(), written.timers.end(), [](const auto& timer) { return !timer.at("ok"); });
+  return failed || uncertified ? 1 : 0;
+}
+
+}  // namespace lamina

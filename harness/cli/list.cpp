@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// lamina list: effects, variants and their parameters, built-in scenes, backends and devices.
+#include <fmt/format.h>
+
+#include "harness/cli/commands.h"
+
+namespace lamina {
+
+int run_list(const SceneOptions& options) {
+  const Library library = load_library_for(options);
+  for (const EffectManifest& effect : library.effects) {
+    fmt::print("effect {}: {}\n", effect.name, effect.title);
+    for (const VariantManifest& variant : effect.variants) {
+      fmt::print("  variant {:<18} {}{}\n", variant.name, variant.baseline ? "baseline: " : "", variant.title);
+      for (const ParameterManifest& parameter : variant.parameters)
+        fmt::print("    parameter {:<14} {} [{} to {}] {} {}\n", parameter.name, parameter.value, parameter.low, parameter.high, parameter.unit, parameter.title);
+    }
+  }
+  for (const std::string& scene : builtin_scenes()) fmt::print("scene {}\n", scene);
+  for (const std::string_view backend : backend_names()) {
+    const std::vector<DeviceInfo> devices = list_devices(backend);
+    if (devices.empty()) fmt::print("backend {}: no device\n", backend);
+    for (size_t i = 0; i < devices.size(); ++i)
+      fmt::print("backend {} device {}: {} ({}, {})\n", backend, i, devices[i].device, devices[i].driver, devices[i].api_version);
+  }
+  return 0;
+}
+
+}  // namespace lamina

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "harness/cli/commands.h"
+
+namespace lamina {
+namespace {
+
+double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+constexpr const char* erase_line = "\r\033[K";
+
+}  // namespace
+
+Progress::Progress(std::string title) : title_(std::move(title)), watched_(::isatty(STDERR_FILENO) == 1), start_s_(now_s()) {}
+
+Progress::~Progress() {
+  if (watched_) fmt::print(stderr, "{}", erase_line);
+}
+
+void Progress::show(double fraction, const std::string& what) {
+  if (!watched_) return;
+  const double done = std::clamp(fraction, 0.0, 1.0), elapsed_s = now_s() - start_s_;
+  std::string left;
+  if (done > 0.02) left = fmt::format(", {:.0f} s left", elapsed_s / done - elapsed_s);
+  fmt::print(stderr, "{}{}: {:.0f}%{} {}", erase_line, title_, done * 100, left, what);
+  std::fflush(stderr);
+}
+
+}  // namespace lamina

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/cli/run_line.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <thread>
+
+#include "commit.h"
+#include "harness/graph/graph.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string cpu_model() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+Json passes_of(const std::vector<GraphPass>& passes, const Scene& scene, bool runs) {
+  Json rows = Json::array();
+  for (const GraphPass& pass : passes) {
+    Json objects = Json::array(), textures = Json::array();
+    std::set<std::string> names;
+    for (const GraphDraw& draw : pass.draws) {
+      if (draw.object) objects.push_back(scene.objects[*draw.object].name);
+      for (const ResolvedRead& read : draw.reads) names.insert(read.source.name);
+    }
+    for (const std::string& name : names) textures.push_back(name);
+    rows.push_back({{"pass", pass.pass->name}, {"effect", pass.variant->effect}, {"runs", runs}, {"once", pass.once}, {"reason", pass.reason},
+                    {"objects", objects}, {"reads", textures}, {"writes", pass.pass->writes}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+Json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices) {
+  Json rows = Json::array();
+  for (const DeviceInfo& device : devices)
+    rows.push_back({{"backend", device.backend}, {"device", device.device}, {"driver", device.driver}, {"api_version", device.api_version},
+                    {"software", device.software}, {"max_texture_size", device.max_texture_size}});
+  return {{"kind", "run"},
+          {"schema", 1},
+          {"lamina", LAMINA_VERSION},
+          {"commit", LAMINA_COMMIT},
+          {"build", LAMINA_BUILD_NAME},
+          {"command", options.command},
+          {"machine", {{"cpu", cpu_model()}, {"threads", std::thread::hardware_concurrency()}, {"lp_num_threads", environment("LP_NUM_THREADS")}}},
+          {"devices", rows},
+          {"settings",
+           {{"width", options.width_px}, {"height", options.height_px}, {"quick", options.quick}, {"budget_s", options.budget_s},
+            {"precision", options.precision}, {"seed", options.seed}, {"difference_gain", difference_gain}, {"validation", options.validation}}},
+          {"scene", scene.name},
+          {"source", scene.source},
+          {"time_s", scene.time_s},
+          {"warnings", scene.warnings}};
+}
+
+Json plan_line(const Plan& plan, const Scene& scene, ShaderCache& shaders) {
+  Json effects = Json::array();
+  for (const EffectPlan& entry : plan.effects) {
+    Json features = Json::array(), variants = Json::array();
+    for (const FeaturePlan& feature : entry.features) features.push_back({{"feature", feature.define}, {"on", feature.on}, {"reason", feature.reason}});
+    for (const VariantManifest& variant : entry.effect->variants) {
+      if (!entry.called_for) break;
+      try {
+        const Graph graph = make_graph(plan, {&variant}, scene, shaders);
+        Json passes = passes_of(graph.passes, scene, true);
+        for (const Json& dropped : passes_of(graph.dropped, scene, false)) passes.push_back(dropped);
+        variants.push_back({{"variant", variant.name}, {"baseline", variant.baseline}, {"passes", passes}});
+      } catch (const Error& error) {
+        variants.push_back({{"variant", variant.name}, {"baseline", variant.baseline}, {"error", error.what()}});
+      }
+    }
+    effects.push_back({{"effect", entry.effect->name}, {"called_for", entry.called_for}, {"reason", entry.reason}, {"objects", entry.objects.size()},
+                       {"features", features}, {"variants", variants}});
+  }
+  return {{"kind", "plan"}, {"effects", effects}};
+}
+
+}  // namespace lamina

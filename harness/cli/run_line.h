@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// The first lines of a record: what was run, on what, and what the scene called for.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "harness/cli/commands.h"
+#include "harness/graph/graph.h"
+
+namespace lamina {
+
+nlohmann::ordered_json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices);
+// {"kind":"plan", "effects":[...]}: each effect with called_for and why, its features, and the passes of every variant.
+nlohmann::ordered_json plan_line(const Plan& plan, const Scene& scene, ShaderCache& shaders);
+
+}  // namespace lamina

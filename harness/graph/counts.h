@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a pass executed, as its counting build counted it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace lamina {
+
+// Texture operations on one texture.
+struct TextureFetches {
+  std::string texture;  // the sampler's name in the shader
+  std::string format;   // "rgba8_srgb"
+  std::string filter;   // "trilinear"
+  uint64_t fetches = 0;
+};
+
+struct PassCounts {
+  uint64_t vertices = 0;    // invocations of the vertex shader
+  uint64_t fragments = 0;   // invocations of the fragment shader, or of the compute shader
+  bool early_tests = true;  // false: some shader discards or writes depth, so fragments hidden later are counted too
+  std::vector<TextureFetches> by_texture;
+
+  uint64_t fetches() const {
+    uint64_t sum = 0;
+    for (const TextureFetches& texture : by_texture) sum += texture.fetches;
+    return sum;
+  }
+};
+
+}  // namespace lamina

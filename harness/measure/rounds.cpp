@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/measure/rounds.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <random>
+
+#include "harness/measure/statistics.h"
+
+namespace lamina {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double since_ms(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+
+// Whether every ratio to a baseline is known to `precision`.
+bool precise_enough(const std::vector<Arm>& arms, const std::vector<ArmSamples>& samples, double precision) {
+  for (size_t i = 0; i < arms.size(); ++i) {
+    if (!arms[i].baseline || *arms[i].baseline == i) continue;
+    const ArmSamples& base = samples[*arms[i].baseline];
+    if (!samples[i].failure.empty() || !base.failure.empty()) continue;
+    const Interval ratio = ratio_interval(samples[i].frame_ms, base.frame_ms);
+    if ((ratio.high - ratio.low) / 2 > precision * ratio.median) return false;
+  }
+  return true;
+}
+
+void run_arm(const Arm& arm, ArmSamples& samples, double& device_ms) {
+  try {
+    const FrameTimes times = arm.run();
+    samples.pass_ms.resize(times.pass_ms.size());
+    for (size_t pass = 0; pass < times.pass_ms.size(); ++pass) samples.pass_ms[pass].push_back(times.pass_ms[pass]);
+    samples.frame_ms.push_back(std::accumulate(times.pass_ms.begin(), times.pass_ms.end(), 0.0));
+    device_ms += samples.frame_ms.back();
+  } catch (const Error& error) {
+    samples = {};
+    samples.failure = error.what();
+  }
+}
+
+}  // namespace
+
+RoundsResult run_rounds(const std::vector<Arm>& arms, const RoundOptions& options, const std::function<void(double)>& progress) {
+  RoundsResult result;
+  result.arms.resize(arms.size());
+  std::vector<size_t> order(arms.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::mt19937_64 random(options.seed);
+  const size_t least = std::max(options.least_rounds, min_rounds_for_95);
+  const auto start = Clock::now();
+  while (result.rounds < options.most_rounds) {
+    const double elapsed_s = since_ms(start) / 1000;
+    if (result.rounds >= least && (elapsed_s > options.budget_s || precise_enough(arms, result.arms, options.precision))) break;
+    if (progress) progress(std::max(elapsed_s / options.budget_s, 0.0));
+    for (size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);  // Fisher and Yates
+    for (const size_t arm : order)
+      if (result.arms[arm].failure.empty()) run_arm(arms[arm], result.arms[arm], result.device_ms);
+    ++result.rounds;
+  }
+  result.wall_ms = since_ms(start);
+  return result;
+}
+
+}  // namespace lamina

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Timing by shuffled, interleaved rounds: one round runs every arm once, in random order, so that drift of the machine cancels in
+// ratios taken within a round. Stops when every ratio is known precisely enough (not when it is significant, which would bias it), or
+// at the budget.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/graph/frame.h"
+
+namespace lamina {
+
+struct Arm {
+  std::function<FrameTimes()> run;      // one timed frame
+  std::optional<size_t> baseline;       // the arm that its ratio is taken to
+};
+
+struct ArmSamples {
+  std::vector<std::vector<double>> pass_ms;  // [pass][round]
+  std::vector<double> frame_ms;              // [round], the sum over passes
+  std::string failure;                       // of a run that threw: the arm then has no samples
+};
+
+struct RoundOptions {
+  size_t least_rounds = 8;      // at least min_rounds_for_95
+  size_t most_rounds = 1000;
+  double budget_s = 20;         // no round starts later than this
+  double precision = 0.01;      // half width of every ratio's 95% interval, relative to its median
+  uint64_t seed = 1;            // of the order
+};
+
+struct RoundsResult {
+  std::vector<ArmSamples> arms;
+  size_t rounds = 0;
+  double wall_ms = 0;    // of all rounds, host clock
+  double device_ms = 0;  // sum of all samples
+};
+
+// `progress` is called after each round with the fraction done.
+RoundsResult run_rounds(const std::vector<Arm>& arms, const RoundOptions& options, const std::function<void(double)>& progress = {});
+
+}  // namespace lamina

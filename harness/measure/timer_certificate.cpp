@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/measure/timer_certificate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "harness/measure/statistics.h"
+#include "harness/shader/shader.h"
+
+namespace lamina {
+namespace {
+
+constexpr size_t multiples = 4;      // 1x, 2x, 4x, 8x
+constexpr uint32_t size_px = 256;
+constexpr double least_ms = 8;       // of the 1x pass: fixed costs (a tenth of a millisecond a bracket) stay well below the tolerance
+constexpr int first_taps = 16, most_taps = 1 << 20;
+constexpr size_t least_rounds = 5, most_rounds = 20;
+
+// The passes and all that they need on the device, given back at the end.
+class Workload {
+ public:
+  Workload(Backend& backend, const std::filesystem::path& shaders) : backend_(backend) {
+    const Api api = backend.info().api;
+    vertex_ = compile_shader({shaders / "common/fullscreen.vert", Stage::vertex, api, {}, {shaders}});
+    fragment_ = compile_shader({shaders / "measure/work.frag", Stage::fragment, api, {}, {shaders}});
+    std::vector<std::byte> texels(size_px * size_px * 4);
+    std::mt19937 random(1);  // any texture without structure
+    for (std::byte& texel : texels) texel = static_cast<std::byte>(random() & 255);
+    source_ = backend.create_texture({"timer source", size_px, size_px, 1, Format::rgba8_unorm, false, false}, {{texels}});
+    for (TextureId& target : targets_)
+      target = backend.create_texture({"timer target", size_px, size_px, 1, Format::rgba8_unorm, true, false});
+  }
+  ~Workload() {
+    release_pipelines();
+    for (const TextureId target : targets_) backend_.destroy(target);
+    backend_.destroy(source_);
+  }
+  Workload(const Workload&) = delete;
+  Workload& operator=(const Workload&) = delete;
+
+  void set_base_taps(int taps) {
+    release_pipelines();
+    for (size_t k = 0; k < multiples; ++k) {
+      const auto bits = static_cast<uint32_t>(taps << k);
+      pipelines_[k] = backend_.create_pipeline({"timer work", {{Stage::vertex, vertex_.spirv}, {Stage::fragment, fragment_.spirv}}, {{0, bits}},
+                                                {{4, BindingKind::texture}}, {}, {Format::rgba8_unorm}, {}, Blend::none, Depth::none, Cull::none});
+    }
+  }
+
+  // Runs the passes in the order given; times come back by multiple.
+  std::pair<std::vector<double>, double> run(std::span<const size_t> order) {
+    std::vector<Pass> passes;
+    for (const size_t k : order) {
+      Pass pass;
+      pass.name = "timer work";
+      pass.colors = {{targets_[k], 0, Load::discard, {}}};
+      Draw draw;
+      draw.pipeline = pipelines_[k];
+      draw.textures = {{4, source_, {Filter::linear, Wrap::repeat}}};
+      draw.count = 3;
+      pass.draws = {draw};
+      passes.push_back(std::move(pass));
+    }
+    const RunTimes times = backend_.run(passes, Timing::bracketed);
+    std::vector<double> by_multiple(multiples, 0);
+    for (size_t i = 0; i < order.size(); ++i) by_multiple[order[i]] = times.pass_ms[i];
+    return {by_multiple, times.wall_ms};
+  }
+
+ private:
+  void release_pipelines() {
+    for (PipelineId& pipeline : pipelines_) {
+      if (pipeline) backend_.destroy(pipeline);
+      pipeline = {};
+    }
+  }
+
+  Backend& backend_;
+  CompiledShader vertex_, fragment_;
+  TextureId source_;
+  std::array<TextureId, multiples> targets_;
+  std::array<PipelineId, multiples> pipelines_;
+};
+
+// Doubles the work until the 1x pass lasts long enough; the first run of each compiles and is not looked at.
+void find_base_taps(Workload& work) {
+  const std::array<size_t, 1> first = {0};
+  const std::array<size_t, multiples> all = {0, 1, 2, 3};
+  for (int taps = first_taps;; taps *= 2) {
+    work.set_base_taps(taps);
+    work.run(first);
+    const double ms = std::min(work.run(first).first[0], work.run(first).first[0]);
+    if (ms >= least_ms || taps >= most_taps) break;
+  }
+  work.run(all);
+}
+
+}  // namespace
+
+TimerRow judge_timer(const std::vector<std::vector<double>>& times_ms, const std::vector<double>& wall_ms) {
+  if (times_ms.empty() || times_ms.size() != wall_ms.size())
+    throw Error(ErrorKind::failed, "timer", "certificate", "no rounds were measured");
+  TimerRow row;
+  std::vector<double> sums_over_wall;
+  std::vector<std::vector<double>> shares(multiples), samples(multiples);
+  for (size_t round = 0; round < times_ms.size(); ++round) {
+    const double sum = std::accumulate(times_ms[round].begin(), times_ms[round].end(), 0.0);
+    sums_over_wall.push_back(wall_ms[round] > 0 ? sum / wall_ms[round] : 0);
+    for (size_t k = 0; k < multiples; ++k) {
+      samples[k].push_back(times_ms[round][k]);
+      shares[k].push_back(sum > 0 ? times_ms[round][k] / sum : 0);
+    }
+  }
+  const double one = *std::min_element(samples[0].begin(), samples[0].end());
+  const double whole = (1 << multiples) - 1;
+  bool linear = one > 0;
+  for (size_t k = 0; k < multiples; ++k) {
+    const double multiple = 1 << k;
+    const double least = *std::min_element(samples[k].begin(), samples[k].end());
+    row.linearity.push_back(one > 0 ? least / (multiple * one) : 0);
+    linear = linear && std::abs(row.linearity.back() - 1) <= linearity_tolerance;
+    row.attribution = std::max(row.attribution, std::abs(median(shares[k]) * whole / multiple - 1));
+  }
+  row.additivity = median(sums_over_wall);
+  if (!linear) row.reason = "time is not proportional to work";
+  else if (std::abs(row.additivity - 1) > additivity_tolerance) row.reason = "the passes' times do not add up to the wall time";
+  else if (row.attribution > attribution_tolerance) row.reason = "a pass is given another pass's time";
+  row.ok = row.reason.empty();
+  return row;
+}
+
+TimerRow certify_timer(Backend& backend, const std::filesystem::path& shaders) {
+  Workload work(backend, shaders);
+  find_base_taps(work);
+  std::mt19937 random(7);  // any seed: the orders need only differ
+  std::vector<std::vector<double>> times_ms;
+  std::vector<double> wall_ms;
+  std::array<size_t, multiples> order = {0, 1, 2, 3};
+  TimerRow row;
+  while (times_ms.size() < most_rounds) {
+    for (size_t i = multiples - 1; i > 0; --i) std::swap(order[i], order[random() % (i + 1)]);
+    const auto [times, wall] = work.run(order);
+    times_ms.push_back(times);
+    wall_ms.push_back(wall);
+    if (times_ms.size() < least_rounds) continue;
+    row = judge_timer(times_ms, wall_ms);
+    if (row.ok) break;  // more rounds only help a machine that is busy with other things
+  }
+  row.backend = backend.info().backend;
+  return row;
+}
+
+}  // namespace lamina

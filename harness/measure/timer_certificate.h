@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Proof that a backend's timer can be believed: passes of known relative work through the same timer that measures variants.
+// Software rasterizers and tile-based devices have reported the last tile's time, or another pass's, for a pass's.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "harness/backend/backend.h"
+
+namespace lamina {
+
+struct TimerRow {
+  std::string backend;
+  bool ok = false;
+  std::vector<double> linearity;  // time of 1x, 2x, 4x, 8x work over that multiple of the 1x time: 1 is perfect
+  double additivity = 0;          // sum of passes over the wall time
+  double attribution = 0;         // greatest relative error of a pass's share of the frame, the passes' order shuffled every round
+  std::string reason;             // why not ok
+};
+
+// Bounds that a certificate holds to.
+inline constexpr double linearity_tolerance = 0.05;
+inline constexpr double additivity_tolerance = 0.05;
+inline constexpr double attribution_tolerance = 0.25;  // a pass that got its neighbour's time would be off by 1 or more
+
+// What the certificate says of measured rounds. times_ms[round][k] is the time given to the pass of multiple 1 << k; wall_ms[round] the
+// frame's wall time. Linearity is taken on the least time of each pass, since what else the machine does only adds; additivity and
+// attribution on medians over rounds. Throws Error(failed) where there are no rounds.
+TimerRow judge_timer(const std::vector<std::vector<double>>& times_ms, const std::vector<double>& wall_ms);
+
+// Measures (about a second) and judges. `shaders` is the folder of the built-in shaders.
+TimerRow certify_timer(Backend& backend, const std::filesystem::path& shaders);
+
+}  // namespace lamina

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// From what a command line names to a whole scene: read, then completed with default lights and views, then settled, so that what
+// passes ask of it (is anything transparent, can it be unwrapped) is known.
+#include <algorithm>
+
+#include "harness/core/error.h"
+#include "harness/core/text.h"
+#include "harness/scene/default_views.h"
+#include "harness/scene/scene.h"
+#include "harness/scene/scene_file.h"
+#include "harness/scene/seen_transparency.h"
+#include "harness/scene/unwrap_check.h"
+
+namespace lamina {
+namespace {
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+Scene read_scene(const std::string& source, std::optional<float> time_s) {
+  const std::vector<std::string> builtin = builtin_scenes();
+  if (std::find(builtin.begin(), builtin.end(), source) != builtin.end()) return read_builtin(source, time_s.value_or(0));
+  const std::filesystem::path file(source);
+  const std::string extension = lower_case(file.extension().string());
+  if (extension == ".toml") return read_scene_file(file, time_s);
+  if (extension == ".glb" || extension == ".gltf") return read_model(file, time_s.value_or(0));
+  const std::string expected = "a scene is a .toml scene file, a .glb or .gltf model, or the name of a built-in scene";
+  if (std::filesystem::exists(file)) throw Error(ErrorKind::bad_input, "scene", source, "is no scene: " + expected);
+  throw Error(ErrorKind::bad_input, "scene", source, fmt::format("{}; {}", unknown_name("scene", source, builtin), expected));
+}
+
+}  // namespace
+
+Scene load_scene(const std::string& source, std::optional<float> time_s) {
+  Scene scene = read_scene(source, time_s);
+  scene.source = source;
+  if (scene.lights.empty()) scene.lights = default_lights(bounding_sphere(scene.objects));
+  if (scene.views.empty()) scene.views = default_views(scene.objects);
+  for (Object& object : scene.objects) {
+    settle_unwrap(object, scene.warnings);
+    if (object.layers) settle_transparency(*object.layers, object.mesh);
+  }
+  return scene;
+}
+
+}  // namespace lamina

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/scene/scene_file.h"
+
+#include <array>
+
+#include "harness/core/text.h"
+#include "harness/core/toml_table.h"
+#include "harness/scene/default_views.h"
+#include "harness/scene/gltf.h"
+#include "harness/scene/heart.h"
+#include "harness/scene/object_overrides.h"
+#include "harness/scene/toml_values.h"
+
+namespace lamina {
+namespace {
+
+// A light's or a sky's strongest channel; half floats end at 65504.
+constexpr float brightest = 60000;
+
+Scene scene_of_objects(LoadedModel model, float time_s) {
+  Scene scene;
+  scene.objects = std::move(model.objects);
+  scene.warnings = std::move(model.warnings);
+  scene.time_s = time_s;
+  scene.background = glm::vec3(0.05f);  // mid-dark, neutral: neither hides silhouettes nor outshines the object
+  scene.ambient = {0.10f, 0.11f, 0.125f};
+  return scene;
+}
+
+// The scene that [scene] starts from.
+Scene base_scene(const TomlTable& table, const std::filesystem::path& folder, float time_s, DefaultLayers& defaults) {
+  if (table.has("model") == table.has("builtin"))
+    throw table.error({}, "[scene] needs either model = \"FILE\" (.glb or .gltf) or builtin = \"NAME\"");
+  if (table.has("builtin")) {
+    const std::string name = table.string("builtin");
+    const std::vector<std::string> known = builtin_scenes();
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw table.error("builtin", unknown_name("built-in scene", name, known));
+    return read_builtin(name, time_s);
+  }
+  const std::filesystem::path file = folder / table.string("model");
+  if (!std::filesystem::is_regular_file(file)) throw table.error("model", fmt::format("there is no file {}", file.string()));
+  return scene_of_objects(load_gltf(file, defaults), time_s);
+}
+
+Light read_light(const std::string& name, const TomlTable& table) {
+  static const std::vector<std::string> kinds = {"directional", "point"};
+  const std::string kind = table.string("kind");
+  Light light;
+  light.name = name;
+  if (kind == "directional") {
+    expect_keys(table, {"kind", "direction", "color", "intensity"});
+    const glm::vec3 direction = required_vec3(table, "direction");
+    if (!(glm::length(direction) > 1e-6f)) throw table.error("direction", "'direction' has no length; give the way the light travels");
+    light.direction = glm::normalize(direction);
+  } else if (kind == "point") {
+    expect_keys(table, {"kind", "position", "color", "intensity"});
+    light.kind = Light::Kind::point;
+    light.position = required_vec3(table, "position");
+  } else {
+    throw table.error("kind", unknown_name("kind of light", kind, kinds));
+  }
+  light.radiance = colour(table, "color", brightest).value_or(glm::vec3(1)) *
+                   static_cast<float>(table.optional_number("intensity", 0, brightest).value_or(1));
+  return light;
+}
+
+View read_view(const std::string& name, const TomlTable& table) {
+  expect_keys(table, {"eye", "target", "up", "fov_y_degrees"});
+  View view;
+  view.name = name;
+  view.eye = required_vec3(table, "eye");
+  view.target = required_vec3(table, "target");
+  view.up = vec3(table, "up").value_or(view.up);
+  // Open ends: neither 0 nor 180 degrees makes a picture.
+  view.fov_y_degrees = static_cast<float>(table.optional_number("fov_y_degrees", 0.1, 179).value_or(view.fov_y_degrees));
+  const glm::vec3 ahead = view.target - view.eye;
+  if (!(glm::length(ahead) > 0)) throw table.error("target", "'eye' and 'target' are the same point; the view has no direction");
+  const float sine = glm::length(glm::cross(glm::normalize(ahead), view.up)) / glm::length(view.up);
+  if (!(sine > 1e-4f)) throw table.error("up", "'up' is zero or points along the view; choose another");
+  return view;
+}
+
+void read_lights(Scene& scene, const TomlTable& root) {
+  const auto entries = root.tables("lights");
+  if (root.has("lights") && entries.empty()) throw root.error("lights", "[lights] has no light; add [lights.NAME] or leave it out");
+  if (entries.size() > max_lights)
+    throw root.error("lights", fmt::format("there are {} lights; at most {} are drawn", entries.size(), max_lights));
+  if (!entries.empty()) scene.lights.clear();
+  for (const auto& [name, table] : entries) scene.lights.push_back(read_light(name, table));
+}
+
+void read_views(Scene& scene, const TomlTable& root) {
+  const auto entries = root.tables("views");
+  if (root.has("views") && entries.empty()) throw root.error("views", "[views] has no view; add [views.NAME] or leave it out");
+  if (entries.empty()) return;
+  scene.views.clear();
+  const BoundingSphere bounds = bounding_sphere(scene.objects);
+  for (const auto& [name, table] : entries) {
+    scene.views.push_back(read_view(name, table));
+    fit_depth(scene.views.back(), bounds);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> builtin_scenes() { return {"heart"}; }
+
+Scene read_builtin(const std::string& name, float time_s) {
+  const std::vector<std::string> known = builtin_scenes();
+  if (name != "heart") throw Error(ErrorKind::bad_input, "scene", name, unknown_name("built-in scene", name, known));
+  HeartOptions options;
+  options.time_s = time_s;
+  Scene scene = make_heart(options);
+  scene.name = name;
+  return scene;
+}
+
+Scene read_model(const std::filesystem::path& file, float time_s) {
+  DefaultLayers defaults;
+  Scene scene = scene_of_objects(load_gltf(file, defaults), time_s);
+  scene.name = file.stem().string();
+  return scene;
+}
+
+Scene read_scene_file(const std::filesystem::path& file, std::optional<float> time_s) {
+  const TomlTable root = TomlTable::parse(file, "scene");
+  expect_keys(root, {"scene", "objects", "lights", "views"});
+  if (!root.has("scene")) throw root.error({}, "[scene] is missing; it names the model or the built-in scene");
+  const TomlTable table = root.table("scene");
+  expect_keys(table, {"model", "builtin", "name", "time", "background", "ambient"});
+
+  const auto file_time_s = table.optional_number("time", -1e6, 1e6);
+  DefaultLayers defaults;
+  const std::filesystem::path folder = file.parent_path();
+  Scene scene = base_scene(table, folder, time_s.value_or(static_cast<float>(file_time_s.value_or(0))), defaults);
+  scene.name = table.optional_string("name").value_or(file.stem().string());
+  scene.background = colour(table, "background", brightest).value_or(scene.background);
+  scene.ambient = colour(table, "ambient", brightest).value_or(scene.ambient);
+  override_objects(scene.objects, root, folder, defaults);
+  read_lights(scene, root);
+  read_views(scene, root);
+  return scene;
+}
+
+}  // namespace lamina

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene file: a model or a built-in scene, and what differs. TOML; colours are linear.
+//
+//   [scene]           model = FILE | builtin = NAME; name; time (seconds); background, ambient = [r, g, b]
+//   [objects.NAME]    see object_overrides.h
+//   [lights.NAME]     kind = "directional" with direction, or "point" with position (metres); color = [r, g, b]; intensity
+//   [views.NAME]      eye, target, up (metres); fov_y_degrees
+//
+// Any light replaces all the scene's own, and so does any view.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "harness/scene/scene.h"
+
+namespace lamina {
+
+// The file's scene as far as it says: lights and views are empty where neither it nor its built-in scene has any. `time_s` goes
+// before the file's. Throws Error(bad_input), with file and line for what the file itself says.
+Scene read_scene_file(const std::filesystem::path& file, std::optional<float> time_s);
+
+// A model's objects at rest, before lights and views.
+Scene read_model(const std::filesystem::path& file, float time_s);
+
+// A built-in scene as it comes. Throws Error(bad_input) for an unknown name.
+Scene read_builtin(const std::string& name, float time_s);
+
+}  // namespace lamina

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+# Sourced by run and test: installs what is missing from Debian 12's packages, configures and builds a preset.
+
+# name of the package: what it is for
+packages=(
+  g++ cmake ninja-build ccache mold pkg-config git python3 python3-glad   # building; python3-glad makes the OpenGL loader
+  libvulkan-dev mesa-vulkan-drivers vulkan-validationlayers               # Vulkan and lavapipe
+  libosmesa6-dev libegl-dev libgl1-mesa-dri                               # OpenGL in memory, and surfaceless
+  glslang-dev spirv-tools spirv-headers libspirv-cross-c-shared-dev       # shaders
+  libopenimageio-dev libopencv-contrib-dev libtinygltf-dev                # images, metrics, models
+  libglm-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev
+  libgtest-dev libbenchmark-dev                                           # tests, benchmarks
+)
+
+install_missing_packages() {
+  local missing=() name
+  for name in "${packages[@]}"; do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || missing+=("$name")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  echo "installing: ${missing[*]}"
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || { echo "not root and no sudo: install these packages and call again: ${missing[*]}" >&2; return 1; }
+    as_root=(sudo)
+  fi
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# build_preset PRESET [TARGET...]
+build_preset() {
+  local preset=$1
+  shift
+  [ -f "build/$preset/build.ninja" ] || cmake --preset "$preset" >/dev/null
+  cmake --build --preset "$preset" ${1:+--target "$@"}
+}

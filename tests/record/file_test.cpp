@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+// The record as a file: written line by line, read back, damaged in every way that a crash or a hand may damage it.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "harness/core/error.h"
+#include "harness/core/text.h"
+#include "harness/record/record.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class RecordFile : public testing::Test {
+ protected:
+  RecordFile()
+      : folder_(std::filesystem::temp_directory_path() /
+                (std::string("lamina_record_") + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
+                 std::to_string(::getpid()))),
+        file_(folder_ / "record.jsonl") {
+    std::filesystem::create_directories(folder_);
+  }
+  ~RecordFile() override { std::filesystem::remove_all(folder_); }
+
+  void write(const std::string& content) { std::ofstream(file_, std::ios::binary) << content; }
+  // Reads what must be refused: the error, for its subject and words.
+  Error refusal(const std::string& content) {
+    write(content);
+    try {
+      read_record(file_);
+    } catch (const Error& error) {
+      return error;
+    }
+    ADD_FAILURE() << "accepted: " << content;
+    return Error(ErrorKind::failed, "", "", "");
+  }
+  std::string line(int number) const { return file_.string() + ":" + std::to_string(number); }
+
+  std::filesystem::path folder_, file_;
+};
+
+Json run_line() { return {{"kind", "run"}, {"schema", 1}, {"lamina", "0.1.0"}, {"build", "release"}}; }
+
+CellRow cell_row() {
+  CellRow cell;
+  cell.scene = "heart";
+  cell.effect = "layered_material";
+  cell.variant = "light_map";
+  cell.backend = "vulkan";
+  cell.view = "front";
+  cell.width = 8, cell.height = 8;
+  cell.params = {{"scene.time", 0.25}};
+  PassRow& pass = cell.passes.emplace_back();
+  pass.name = "composite";
+  pass.ms = {0.1, 0.2, 1.0 / 3.0};
+  pass.by_texture = {{.texture = "t", .format = "rgba8_srgb", .filter = "trilinear", .fetches = 64}};
+  cell.ratio_to_baseline = Interval{.median = 0.5, .low = 0.25, .high = 0.75, .rounds = 6, .coverage = 0.96875};
+  cell.error_covered = cell.error_frame = ErrorFigures{.psnr_db = 30, .ssim = 0.9, .flip = 0.1, .rmse_linear = 0.1, .max_linear = 0.2};
+  cell.covered_pixels = 64;
+  cell.shader_hashes = {"aa"};
+  return cell;
+}
+Json cell_line() { return to_json(cell_row()); }
+
+std::string lines(std::initializer_list<Json> all) {
+  std::string text;
+  for (const Json& one : all) text += one.dump() + "\n";
+  return text;
+}
+
+TEST_F(RecordFile, ReadsBackEveryKindExactly) {
+  const Json timer =
+      to_json(TimerRow{.backend = "vulkan", .ok = true, .linearity = {1, 1.1}, .additivity = 1, .attribution = 0, .reason = ""});
+  const Json plan = {{"kind", "plan"},
+                     {"effects", {{{"effect", "volume_fog"}, {"called_for", false}, {"reason", "the scene has no fog"}}}}};
+  {
+    RecordWriter writer(file_);
+    for (const Json& one : {run_line(), timer, plan, cell_line()}) writer.append(one);
+  }
+  const Record record = read_record(file_);
+  EXPECT_EQ(record.run, nlohmann::json(run_line()));
+  ASSERT_EQ(record.timers.size(), 1u);
+  EXPECT_EQ(record.timers[0], nlohmann::json(timer));
+  ASSERT_EQ(record.plans.size(), 1u);
+  EXPECT_EQ(record.plans[0], nlohmann::json(plan));
+  ASSERT_EQ(record.cells.size(), 1u);
+  EXPECT_EQ(record.cells[0], nlohmann::json(cell_line()));
+  EXPECT_EQ(record.cells[0]["passes"][0]["ms"][2].get<double>(), 1.0 / 3.0);
+}
+
+TEST_F(RecordFile, EachLineIsOnDiskBeforeTheNext) {
+  RecordWriter writer(file_);
+  writer.append(run_line());
+  EXPECT_EQ(read_record(file_).cells.size(), 0u);
+  writer.append(cell_line());
+  EXPECT_EQ(read_record(file_).cells.size(), 1u);
+}
+
+TEST_F(RecordFile, AWriterStartsAfresh) {
+  write("leftover of another run\n");
+  RecordWriter(file_).append(run_line());
+  EXPECT_EQ(read_file(file_, "test"), run_line().dump() + "\n");
+}
+
+TEST_F(RecordFile, BytesThatAreNotUtf8DoNotLoseTheLine) {
+  CellRow cell = cell_row();
+  cell.reason = "driver said \xff!";
+  RecordWriter writer(file_);
+  writer.append(run_line());
+  writer.append(to_json(cell));
+  EXPECT_EQ(read_record(file_).cells.at(0)["reason"], "driver said \xef\xbf\xbd!");
+}
+
+TEST_F(RecordFile, AnUnwritableFolderThrows) {
+  try {
+    RecordWriter writer(folder_ / "missing" / "record.jsonl");
+    FAIL() << "opened";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+    EXPECT_EQ(error.subject(), (folder_ / "missing" / "record.jsonl").string());
+    EXPECT_NE(error.message().find("No such file or directory"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(RecordWriter writer(folder_), Error);
+}
+
+TEST_F(RecordFile, AFullDiskThrowsAtTheLineAndEverAfter) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  RecordWriter writer("/dev/full");
+  try {
+    writer.append(run_line());
+    FAIL() << "written to a full disk";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::failed);
+    EXPECT_NE(error.message().find("No space left"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(writer.append(run_line()), Error);
+}
+
+TEST_F(RecordFile, ALastLineCutShortIsLeftOutAndSaidSo) {
+  const std::string whole = lines({run_line(), cell_line()}), last = cell_line().dump();
+  for (const size_t kept : {size_t{1}, last.size() / 2, last.size() - 1}) {
+    write(whole + last.substr(0, kept));
+    const Record record = read_record(file_);
+    EXPECT_EQ(record.cells.size(), 1u);
+    EXPECT_NE(record.run.at("truncated").get<std::string>().find("line 3"), std::string::npos) << record.run["truncated"];
+  }
+}
+
+TEST_F(RecordFile, ALastLineThatLacksOnlyItsNewlineIsKept) {
+  write(lines({run_line()}) + cell_line().dump());
+  const Record record = read_record(file_);
+  EXPECT_EQ(record.cells.size(), 1u);
+  EXPECT_FALSE(record.run.contains("truncated"));
+}
+
+TEST_F(RecordFile, ADamagedLineInTheMiddleIsRefusedWithItsNumber) {
+  const std::string cut = cell_line().dump().substr(0, 40);
+  EXPECT_EQ(refusal(lines({run_line()}) + cut + "\n" + cell_line().dump() + "\n").subject(), line(2));
+  EXPECT_EQ(refusal(lines({run_line(), cell_line()}) + "not json\n").subject(), line(3));
+  EXPECT_EQ(refusal(lines({run_line()}) + "\n").subject(), line(2));
+  EXPECT_EQ(refusal(lines({run_line()}) + "[1]\n").subject(), line(2));
+  EXPECT_EQ(refusal(lines({run_line()}) + "{\"kind\":\"cell\",\"width\":1e999}\n").subject(), line(2));
+}
+
+TEST_F(RecordFile, TheFirstLineMustBeARunOfThisSchema) {
+  EXPECT_EQ(refusal("").subject(), line(1));
+  EXPECT_EQ(refusal("{\"kind\":\"run\",\"sche").subject(), line(1));
+  EXPECT_EQ(refusal(lines({cell_line()})).subject(), line(1));
+  EXPECT_NE(refusal("{\"kind\":\"run\"}\n").message().find("'schema' is missing"), std::string::npos);
+  const Error other = refusal(lines({{{"kind", "run"}, {"schema", 2}}}));
+  EXPECT_EQ(other.subject(), line(1));
+  EXPECT_EQ(other.kind(), ErrorKind::bad_input);
+  EXPECT_NE(other.message().find("schema is 2"), std::string::npos) << other.what();
+}
+
+TEST_F(RecordFile, UnknownKindsAndASecondRunAreRefused) {
+  const Error typo = refusal(lines({run_line(), {{"kind", "cel"}}}));
+  EXPECT_EQ(typo.subject(), line(2));
+  EXPECT_NE(typo.message().find("did you mean 'cell'"), std::string::npos) << typo.what();
+  EXPECT_EQ(refusal(lines({run_line(), cell_line(), run_line()})).subject(), line(3));
+}
+
+TEST_F(RecordFile, ACellWithoutAnyOneOfItsFieldsIsRefused) {
+  const Json whole = cell_line();
+  for (const auto& [name, value] : whole.items()) {
+    Json damaged = whole;
+    damaged.erase(name);
+    const Error error = refusal(lines({run_line(), damaged}));
+    EXPECT_EQ(error.subject(), line(2));
+    EXPECT_NE(error.message().find("'" + name + "'"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(RecordFile, FieldsOfTheWrongTypeAreRefused) {
+  const auto damaged = [](const char* pointer, Json value) {
+    Json cell = cell_line();
+    cell[Json::json_pointer(pointer)] = std::move(value);
+    return lines({run_line(), cell});
+  };
+  EXPECT_EQ(refusal(damaged("/view", 3)).subject(), line(2));
+  EXPECT_EQ(refusal(damaged("/status", "fine")).subject(), line(2));
+  EXPECT_EQ(refusal(damaged("/covered_pixels", -1)).subject(), line(2));
+  EXPECT_EQ(refusal(damaged("/passes/0/ms/1", "x")).subject(), line(2));
+  EXPECT_EQ(refusal(damaged("/passes/0/by_texture/0/fetches", nullptr)).subject(), line(2));
+  EXPECT_EQ(refusal(damaged("/error/baseline/ssim", nullptr)).subject(), line(2));
+  EXPECT_EQ(refusal(damaged("/error/baseline/psnr_db", nullptr)).subject(), line(2));  // null, yet not said to be identical
+  EXPECT_EQ(refusal(damaged("/ratio_to_baseline/low", "x")).subject(), line(2));
+  EXPECT_EQ(refusal(damaged("/params/scene.time", "noon")).subject(), line(2));
+}
+
+TEST_F(RecordFile, PassesOfOneFrameWithUnequalRoundsAreRefused) {
+  Json cell = cell_line();
+  cell["passes"].push_back(cell["passes"][0]);
+  cell["passes"][1]["ms"] = {1.0};
+  EXPECT_EQ(refusal(lines({run_line(), cell})).subject(), line(2));
+}
+
+TEST_F(RecordFile, FieldsToComeAreNoError) {
+  Json cell = cell_line();
+  cell["shade_of_a_later_version"] = {{"x", 1}};
+  write(lines({run_line(), cell}));
+  EXPECT_EQ(read_record(file_).cells.size(), 1u);
+}
+
+TEST_F(RecordFile, AMissingFileIsRefusedByName) {
+  try {
+    read_record(folder_ / "nothing.jsonl");
+    FAIL() << "read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+    EXPECT_EQ(error.subject(), (folder_ / "nothing.jsonl").string());
+  }
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Records made by hand, small enough to work out every figure of a report on paper.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/record/record.h"
+#include "reports/reports.h"
+
+namespace lamina {
+
+// A cell of 100 covered pixels whose frame is one pass with these times, ms.
+inline CellRow example_cell(std::string variant, std::string view, std::vector<double> ms, std::string backend = "vulkan") {
+  CellRow cell;
+  cell.scene = "heart";
+  cell.effect = "layered_material";
+  cell.variant = std::move(variant);
+  cell.baseline = cell.variant == "light_map";
+  cell.backend = std::move(backend);
+  cell.device = "llvmpipe";
+  cell.view = std::move(view);
+  cell.width = 64, cell.height = 32;
+  cell.params = {{"scene.time", 0.5}};
+  PassRow& pass = cell.passes.emplace_back();
+  pass.name = "composite";
+  pass.ms = std::move(ms);
+  pass.fragments = 120;
+  pass.fetches = 1500;
+  pass.by_texture = {{.texture = "light_map_texture", .format = "rgba16_float", .filter = "linear", .fetches = 1300},
+                     {.texture = "outer_albedo", .format = "rgba8_srgb", .filter = "trilinear", .fetches = 200}};
+  cell.fetches = 1500;
+  cell.covered_pixels = 100;
+  cell.fetches_per_pixel = 15;
+  cell.image = "images/" + cell.variant + "-" + cell.view + ".png";
+  if (!cell.baseline) {
+    cell.error_covered = cell.error_frame =
+        ErrorFigures{.psnr_db = 30, .ssim = 0.9, .flip = 0.1, .rmse_linear = 0.02, .max_linear = 0.3};
+    cell.difference = "images/" + cell.variant + "-" + cell.view + "-difference.png";
+    cell.flip = "images/" + cell.variant + "-" + cell.view + "-flip.png";
+  }
+  cell.image_hash = "0123456789abcdef";
+  return cell;
+}
+
+inline TimerRow example_timer(std::string backend, bool ok = true) {
+  return {.backend = std::move(backend),
+          .ok = ok,
+          .linearity = {1, 1.01, 0.99, ok ? 1.0 : 1.4},
+          .additivity = 0.98,
+          .attribution = 0.015,
+          .reason = ok ? "" : "8x work took 1.4 of linear"};
+}
+
+inline Record example_record(const std::vector<CellRow>& cells, const std::vector<TimerRow>& timers = {example_timer("vulkan")},
+                             const std::string& build = "release") {
+  Record record;
+  record.run = {{"kind", "run"},
+                {"schema", 1},
+                {"lamina", "0.1.0"},
+                {"commit", "abc1234"},
+                {"build", build},
+                {"command", "lamina compare heart"},
+                {"scene", "heart"},
+                {"machine", {{"cpu", "Example CPU"}, {"threads", 2}, {"lp_num_threads", 2}}},
+                {"settings", {{"width", 64}, {"height", 32}, {"rounds", 6}, {"seed", 1}, {"difference_gain", 8}}},
+                {"warnings", nlohmann::json::array()}};
+  record.run["devices"] = nlohmann::json::array({{{"backend", "vulkan"},
+                                                  {"device", "llvmpipe"},
+                                                  {"driver", "Mesa 22.3.6"},
+                                                  {"api_version", "1.3.230"}}});
+  for (const TimerRow& timer : timers) record.timers.push_back(nlohmann::json(to_json(timer)));
+  for (const CellRow& cell : cells) record.cells.push_back(nlohmann::json(to_json(cell)));
+  return record;
+}
+
+// Two views, six rounds: the variant takes 4 of the baseline's 8 ms in one, 6 of its 12 ms in the other.
+inline std::vector<CellRow> example_cells() {
+  return {example_cell("light_map", "front", {8, 8, 8, 8, 8, 8}), example_cell("light_map", "grazing", {12, 12, 12, 12, 12, 12}),
+          example_cell("vertex_normal", "front", {4, 4, 4, 4, 4, 4}),
+          example_cell("vertex_normal", "grazing", {6, 6, 6, 6, 6, 6})};
+}
+
+inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace lamina

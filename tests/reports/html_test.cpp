@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page: safe against what a record may hold, whole, and honest about times.
+#include "reports/html.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "tests/reports/example_record.h"
+
+namespace lamina {
+namespace {
+
+size_t count_of(const std::string& text, const std::string& part) {
+  size_t count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(HtmlReport, EscapesEveryStringOfTheRecord) {
+  const std::string evil = "<script>alert(\"1\")</script>&'";
+  std::vector<CellRow> cells = example_cells();
+  for (CellRow& cell : cells) {
+    cell.scene = cell.effect = cell.device = evil;
+    cell.variant += evil;
+    cell.view += evil;
+    cell.params = {{evil, 1}};
+    cell.image = cell.difference = cell.flip = evil;
+    cell.passes[0].name = evil;
+    cell.passes[0].by_texture[0] = {.texture = evil, .format = evil, .filter = evil, .fetches = 1};
+  }
+  cells.push_back(cells[3]);
+  cells.back().failed = true;
+  cells.back().reason = evil;
+  TimerRow timer = example_timer("vulkan", false);
+  timer.reason = evil;
+  Record record = example_record(cells, {timer}, evil);
+  for (const char* name : {"lamina", "commit", "command", "scene"}) record.run[name] = evil;
+  record.run["machine"] = {{evil, evil}};
+  record.run["settings"] = {{"difference_gain", evil}};
+  record.run["warnings"] = {evil};
+  record.run["devices"][0]["device"] = evil;
+  record.plans.push_back({{"kind", "plan"}, {"effects", {{{"effect", evil}, {"called_for", true}, {"reason", evil}}}}});
+
+  const std::string page = html_report(record);
+  EXPECT_EQ(count_of(page, "<script>"), 1u);  // the page's own
+  EXPECT_FALSE(has(page, "alert(\""));
+  EXPECT_FALSE(has(page, "</script>&"));
+  EXPECT_TRUE(has(page, "&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt;&amp;&#39;"));
+  // Once every escaped and own tag is read, no quote is left inside an attribute: all have an even count.
+  std::string tag;
+  for (size_t at = page.find("<body>"), end; (at = page.find('<', at)) != std::string::npos; at = end) {
+    end = page.find('>', at);
+    if (page.compare(at, 8, "<script>") == 0) break;
+    tag = page.substr(at, end - at);
+    EXPECT_EQ(count_of(tag, "\"") % 2, 0u) << tag;
+  }
+}
+
+TEST(HtmlReport, LoadsNothingFromOutside) {
+  std::vector<CellRow> cells = example_cells();
+  cells[0].image = "https://example.com/a.png";
+  cells[1].image = "//example.com/a.png";
+  cells[2].image = "javascript:alert(1)";
+  const std::string page = html_report(example_record(cells));
+  const std::regex source("(?:src|href|data-own|data-baseline)=\"([^\"]*)\"");
+  size_t sources = 0;
+  for (std::sregex_iterator match(page.begin(), page.end(), source), end; match != end; ++match, ++sources)
+    EXPECT_TRUE((*match)[1].str().starts_with("./")) << (*match)[0];
+  EXPECT_GT(sources, 8u);
+  EXPECT_FALSE(has(page, "url("));
+  EXPECT_FALSE(has(page, "@import"));
+  EXPECT_FALSE(has(page, "<link"));
+}
+
+TEST(HtmlReport, PictureUrlsStayRelative) {
+  EXPECT_EQ(picture_url("images/a b#1?.png"), "./images/a%20b%231%3F.png");
+  EXPECT_EQ(picture_url("javascript:x"), "./javascript%3Ax");
+  EXPECT_EQ(picture_url("50%\".png"), "./50%25%22.png");
+  EXPECT_EQ(picture_url("caf\xc3\xa9.png"), "./caf%C3%A9.png");
+}
+
+TEST(HtmlReport, BeginsWithTheFindingInWords) {
+  const std::string page = html_report(example_record(example_cells()));
+  const size_t headline = page.find("<strong>vertex_normal</strong> is 2.0 times faster than light_map on vulkan at SSIM 0.900");
+  ASSERT_NE(headline, std::string::npos);
+  EXPECT_LT(headline, page.find("<table"));
+}
+
+TEST(HtmlReport, ShowsEachPictureOnceWithAWordForThoseWhoCannotSeeIt) {
+  const std::string page = html_report(example_record(example_cells()));
+  for (const char* name : {"light_map-front", "light_map-grazing", "vertex_normal-front", "vertex_normal-front-difference",
+                           "vertex_normal-front-flip", "vertex_normal-grazing-flip"})
+    EXPECT_EQ(count_of(page, fmt::format("<img loading=\"lazy\" src=\"./images/{}.png\"", name)), 1u) << name;
+  EXPECT_EQ(count_of(page, "<img "), 8u);
+  EXPECT_EQ(count_of(page, " alt=\""), 8u);
+  EXPECT_EQ(count_of(page, "alt=\"\""), 0u);
+  EXPECT_TRUE(has(page, "difference, times 8"));
+  EXPECT_TRUE(has(page, "class=\"magma\""));
+  EXPECT_EQ(count_of(page, "data-baseline=\"./images/light_map-front.png\""), 1u);
+}
+
+TEST(HtmlReport, TablesHaveHeadersAndEveryTagCloses) {
+  std::vector<CellRow> cells = example_cells();
+  cells[3].failed = true;
+  cells[3].reason = "lost";
+  const std::string page = html_report(example_record(cells));
+  EXPECT_TRUE(has(page, "<html lang=\"en\">"));
+  EXPECT_GT(count_of(page, "<th scope=\"col\""), 10u);
+  for (const char* tag : {"table", "thead", "tbody", "tr", "th", "td", "div", "section", "article", "figure", "figcaption", "button",
+                          "ul", "li", "dl", "dt", "dd", "h1", "h2", "h3", "h4", "p", "svg", "main", "span", "strong"}) {
+    const std::regex opening(fmt::format("<{}[ >]", tag));
+    const auto opened = std::distance(std::sregex_iterator(page.begin(), page.end(), opening), std::sregex_iterator());
+    EXPECT_EQ(static_cast<size_t>(opened), count_of(page, fmt::format("</{}>", tag))) << tag;
+  }
+}
+
+TEST(HtmlReport, SaysFailuresWarningsAndWhatWasRun) {
+  std::vector<CellRow> cells = example_cells();
+  cells[3].failed = true;
+  cells[3].reason = "the device is lost";
+  const std::string page = html_report(example_record(cells, {example_timer("vulkan")}, "dev"));
+  EXPECT_TRUE(has(page, "Failed: the device is lost"));
+  EXPECT_TRUE(has(page, "vertex_normal on vulkan, view grazing"));
+  EXPECT_TRUE(has(page, "not &#39;release&#39;"));
+  EXPECT_TRUE(has(page, "<dt>Commit</dt><dd>abc1234</dd>"));
+  EXPECT_TRUE(has(page, "certificate on vulkan holds"));
+}
+
+TEST(HtmlReport, AFailedCertificateShowsNoTimes) {
+  std::vector<CellRow> cells = example_cells();
+  for (CellRow& cell : cells) {
+    cell.passes[0].ms.assign(6, 7.654321);
+    cell.ratio_to_baseline = Interval{.median = 0.7654321, .low = 0.7654321, .high = 0.7654321, .rounds = 6, .coverage = 0.97};
+    PassRow bake = cell.passes[0];
+    bake.name = "bake";
+    bake.once = true;
+    cell.passes.push_back(bake);
+  }
+  ASSERT_TRUE(has(html_report(example_record(cells)), "7.654"));
+  ASSERT_TRUE(has(html_report(example_record(cells)), "0.765"));
+  ASSERT_TRUE(has(html_report(example_record(cells)), "<circle"));
+  for (const std::vector<TimerRow>& timers : {std::vector<TimerRow>{}, {example_timer("vulkan", false)}}) {
+    const std::string page = html_report(example_record(cells, timers));
+    EXPECT_FALSE(has(page, "7.654"));
+    EXPECT_FALSE(has(page, "0.765"));
+    EXPECT_FALSE(has(page, "<circle"));
+    EXPECT_TRUE(has(page, "no times are shown"));
+    EXPECT_TRUE(has(page, "not timed"));
+  }
+}
+
+TEST(HtmlStripPlot, PutsADotAtEachRoundsTime) {
+  const std::string plot = html_strip_plot({0, 5, 10}, 10);
+  EXPECT_EQ(count_of(plot, "<circle"), 3u);
+  EXPECT_TRUE(has(plot, "cx=\"10.0\""));   // the axis begins at 10
+  EXPECT_TRUE(has(plot, "cx=\"160.0\""));  // half of its 300 units on
+  EXPECT_TRUE(has(plot, "cx=\"310.0\""));
+  EXPECT_FALSE(has(html_strip_plot({0, 0}, 0), "nan"));
+}
+
+}  // namespace
+}  // namespace lamina

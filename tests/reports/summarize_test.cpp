@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// The arithmetic of the summary, from its definitions.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "reports/words.h"
+#include "tests/reports/example_record.h"
+
+namespace lamina {
+namespace {
+
+TEST(Summarize, MeansOverViewsByRoundThenTheMedian) {
+  const std::vector<SummaryRow> rows = summarize(example_record({example_cell("light_map", "front", {1, 2, 3, 4, 5, 60}),
+                                                                 example_cell("light_map", "grazing", {50, 4, 3, 2, 1, 0})}));
+  ASSERT_EQ(rows.size(), 1u);
+  ASSERT_TRUE(rows[0].frame_ms);
+  // Means by round: 25.5, 3, 3, 3, 3, 30. Each view alone has a median of 3.5 and 2.5.
+  EXPECT_DOUBLE_EQ(rows[0].frame_ms->median, 3);
+  EXPECT_DOUBLE_EQ(rows[0].frame_ms->low, 3);
+  EXPECT_DOUBLE_EQ(rows[0].frame_ms->high, 30);
+  EXPECT_EQ(rows[0].frame_ms->rounds, 6u);
+  EXPECT_EQ(rows[0].views, 2u);
+  EXPECT_FALSE(rows[0].ratio);
+}
+
+TEST(Summarize, RatioIsPairedByRoundOverAllViewsTogether) {
+  // Both slow down together by the round. Sums: baseline 10 20 30 40 50 60, variant 5 10 15 20 25 36.
+  const std::vector<SummaryRow> rows =
+      summarize(example_record({example_cell("vertex_normal", "front", {1, 2, 3, 4, 5, 6}),
+                                example_cell("vertex_normal", "grazing", {4, 8, 12, 16, 20, 30}),
+                                example_cell("light_map", "front", {9, 18, 27, 36, 45, 54}),
+                                example_cell("light_map", "grazing", {1, 2, 3, 4, 5, 6})}));
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].variant, "light_map");  // the baseline leads, though its cells came last
+  ASSERT_TRUE(rows[1].ratio);
+  EXPECT_DOUBLE_EQ(rows[1].ratio->median, 0.5);
+  EXPECT_DOUBLE_EQ(rows[1].ratio->low, 0.5);
+  EXPECT_DOUBLE_EQ(rows[1].ratio->high, 0.6);
+  EXPECT_GE(rows[1].ratio->coverage, 0.95);
+}
+
+TEST(Summarize, RatioUsesOnlyViewsThatBothHave) {
+  std::vector<CellRow> cells = example_cells();
+  cells[0].failed = true;  // the baseline's front view
+  const std::vector<SummaryRow> rows = summarize(example_record(cells));
+  EXPECT_EQ(rows[0].failed_views, 1u);
+  EXPECT_DOUBLE_EQ(rows[0].frame_ms->median, 12);
+  EXPECT_DOUBLE_EQ(rows[1].ratio->median, 0.5);  // 6 of 12, not 10 of 12
+  EXPECT_DOUBLE_EQ(rows[1].frame_ms->median, 5);
+}
+
+TEST(Summarize, PairsTheRoundsThatAllHave) {
+  std::vector<CellRow> cells = example_cells();
+  cells[2].passes[0].ms = {4, 4, 4, 4, 4, 4, 400};
+  const std::vector<SummaryRow> rows = summarize(example_record(cells));
+  EXPECT_EQ(rows[1].ratio->rounds, 6u);
+  EXPECT_DOUBLE_EQ(rows[1].ratio->high, 0.5);
+}
+
+TEST(Summarize, FewRoundsGiveARangeThatSaysItsCoverage) {
+  const std::vector<SummaryRow> rows = summarize(
+      example_record({example_cell("light_map", "front", {2, 2, 2}), example_cell("vertex_normal", "front", {1, 3, 2})}));
+  ASSERT_TRUE(rows[1].frame_ms);
+  EXPECT_DOUBLE_EQ(rows[1].frame_ms->median, 2);
+  EXPECT_DOUBLE_EQ(rows[1].frame_ms->low, 1);
+  EXPECT_DOUBLE_EQ(rows[1].frame_ms->high, 3);
+  EXPECT_DOUBLE_EQ(rows[1].frame_ms->coverage, 0.75);  // 1 - 2 / 2^3
+  EXPECT_DOUBLE_EQ(rows[1].ratio->median, 1);
+  EXPECT_DOUBLE_EQ(rows[1].ratio->high, 1.5);
+}
+
+TEST(Summarize, WorkDoneOnceIsNotInTheFrame) {
+  std::vector<CellRow> cells = example_cells();
+  PassRow bake;
+  bake.name = "bake";
+  bake.once = true;
+  bake.ms = {1000, 1000};
+  cells[2].passes.push_back(bake);
+  EXPECT_DOUBLE_EQ(summarize(example_record(cells))[1].ratio->median, 0.5);
+}
+
+TEST(Summarize, FetchesAPixelAreOverAllViewsPixels) {
+  std::vector<CellRow> cells = example_cells();
+  cells[2].fetches = 100, cells[2].covered_pixels = 10;   // 10 a pixel
+  cells[3].fetches = 1800, cells[3].covered_pixels = 90;  // 20 a pixel
+  EXPECT_DOUBLE_EQ(summarize(example_record(cells))[1].fetches_per_pixel.value(), 19);
+}
+
+TEST(Summarize, MeanAndWorstOfEachFigure) {
+  std::vector<CellRow> cells = example_cells();
+  cells[2].error_covered = ErrorFigures{.psnr_db = 20, .ssim = 0.8, .flip = 0.1, .rmse_linear = 0.4, .max_linear = 0.5};
+  cells[3].error_covered = ErrorFigures{.psnr_db = 40, .ssim = 0.6, .flip = 0.3, .rmse_linear = 0.2, .max_linear = 0.9};
+  cells[3].error_frame = ErrorFigures{};  // of no account
+  const SummaryRow row = summarize(example_record(cells))[1];
+  EXPECT_NEAR(row.mean->psnr_db, -10 * std::log10((1e-2 + 1e-4) / 2), 1e-12);
+  EXPECT_DOUBLE_EQ(row.mean->ssim, 0.7);
+  EXPECT_DOUBLE_EQ(row.mean->flip, 0.2);
+  EXPECT_DOUBLE_EQ(row.mean->rmse_linear, 0.3);
+  EXPECT_NEAR(row.mean->max_linear, 0.7, 1e-15);
+  EXPECT_DOUBLE_EQ(row.worst->psnr_db, 20);  // each figure's own worst view: front, grazing, grazing, front, grazing
+  EXPECT_DOUBLE_EQ(row.worst->ssim, 0.6);
+  EXPECT_DOUBLE_EQ(row.worst->flip, 0.3);
+  EXPECT_DOUBLE_EQ(row.worst->rmse_linear, 0.4);
+  EXPECT_DOUBLE_EQ(row.worst->max_linear, 0.9);
+  EXPECT_EQ(row.worst_view, "grazing");
+}
+
+TEST(Summarize, OneIdenticalViewDoesNotHideTheOthersLoss) {
+  std::vector<CellRow> cells = example_cells();
+  cells[2].error_covered->psnr_db = std::numeric_limits<double>::infinity();
+  const SummaryRow one = summarize(example_record(cells))[1];
+  EXPECT_NEAR(one.mean->psnr_db, 30 + 10 * std::log10(2.0), 1e-9);
+  EXPECT_DOUBLE_EQ(one.worst->psnr_db, 30);
+  cells[3].error_covered->psnr_db = std::numeric_limits<double>::infinity();
+  const SummaryRow all = summarize(example_record(cells))[1];
+  EXPECT_EQ(all.mean->psnr_db, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(all.worst->psnr_db, std::numeric_limits<double>::infinity());
+}
+
+TEST(Summarize, AFailedVariantIsARowWithoutFigures) {
+  std::vector<CellRow> cells = example_cells();
+  for (CellRow* cell : {&cells[2], &cells[3]}) {
+    cell->failed = true;
+    cell->reason = "shader: a.frag:3: no such name in " + cell->view;
+    cell->error_covered = cell->error_frame = std::nullopt;
+  }
+  const SummaryRow row = summarize(example_record(cells))[1];
+  EXPECT_EQ(row.views, 2u);
+  EXPECT_EQ(row.failed_views, 2u);
+  EXPECT_EQ(row.reason, "shader: a.frag:3: no such name in front");
+  EXPECT_FALSE(row.frame_ms || row.ratio || row.fetches_per_pixel || row.mean || row.worst);
+}
+
+TEST(Summarize, WithoutAGoodCertificateThereAreNoTimes) {
+  for (const std::vector<TimerRow>& timers :
+       {std::vector<TimerRow>{}, {example_timer("vulkan", false)}, {example_timer("vulkan"), example_timer("vulkan", false)},
+        {example_timer("osmesa")}}) {
+    const SummaryRow row = summarize(example_record(example_cells(), timers))[1];
+    EXPECT_FALSE(row.frame_ms || row.ratio);
+    EXPECT_TRUE(row.mean);
+    EXPECT_DOUBLE_EQ(row.fetches_per_pixel.value(), 15);
+  }
+}
+
+TEST(Summarize, BackendsAreApart) {
+  std::vector<CellRow> cells = example_cells();
+  cells.push_back(example_cell("light_map", "front", {1, 1, 1, 1, 1, 1}, "osmesa"));
+  cells.push_back(example_cell("vertex_normal", "front", {3, 3, 3, 3, 3, 3}, "osmesa"));
+  const std::vector<SummaryRow> rows = summarize(example_record(cells, {example_timer("vulkan"), example_timer("osmesa")}));
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[3].backend, "osmesa");
+  EXPECT_DOUBLE_EQ(rows[3].ratio->median, 3);
+  EXPECT_DOUBLE_EQ(rows[1].ratio->median, 0.5);
+}
+
+TEST(SummarizePasses, MeansOverViewsAndFetchesByTexture) {
+  std::vector<CellRow> cells = {example_cell("light_map", "front", {1, 2, 9}), example_cell("light_map", "grazing", {4, 4, 4})};
+  cells[1].covered_pixels = 300;
+  const std::vector<PassSummary> passes = summarize_passes(example_record(cells));
+  ASSERT_EQ(passes.size(), 1u);
+  EXPECT_DOUBLE_EQ(passes[0].ms.value(), 3);  // of the medians 2 and 4
+  EXPECT_DOUBLE_EQ(passes[0].fragments, 120);
+  EXPECT_DOUBLE_EQ(passes[0].fetches_per_pixel.value(), 7.5);  // 3000 over 400
+  ASSERT_EQ(passes[0].shares.size(), 2u);
+  EXPECT_EQ(words_for_share(passes[0].shares[0]), "light_map_texture (rgba16_float, linear) 6.5/px");
+  EXPECT_EQ(words_for_share(passes[0].shares[1]), "outer_albedo (rgba8_srgb, trilinear) 1.0/px");
+}
+
+}  // namespace
+}  // namespace lamina

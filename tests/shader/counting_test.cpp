@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// The counting build as a module, without running it. counting_run_test.cpp runs it.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <spirv-tools/libspirv.hpp>
+
+#include "harness/shader/spirv_module.h"
+#include "tests/shader/shader_files.h"
+
+namespace lamina {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr Api both_apis[] = {Api::vulkan, Api::opengl};
+
+constexpr std::string_view three_taps = R"(
+layout(binding = 4) uniform sampler2D a;
+layout(binding = 1) uniform sampler2D b;
+layout(location = 0) out vec4 o;
+void main() { o = texture(a, vec2(0)) + texture(b, vec2(1)) + texture(a, vec2(0.5)); }
+)";
+
+size_t count_of(const std::vector<uint32_t>& spirv, spv::Op op) {
+  const SpirvModule module(spirv);
+  return static_cast<size_t>(std::ranges::count(module.instructions(), op, &SpirvInstruction::op));
+}
+
+class Counting : public ShaderFiles {};
+
+TEST_F(Counting, SlotsAreTheTexturesBindingsInOrder) {
+  for (const Api api : both_apis) {
+    const CountingShader counting = add_counters(compile(Stage::fragment, api, three_taps), api, {.binding = 9});
+    EXPECT_EQ(counting.slots, (std::vector<uint32_t>{1, 4}));
+    EXPECT_EQ(counting.words, 6u);
+    EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u * (1 + 3)) << "two halves: of the invocation and of each tap";
+  }
+}
+
+TEST_F(Counting, TheCounterBufferIsReflectedAtItsBinding) {
+  const CountingShader counting = add_counters(compile(Stage::fragment, Api::vulkan, three_taps), Api::vulkan, {.binding = 9});
+  const Reflection r = reflect(counting.spirv);
+  ASSERT_EQ(r.resources.size(), 3u);
+  EXPECT_EQ(r.resources[2].binding, 9u);
+  EXPECT_EQ(r.resources[2].kind, BindingKind::storage_buffer);
+}
+
+TEST_F(Counting, CoverageAddsFragCoordOnceWhetherTheShaderHasItOrNot) {
+  const auto frag_coords = [](const std::vector<uint32_t>& spirv) {
+    const SpirvModule module(spirv);
+    return std::ranges::count_if(module.instructions(), [](const SpirvInstruction& i) {
+      return i.op() == spv::OpDecorate && i.words[2] == spv::DecorationBuiltIn && i.words[3] == spv::BuiltInFragCoord;
+    });
+  };
+  constexpr std::string_view uses_it = "layout(location = 0) out vec4 o;\nvoid main() { o = gl_FragCoord; }\n";
+  for (const Api api : both_apis)
+    for (const std::string_view source : {three_taps, uses_it}) {
+      const CompiledShader shader = compile(Stage::fragment, api, source);
+      EXPECT_EQ(frag_coords(add_counters(shader, api, {.binding = 9, .coverage_word = 8}).spirv), 1);
+      EXPECT_EQ(frag_coords(add_counters(shader, api, {.binding = 9}).spirv), source == uses_it ? 1 : 0);
+    }
+}
+
+TEST_F(Counting, EarlyTestsAreForcedOnlyWhereTheyChangeNothing) {
+  struct Case {
+    std::string_view declaration, statement;
+    bool early;
+  };
+  const Case cases[] = {
+      {"", "o = vec4(1);", true},
+      {"layout(binding = 1, r32ui) uniform readonly uimage2D i;", "o = vec4(imageLoad(i, ivec2(0)));", true},
+      {"layout(binding = 1) readonly buffer B { float x; };", "o = vec4(x);", true},
+      {"", "o = vec4(gl_SampleMaskIn[0]);", true},
+      {"", "if (gl_FragCoord.x > 9.0) discard; o = vec4(1);", false},
+      {"", "gl_FragDepth = 0.5; o = vec4(1);", false},
+      {"", "gl_SampleMask[0] = 1; o = vec4(1);", false},
+      {"layout(binding = 1, r32ui) uniform writeonly uimage2D i;", "imageStore(i, ivec2(0), uvec4(1)); o = vec4(1);", false},
+      {"layout(binding = 1, r32ui) uniform uimage2D i;", "imageAtomicAdd(i, ivec2(0), 1u); o = vec4(1);", false},
+      {"layout(binding = 1) buffer B { float x; };", "x = 2.0; o = vec4(1);", false},
+      {"layout(binding = 1) buffer B { uint x; };", "atomicMax(x, 2u); o = vec4(1);", false},
+      {"layout(early_fragment_tests) in;", "if (gl_FragCoord.x > 9.0) discard; o = vec4(1);", true},
+  };
+  for (const Case& c : cases)
+    for (const Api api : both_apis) {
+      const auto source = fmt::format("{}\nlayout(location = 0) out vec4 o;\nvoid main() {{ {} }}\n", c.declaration, c.statement);
+      const CountingShader counting = add_counters(compile(Stage::fragment, api, source), api, {.binding = 9});
+      EXPECT_EQ(counting.early_fragment_tests, c.early) << source;
+      const SpirvModule module(counting.spirv);
+      const auto modes = std::ranges::count_if(module.instructions(), [](const SpirvInstruction& i) {
+        return i.op() == spv::OpExecutionMode && i.words[2] == spv::ExecutionModeEarlyFragmentTests;
+      });
+      EXPECT_EQ(modes, c.early ? 1 : 0) << source;
+    }
+}
+
+TEST_F(Counting, ADeadFunctionDoesNotMakeADiscardingShader) {
+  const auto shader = compile(Stage::fragment, Api::vulkan, R"(
+layout(location = 0) out vec4 o;
+void never() { discard; }
+void main() { o = vec4(1); }
+)");
+  EXPECT_TRUE(add_counters(shader, Api::vulkan, {.binding = 9}).early_fragment_tests);
+}
+
+TEST_F(Counting, OtherStagesHaveNoFragmentTestsAndNoCoverage) {
+  for (const Api api : both_apis) {
+    const auto shader = compile(Stage::vertex, api, R"(
+layout(binding = 2) uniform sampler2D heights;
+void main() { gl_Position = texelFetch(heights, ivec2(LAMINA_VERTEX_INDEX, 0), 0); }
+)");
+    const CountingShader counting = add_counters(shader, api, {.binding = 9, .coverage_word = 100});
+    EXPECT_FALSE(counting.early_fragment_tests);
+    EXPECT_EQ(counting.slots, std::vector<uint32_t>{2});
+  }
+}
+
+TEST_F(Counting, AShaderWithoutTexturesCountsItsInvocationsOnly) {
+  const auto shader = compile(Stage::compute, Api::opengl, "layout(local_size_x = 1) in; void main() {}\n");
+  const CountingShader counting = add_counters(shader, Api::opengl, {.binding = 0});
+  EXPECT_TRUE(counting.slots.empty());
+  EXPECT_EQ(counting.words, 2u);
+}
+
+TEST_F(Counting, QueriesAndStorageImagesAreNoTextureOperations) {
+  const auto shader = compile(Stage::fragment, Api::vulkan, R"(
+layout(binding = 0) uniform sampler2D a;
+layout(binding = 1, rgba8) uniform readonly image2D i;
+layout(location = 0) out vec4 o;
+void main() { o = vec4(textureSize(a, 0), textureQueryLevels(a), textureQueryLod(a, vec2(0)).x) + imageLoad(i, ivec2(0)); }
+)");
+  EXPECT_TRUE(add_counters(shader, Api::vulkan, {.binding = 9}).slots.empty());
+}
+
+TEST_F(Counting, ATakenBindingIsRefusedByName) {
+  const Error error = error_of([&] { add_counters(compile(Stage::fragment, Api::vulkan, three_taps), Api::vulkan, {.binding = 4}); });
+  EXPECT_EQ(error.kind(), ErrorKind::failed);
+  EXPECT_THAT(error.message(), HasSubstr("binding 4 is taken by 'a'"));
+}
+
+// A function that discards cannot be inlined into a loop's continuing part, so its parameter stays a parameter.
+TEST_F(Counting, ATextureThatCannotBeTracedIsRefused) {
+  const auto shader = compile(Stage::fragment, Api::vulkan, R"(
+layout(binding = 0) uniform sampler2D a;
+layout(location = 0) out vec4 o;
+int step_of(sampler2D s) { if (texture(s, vec2(0)).x > 0.5) discard; return 1; }
+void main() { o = vec4(0); for (int i = 0; i < 4; i += step_of(a)) o += vec4(1); }
+)");
+  const Error error = error_of([&] { add_counters(shader, Api::vulkan, {.binding = 9}); });
+  EXPECT_THAT(error.message(), HasSubstr("'s'"));
+}
+
+// compile_shader() refuses arrays of textures, but a module that has one counts all its elements in one slot.
+TEST_F(Counting, AnArrayOfTexturesIsOneSlot) {
+  constexpr std::string_view text = R"(
+OpCapability Shader
+OpMemoryModel Logical GLSL450
+OpEntryPoint Fragment %main "main" %o
+OpExecutionMode %main OriginUpperLeft
+OpDecorate %o Location 0
+OpDecorate %a DescriptorSet 0
+OpDecorate %a Binding 3
+%void = OpTypeVoid
+%none = OpTypeFunction %void
+%float = OpTypeFloat 32
+%int = OpTypeInt 32 1
+%uint = OpTypeInt 32 0
+%vec2 = OpTypeVector %float 2
+%vec4 = OpTypeVector %float 4
+%image = OpTypeImage %float 2D 0 0 0 1 Unknown
+%texture = OpTypeSampledImage %image
+%two = OpConstant %uint 2
+%one = OpConstant %int 1
+%textures = OpTypeArray %texture %two
+%textures_p = OpTypePointer UniformConstant %textures
+%texture_p = OpTypePointer UniformConstant %texture
+%vec4_p = OpTypePointer Output %vec4
+%half = OpConstant %float 0.5
+%where = OpConstantComposite %vec2 %half %half
+%here = OpConstantNull %vec2
+%a = OpVariable %textures_p UniformConstant
+%o = OpVariable %vec4_p Output
+%main = OpFunction %void None %none
+%start = OpLabel
+%element = OpAccessChain %texture_p %a %one
+%loaded = OpLoad %texture %element
+%copy = OpCopyObject %texture %loaded
+%sample = OpImageSampleImplicitLod %vec4 %copy %where
+%again = OpImageSampleImplicitLod %vec4 %loaded %here
+%sum = OpFAdd %vec4 %sample %again
+OpStore %o %sum
+OpReturn
+OpFunctionEnd
+)";
+  CompiledShader shader;
+  ASSERT_TRUE(spvtools::SpirvTools(SPV_ENV_VULKAN_1_0).Assemble(std::string(text), &shader.spirv));
+  const CountingShader counting = add_counters(shader, Api::vulkan, {.binding = 9, .coverage_word = 6});
+  EXPECT_EQ(counting.slots, std::vector<uint32_t>{3});
+  EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u * (1 + 2) + 1);
+}
+
+TEST(CountingWords, RefusesWhatIsNoSpirv) {
+  CompiledShader shader;
+  shader.spirv = {1, 2, 3};
+  EXPECT_THROW(add_counters(shader, Api::vulkan, {}), Error);
+}
+
+}  // namespace
+}  // namespace lamina
