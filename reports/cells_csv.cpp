@@ -95,7 +95,8 @@ std::string cells_csv(const Record& record) {
   for (const Json& cell : record.cells) {
     const bool shown = times_shown(record, cell.at("backend").get<std::string>());
     csv += quoted(text_at(record.run, "/build"));
-    for (const Column& column : columns) csv += "," + (column.device_time && !shown ? "" : quoted(value_at(cell, column.pointer)));
+    for (const Column& column : columns)
+      csv += "," + (column.device_time && !shown ? "" : quoted(value_at(cell, column.pointer)));
     for (const std::string& path : params) {
       const auto value = cell.at("params").find(path);
       csv += "," + (value == cell.at("params").end() ? "" : scalar(*value));

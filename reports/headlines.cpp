@@ -17,7 +17,8 @@ std::string speed_words(const Interval& ratio, const std::string& baseline) {
   const double r = ratio.median;
   std::string words;
   if (ratio.low <= 1 && ratio.high >= 1)
-    words = fmt::format("is neither faster nor slower than {} beyond the noise (ratio {:.3f} to {:.3f})", baseline, ratio.low, ratio.high);
+    words = fmt::format("is neither faster nor slower than {} beyond the noise (ratio {:.3f} to {:.3f})", baseline, ratio.low,
+                        ratio.high);
   else if (r < 1)
     words = r * ratio_for_times <= 1 ? fmt::format("is {:.1f} times faster than {}", 1 / r, baseline)
                                      : fmt::format("takes {:.2g}% less time than {}", 100 * (1 - r), baseline);
@@ -49,8 +50,9 @@ std::vector<Headline> headlines(const std::vector<SummaryRow>& rows) {
   std::vector<std::pair<std::string, Headline>> by_effect;
   for (const SummaryRow& row : rows) {
     if (row.baseline) continue;
-    const auto baseline = std::find_if(rows.begin(), rows.end(),
-                                       [&](const SummaryRow& r) { return r.baseline && r.effect == row.effect && r.backend == row.backend; });
+    const auto baseline = std::find_if(rows.begin(), rows.end(), [&](const SummaryRow& r) {
+      return r.baseline && r.effect == row.effect && r.backend == row.backend;
+    });
     const std::string words = clause(row, baseline == rows.end() ? "the baseline" : baseline->variant);
     const auto known = std::find_if(by_effect.begin(), by_effect.end(),
                                     [&](const auto& h) { return h.first == row.effect && h.second.variant == row.variant; });

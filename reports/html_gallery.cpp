@@ -38,8 +38,8 @@ std::vector<Shots> group_shots(const Record& record) {
 }
 
 std::string image_tag(const Json& cell, const std::string& path, const std::string& alt) {
-  return fmt::format(R"(<img loading="lazy" src="{}" width="{}" height="{}" alt="{}">)", picture_url(path), cell.at("width").dump(),
-                     cell.at("height").dump(), escaped_html(alt));
+  return fmt::format(R"(<img loading="lazy" src="{}" width="{}" height="{}" alt="{}">)", picture_url(path),
+                     cell.at("width").dump(), cell.at("height").dump(), escaped_html(alt));
 }
 
 std::string figure(const Json& cell, const char* field, const std::string& alt, const std::string& caption) {
@@ -56,7 +56,8 @@ std::string own_picture(const Json& cell, const Json* baseline) {
   const std::string baseline_path = baseline ? baseline->at("image").get<std::string>() : std::string();
   if (baseline == &cell || baseline_path.empty()) return figure(cell, "image", alt, "rendered");
   return fmt::format(
-      "<figure><button class=\"flip\" type=\"button\" disabled aria-pressed=\"false\" aria-label=\"Compare {} with {}, view {}\" "
+      "<figure><button class=\"flip\" type=\"button\" disabled aria-pressed=\"false\" aria-label=\"Compare {} with {}, view "
+      "{}\" "
       "data-own=\"{}\" data-baseline=\"{}\" data-baseline-words=\"the baseline, {}\">{}</button>"
       "<figcaption>rendered</figcaption></figure>\n",
       escaped_html(variant), escaped_html(baseline->at("variant").get<std::string>()), escaped_html(view), picture_url(path),
@@ -85,12 +86,14 @@ std::string error_figures(const Json& cell) {
 
 std::string cost_figures(const Record& record, const Json& cell, const std::vector<double>& samples_ms) {
   const auto row = [](const char* name, const std::string& value) {
-    return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"num\" colspan=\"2\">{}</td></tr>\n", name, escaped_html(value));
+    return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"num\" colspan=\"2\">{}</td></tr>\n", name,
+                       escaped_html(value));
   };
   const bool shown = times_shown(record, cell.at("backend").get<std::string>());
   std::string rows;
   rows += row("frame", samples_ms.empty() ? "not timed" : words_for_ms(median(samples_ms)) + " ms");
-  if (const auto ratio = interval_of(cell.at("ratio_to_baseline")); ratio && shown) rows += row("ratio", words_for_ratio(*ratio));
+  if (const auto ratio = interval_of(cell.at("ratio_to_baseline")); ratio && shown)
+    rows += row("ratio", words_for_ratio(*ratio));
   if (const Json& once_ms = cell.at("once_ms"); shown && !once_ms.is_null() && once_ms != 0)
     rows += row("done once", words_for_ms(once_ms.get<double>()) + " ms");
   if (const Json& fetches = cell.at("fetches_per_pixel"); !fetches.is_null())
@@ -105,14 +108,17 @@ std::string shot(const Record& record, const Json& cell, const Json* baseline, d
   std::string html = fmt::format("<article class=\"shot\"><h4>{}{}</h4>\n", escaped_html(variant),
                                  cell.at("baseline").get<bool>() ? " <small>baseline</small>" : "");
   if (cell.at("status") == "failed")
-    return html + fmt::format("<p class=\"bad\">Failed: {}</p></article>\n", escaped_html(cell.at("reason").get<std::string>()));
+    return html +
+           fmt::format("<p class=\"bad\">Failed: {}</p></article>\n", escaped_html(cell.at("reason").get<std::string>()));
   html += own_picture(cell, baseline);
   const std::string view = cell.at("view");
   html += figure(cell, "difference", fmt::format("difference of {} from the baseline, view {}", variant, view),
                  "difference" + (gain.empty() ? std::string(", scaled") : fmt::format(", times {}", gain)));
-  if (const std::string map = figure(cell, "flip", fmt::format("FLIP map of {}, view {}", variant, view), "FLIP map"); !map.empty())
-    html += map + "<div class=\"legend\" role=\"img\" aria-label=\"FLIP's scale: black is 0, pale yellow is 1\">0"
-                  "<span class=\"magma\"></span>1</div>\n";
+  if (const std::string map = figure(cell, "flip", fmt::format("FLIP map of {}, view {}", variant, view), "FLIP map");
+      !map.empty())
+    html += map +
+            "<div class=\"legend\" role=\"img\" aria-label=\"FLIP's scale: black is 0, pale yellow is 1\">0"
+            "<span class=\"magma\"></span>1</div>\n";
   const std::vector<double> samples_ms = shown_samples_ms(record, cell);
   html += fmt::format("<table class=\"figures\">{}{}</table>\n", cost_figures(record, cell, samples_ms), error_figures(cell));
   if (!samples_ms.empty()) html += html_strip_plot(samples_ms, axis_ms);
@@ -131,7 +137,8 @@ std::string html_strip_plot(const std::vector<double>& samples_ms, double axis_m
     dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"1.8\"/>", x_of(samples_ms[round]), y);
   }
   return fmt::format(
-      "<svg class=\"strip\" viewBox=\"0 0 320 41\" role=\"img\" aria-label=\"frame time of each of {} rounds, first round at the bottom\">"
+      "<svg class=\"strip\" viewBox=\"0 0 320 41\" role=\"img\" aria-label=\"frame time of each of {} rounds, first round at "
+      "the bottom\">"
       "<line x1=\"{}\" y1=\"29\" x2=\"{}\" y2=\"29\" stroke=\"currentColor\" stroke-opacity=\".45\"/>"
       "<g fill=\"currentColor\" fill-opacity=\".7\">{}</g>"
       "<text x=\"{}\" y=\"39\">0</text><text x=\"{}\" y=\"39\" text-anchor=\"end\">{} ms</text></svg>\n",
@@ -147,9 +154,10 @@ std::string html_gallery(const Record& record) {
     for (const Json* cell : shots.cells)
       for (const double sample_ms : shown_samples_ms(record, *cell)) axis_ms = std::max(axis_ms, sample_ms);
     const Json& sample = *shots.sample;
-    html += fmt::format("<section>\n<h3>{}, {}, view {}</h3>\n<p class=\"note\">{}</p>\n<div class=\"shots\">\n",
-                        escaped_html(sample.at("effect").get<std::string>()), escaped_html(sample.at("backend").get<std::string>()),
-                        escaped_html(sample.at("view").get<std::string>()), escaped_html(entries_of(sample.at("params"))));
+    html +=
+        fmt::format("<section>\n<h3>{}, {}, view {}</h3>\n<p class=\"note\">{}</p>\n<div class=\"shots\">\n",
+                    escaped_html(sample.at("effect").get<std::string>()), escaped_html(sample.at("backend").get<std::string>()),
+                    escaped_html(sample.at("view").get<std::string>()), escaped_html(entries_of(sample.at("params"))));
     for (const Json* cell : shots.cells) html += shot(record, *cell, baseline, axis_ms, gain);
     html += "</div>\n</section>\n";
   }

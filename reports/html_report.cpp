@@ -11,11 +11,12 @@ std::string summary_table(const std::vector<SummaryRow>& rows) {
   std::string html;
   for (size_t i = 0; i < rows.size(); ++i) {
     if (i == 0 || rows[i].effect != rows[i - 1].effect) {
-      html += fmt::format("{}<div class=\"scroll\"><table><caption>{}</caption><thead><tr>", i == 0 ? "" : "</tbody></table></div>\n",
-                          escaped_html(rows[i].effect));
+      html += fmt::format("{}<div class=\"scroll\"><table><caption>{}</caption><thead><tr>",
+                          i == 0 ? "" : "</tbody></table></div>\n", escaped_html(rows[i].effect));
       for (size_t column = 0; column < summary_columns.size(); ++column)
-        html += fmt::format("<th scope=\"col\"{}>{}</th>", column >= 2 && column + 1 < summary_columns.size() ? " class=\"num\"" : "",
-                            summary_columns[column]);
+        html +=
+            fmt::format("<th scope=\"col\"{}>{}</th>",
+                        column >= 2 && column + 1 < summary_columns.size() ? " class=\"num\"" : "", summary_columns[column]);
       html += "</tr></thead><tbody>\n";
     }
     const auto cells = summary_cells(rows[i]);
@@ -26,6 +27,10 @@ std::string summary_table(const std::vector<SummaryRow>& rows) {
     html += fmt::format("<td>{}</td></tr>\n", escaped_html(cells.back()));
   }
   if (!rows.empty()) html += "</tbody></table></div>\n";
+  for (const SummaryRow& row : rows)
+    if (const std::string trouble = trouble_of(row); !trouble.empty())
+      html += fmt::format("<p class=\"note bad\"><strong>{} on {}</strong> {}</p>\n", escaped_html(row.variant),
+                          escaped_html(row.backend), escaped_html(trouble));
   for (const std::string& note : summary_notes(rows)) html += fmt::format("<p class=\"note\">{}</p>\n", escaped_html(note));
   return html;
 }
@@ -33,17 +38,20 @@ std::string summary_table(const std::vector<SummaryRow>& rows) {
 std::string passes_table(const std::vector<PassSummary>& passes) {
   std::string html =
       "<div class=\"scroll\"><table><caption>Means over views; fetches per pixel that the effect covers.</caption>"
-      "<thead><tr><th scope=\"col\">variant</th><th scope=\"col\">backend</th><th scope=\"col\">pass</th><th scope=\"col\">done</th>"
+      "<thead><tr><th scope=\"col\">variant</th><th scope=\"col\">backend</th><th scope=\"col\">pass</th><th "
+      "scope=\"col\">done</th>"
       "<th scope=\"col\" class=\"num\">ms</th><th scope=\"col\" class=\"num\">fragments</th>"
-      "<th scope=\"col\" class=\"num\">fetches/px</th><th scope=\"col\">by texture, format and filter</th></tr></thead><tbody>\n";
+      "<th scope=\"col\" class=\"num\">fetches/px</th><th scope=\"col\">by texture, format and "
+      "filter</th></tr></thead><tbody>\n";
   for (const PassSummary& pass : passes) {
     std::string shares;
-    for (const PassSummary::Share& share : pass.shares) shares += fmt::format("<li>{}</li>", escaped_html(words_for_share(share)));
+    for (const PassSummary::Share& share : pass.shares)
+      shares += fmt::format("<li>{}</li>", escaped_html(words_for_share(share)));
     html += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td class=\"num\">{}</td><td class=\"num\">{:.0f}</td>"
+        "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td class=\"num\">{}</td><td class=\"num\">{}</td>"
         "<td class=\"num\">{}</td><td><ul class=\"shares\">{}</ul></td></tr>\n",
         escaped_html(pass.variant), escaped_html(pass.backend), escaped_html(pass.name), pass.once ? "once" : "each frame",
-        pass.ms ? words_for_ms(*pass.ms) : "-", pass.fragments,
+        pass.ms ? words_for_ms(*pass.ms) : "-", words_for_fragments(pass),
         pass.fetches_per_pixel ? fmt::format("{:.1f}", *pass.fetches_per_pixel) : "-", shares);
   }
   return html + "</tbody></table></div>\n";
@@ -59,6 +67,7 @@ std::string timer_section(const Record& record) {
   std::string html = "<h2>Timer</h2>\n<ul>\n";
   for (const Certificate& certificate : certificates(record))
     html += fmt::format("<li{}>{}</li>\n", certificate.ok ? "" : " class=\"bad\"", escaped_html(certificate.words));
+  for (const std::string& line : phase_lines(record)) html += fmt::format("<li>{}</li>\n", escaped_html(line));
   return html + "</ul>\n";
 }
 
@@ -72,10 +81,12 @@ std::string run_section(const Record& record) {
 std::string failures_section(const Record& record) {
   const auto failed = failures(record);
   if (failed.empty()) return "";
-  std::string html = "<h2>Failures</h2>\n<div class=\"scroll\"><table><caption>Cells that failed; the others are not touched by it."
-                     "</caption><thead><tr><th scope=\"col\">cell</th><th scope=\"col\">reason</th></tr></thead><tbody>\n";
+  std::string html =
+      "<h2>Failures</h2>\n<div class=\"scroll\"><table><caption>Cells that failed; the others are not touched by it."
+      "</caption><thead><tr><th scope=\"col\">cell</th><th scope=\"col\">reason</th></tr></thead><tbody>\n";
   for (const auto& [cell, reason] : failed)
-    html += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"wrap\">{}</td></tr>\n", escaped_html(cell), escaped_html(reason));
+    html +=
+        fmt::format("<tr><th scope=\"row\">{}</th><td class=\"wrap\">{}</td></tr>\n", escaped_html(cell), escaped_html(reason));
   return html + "</tbody></table></div>\n";
 }
 
@@ -84,12 +95,23 @@ std::string failures_section(const Record& record) {
 std::string escaped_html(std::string_view text) {
   std::string out;
   for (const char c : text) switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += c;
     }
   return out;
 }
@@ -119,9 +141,12 @@ std::string html_report(const Record& record) {
   for (const Headline& headline : headlines(rows))
     html += fmt::format("<li><strong>{}</strong> {}</li>\n", escaped_html(headline.variant), escaped_html(headline.words));
   html += "</ul>\n" + summary_table(rows);
-  html += "<h2>Pictures</h2>\n<p class=\"note\">Click a variant's picture to see the baseline in its place, or press the key b to do so "
-          "for all. Differences are of the display values. In the strips, each dot is one round's frame time, the first round at the "
-          "bottom.</p>\n";
+  html +=
+      "<h2>Pictures</h2>\n<p class=\"note\">Click a variant's picture to see the baseline in its place, or press the key b to "
+      "do so "
+      "for all. Differences are of the display values. In the strips, each dot is one round's frame time, the first round at "
+      "the "
+      "bottom.</p>\n";
   html += html_gallery(record);
   html += "<h2>Passes</h2>\n" + passes_table(summarize_passes(record));
   if (const auto plan = plan_lines(record); !plan.empty()) html += "<h2>What the scene calls for</h2>\n" + list(plan);

@@ -43,6 +43,9 @@ std::string summary_section(const std::vector<SummaryRow>& rows) {
     text += table_row(summary_cells(rows[i]));
   }
   text += "\n";
+  for (const SummaryRow& row : rows)
+    if (const std::string trouble = trouble_of(row); !trouble.empty())
+      text += fmt::format("**{} on {}** {}  \n", escaped(row.variant), escaped(row.backend), escaped(trouble));
   for (const std::string& note : summary_notes(rows)) text += fmt::format("{}  \n", escaped(note));
   return text;
 }
@@ -57,7 +60,7 @@ std::string passes_section(const std::vector<PassSummary>& passes) {
     for (const PassSummary::Share& share : pass.shares) shares += (shares.empty() ? "" : ", ") + words_for_share(share);
     text += table_row(std::array<std::string, 8>{
         pass.variant, pass.backend, pass.name, pass.once ? "once" : "each frame", pass.ms ? words_for_ms(*pass.ms) : "-",
-        fmt::format("{:.0f}", pass.fragments), pass.fetches_per_pixel ? fmt::format("{:.1f}", *pass.fetches_per_pixel) : "-", shares});
+        words_for_fragments(pass), pass.fetches_per_pixel ? fmt::format("{:.1f}", *pass.fetches_per_pixel) : "-", shares});
   }
   return text;
 }
@@ -83,6 +86,7 @@ std::string markdown_summary(const Record& record) {
   std::vector<std::string> failed, certified, facts;
   for (const auto& [cell, reason] : failures(record)) failed.push_back(cell + ": " + reason);
   for (const Certificate& certificate : certificates(record)) certified.push_back(certificate.words);
+  for (const std::string& line : phase_lines(record)) certified.push_back(line);
   for (const auto& [label, value] : run_facts(record)) facts.push_back(label + ": " + value);
   text += list_section("Failures", failed);
   text += list_section("Timer", certified);

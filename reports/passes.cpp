@@ -51,6 +51,7 @@ std::vector<PassSummary> summarize_passes(const Record& record) {
       PassSummary& pass = passes[index];
       Sums& sum = sums[index];
       ++pass.views;
+      pass.early_tests = pass.early_tests && row.early_tests;
       pass.fragments += static_cast<double>(row.fragments);
       sum.fetches += static_cast<double>(row.fetches);
       if (const Json& covered = cell.at("covered_pixels"); !covered.is_null()) sum.covered_pixels += covered.get<double>();
@@ -71,6 +72,10 @@ std::vector<PassSummary> summarize_passes(const Record& record) {
     for (PassSummary::Share& share : pass.shares) share.per_pixel = static_cast<double>(share.fetches) / sum.covered_pixels;
   }
   return passes;
+}
+
+std::string words_for_fragments(const PassSummary& pass) {
+  return fmt::format("{:.0f}{}", pass.fragments, pass.early_tests ? "" : ", hidden ones too");
 }
 
 std::string words_for_share(const PassSummary::Share& share) {

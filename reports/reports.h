@@ -11,21 +11,22 @@
 namespace lamina {
 
 // One line of every table: a variant of an effect on a backend, over all its views (each of them once a size and parameter set,
-// where the record holds several). Failed cells count in failed_views and nowhere else. Times are absent where the backend's timer
-// certificate is missing or failed. With fewer rounds than min_rounds_for_95 an interval is the range of the samples, and its
-// coverage says so; where views have different numbers of rounds, the first rounds that all have are paired.
+// where the record holds several). Failed cells count in failed_views and nowhere else. Times are absent where the backend's
+// timer certificate is missing or failed. With fewer rounds than min_rounds_for_95 an interval is the range of the samples, and
+// its coverage says so; where views have different numbers of rounds, the first rounds that all have are paired.
 struct SummaryRow {
   std::string effect, variant, backend;
   bool baseline = false;
   size_t views = 0, failed_views = 0;
-  std::string reason;                     // of the first failure
-  std::optional<Interval> frame_ms;       // per view: the median over rounds of the mean over views of the frame's time
-  std::optional<Interval> ratio;          // to the baseline, paired by round, over all views' times together; both must have the view
+  uint64_t nonfinite_pixels = 0;     // over all views; a view with any has no error figures, nor has one whose baseline has
+  std::string reason;                // of the first failure
+  std::optional<Interval> frame_ms;  // per view: the median over rounds of the mean over views of the frame's time
+  std::optional<Interval> ratio;  // to the baseline, paired by round, over all views' times together; both must have the view
   std::optional<double> fetches_per_pixel;  // over all views: fetches / covered pixels; absent where no view has any
-  // Over views, covered pixels. Mean PSNR is that of the mean squared error, so that one identical view does not make it infinite;
-  // the others are plain means. Worst: each figure's own worst view.
+  // Over views, covered pixels. Mean PSNR is that of the mean squared error, so that one identical view does not make it
+  // infinite; the others are plain means. Worst: each figure's own worst view.
   std::optional<ErrorFigures> mean, worst;
-  std::string worst_view;                 // by FLIP
+  std::string worst_view;  // by FLIP
 };
 // By effect and backend in order of appearance, each group's baseline first.
 std::vector<SummaryRow> summarize(const Record& record);
@@ -34,11 +35,11 @@ std::vector<SummaryRow> summarize(const Record& record);
 std::string terminal_table(const Record& record, bool colour);
 // The same as Markdown (GitHub's tables), with the passes, the plan and what was run.
 std::string markdown_summary(const Record& record);
-// RFC 4180, CRLF line ends, one line a cell under a header: the cell's scalar fields, named by their path in the record. What is not
-// known is empty; PSNR of identical pictures is "inf". Times of a backend without a good timer certificate are empty.
+// RFC 4180, CRLF line ends, one line a cell under a header: the cell's scalar fields, named by their path in the record. What
+// is not known is empty; PSNR of identical pictures is "inf". Times of a backend without a good timer certificate are empty.
 std::string cells_csv(const Record& record);
-// One page that opens from disk, offline; pictures by relative path from the run's folder. `settings.difference_gain` of the run line
-// is what the difference pictures were multiplied by.
+// One page that opens from disk, offline; pictures by relative path from the run's folder. `settings.difference_gain` of the
+// run line is what the difference pictures were multiplied by.
 std::string html_report(const Record& record);
 
 // Writes summary.md, cells.csv and index.html beside the folder's record.jsonl. Throws as read_record() and

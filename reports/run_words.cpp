@@ -12,6 +12,15 @@ namespace {
 
 using Json = nlohmann::json;
 
+// The objects in an array that a record may have; none where it has not.
+std::vector<Json> elements_of(const Json& owner, const char* name) {
+  std::vector<Json> objects;
+  if (const auto array = owner.find(name); array != owner.end() && array->is_array())
+    for (const Json& element : *array)
+      if (element.is_object()) objects.push_back(element);
+  return objects;
+}
+
 std::string words_of(const Json& timer) {
   const std::string backend = timer.at("backend");
   std::string measured;
@@ -49,7 +58,8 @@ std::string title_of(const Record& record) {
 std::vector<std::string> warnings_of(const Record& record) {
   std::vector<std::string> warnings;
   if (const std::string build = text_at(record.run, "/build"); build != "release")
-    warnings.push_back(fmt::format("the build is '{}', not 'release': its times do not count", build.empty() ? "unknown" : build));
+    warnings.push_back(
+        fmt::format("the build is '{}', not 'release': its times do not count", build.empty() ? "unknown" : build));
   if (const std::string truncated = text_at(record.run, "/truncated"); !truncated.empty())
     warnings.push_back(fmt::format("the record is incomplete: {}", truncated));
   if (const auto own = record.run.find("warnings"); own != record.run.end() && own->is_array())
@@ -76,10 +86,32 @@ std::vector<Certificate> certificates(const Record& record) {
 std::vector<std::string> plan_lines(const Record& record) {
   std::vector<std::string> lines;
   for (const Json& plan : record.plans)
-    for (const Json& effect : plan.at("effects"))
-      lines.push_back(fmt::format("{}: {}: {}", effect.at("effect").get<std::string>(),
-                                  effect.at("called_for").get<bool>() ? "called for" : "not called for",
+    for (const Json& effect : plan.at("effects")) {
+      const std::string name = effect.at("effect");
+      lines.push_back(fmt::format("{}: {}: {}", name, effect.at("called_for").get<bool>() ? "called for" : "not called for",
                                   effect.at("reason").get<std::string>()));
+      for (const Json& feature : elements_of(effect, "features"))
+        lines.push_back(fmt::format("{}: {} {}: {}", name, feature.value("on", false) ? "with" : "without",
+                                    text_at(feature, "/feature"), text_at(feature, "/reason")));
+      for (const Json& variant : elements_of(effect, "variants"))
+        for (const Json& pass : elements_of(variant, "passes"))
+          if (!pass.value("runs", true))
+            lines.push_back(fmt::format("{}: {} without its pass {}: {}", name, text_at(variant, "/variant"),
+                                        text_at(pass, "/pass"), text_at(pass, "/reason")));
+    }
+  return lines;
+}
+
+std::vector<std::string> phase_lines(const Record& record) {
+  std::vector<std::string> lines;
+  for (const Json& phase : record.phases) {
+    const std::string backend = phase.at("backend");
+    const double wall_ms = phase.at("wall_ms"), device_ms = phase.at("device_ms");
+    if (!times_shown(record, backend) || device_ms <= 0) continue;
+    lines.push_back(fmt::format("{} rounds of {} on {} took {:.1f} s, {:.2f} times the device time that they measured",
+                                phase.at("rounds").get<uint64_t>(), phase.at("effect").get<std::string>(), backend,
+                                wall_ms / 1000, wall_ms / device_ms));
+  }
   return lines;
 }
 
@@ -87,8 +119,8 @@ std::vector<std::pair<std::string, std::string>> failures(const Record& record) 
   std::vector<std::pair<std::string, std::string>> all;
   for (const Json& cell : record.cells)
     if (cell.at("status") == "failed")
-      all.emplace_back(fmt::format("{} on {}, view {}", cell.at("variant").get<std::string>(), cell.at("backend").get<std::string>(),
-                                   cell.at("view").get<std::string>()),
+      all.emplace_back(fmt::format("{} on {}, view {}", cell.at("variant").get<std::string>(),
+                                   cell.at("backend").get<std::string>(), cell.at("view").get<std::string>()),
                        cell.at("reason").get<std::string>());
   return all;
 }

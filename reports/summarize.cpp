@@ -23,9 +23,9 @@ Shot shot_of(const Json& cell) {
 
 struct Group {
   SummaryRow row;
-  size_t first_cell = 0;             // order of appearance
-  std::vector<const Json*> good;     // cells that did not fail
-  Samples samples;                   // of the good cells that were timed
+  size_t first_cell = 0;          // order of appearance
+  std::vector<const Json*> good;  // cells that did not fail
+  Samples samples;                // of the good cells that were timed
 };
 
 // Below min_rounds_for_95 no order statistics reach 95%: then the whole range, whose coverage of the median is 1 - 2 / 2^n.
@@ -84,9 +84,9 @@ std::optional<double> fetches_per_pixel(const std::vector<const Json*>& cells) {
 
 void add_errors(SummaryRow& row, const std::vector<const Json*>& cells) {
   size_t count = 0;
-  ErrorFigures sum;         // psnr_db holds the sum of squared errors, relative to the peak's square
+  ErrorFigures sum;  // psnr_db holds the sum of squared errors, relative to the peak's square
   ErrorFigures worst{.psnr_db = std::numeric_limits<double>::infinity(), .ssim = 1};
-  double worst_flip = -1;   // below every figure, so that the first view is taken
+  double worst_flip = -1;  // below every figure, so that the first view is taken
   for (const Json* cell : cells) {
     const std::optional<ErrorFigures> figures = figures_of(cell->at("error").at("baseline"));
     if (!figures) continue;
@@ -137,6 +137,7 @@ std::vector<Group> group_cells(const Record& record) {
       continue;
     }
     group->good.push_back(&cell);
+    if (const Json& count = cell.at("nonfinite_pixels"); !count.is_null()) group->row.nonfinite_pixels += count.get<uint64_t>();
     if (std::vector<double> samples = shown_samples_ms(record, cell); !samples.empty())
       group->samples[shot_of(cell)] = std::move(samples);
   }

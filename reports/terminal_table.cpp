@@ -14,7 +14,8 @@ constexpr const char *bold = "\x1b[1m", *dim = "\x1b[2m", *red = "\x1b[31m", *ye
 
 // Characters that take a column: every byte but UTF-8's continuation bytes.
 size_t columns_of(const std::string& text) {
-  return static_cast<size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+  return static_cast<size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 
 class Lines {
@@ -58,10 +59,9 @@ void add_table(Lines& lines, const std::vector<const SummaryRow*>& rows) {
     for (size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], columns_of(cells[i]));
   lines.add(aligned(table[0], widths), dim);
   for (size_t i = 0; i < rows.size(); ++i) {
-    const char* emphasis = rows[i]->failed_views > 0 ? red : rows[i]->baseline ? bold : "";
-    lines.add(aligned(table[i + 1], widths), emphasis);
-    if (rows[i]->failed_views > 0)
-      lines.add(fmt::format("  failed in {} of {} views: {}", rows[i]->failed_views, rows[i]->views, one_line(rows[i]->reason)), red);
+    const std::string trouble = trouble_of(*rows[i]);
+    lines.add(aligned(table[i + 1], widths), !trouble.empty() ? red : rows[i]->baseline ? bold : "");
+    if (!trouble.empty()) lines.add("  " + one_line(trouble), red);
   }
 }
 

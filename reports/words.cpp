@@ -17,7 +17,9 @@ std::string text_of(const Json& value) { return value.is_string() ? value.get<st
 
 const char* mark_of(const Interval& interval) { return interval.coverage < report_confidence ? "*" : ""; }
 
-std::string mean_and_worst(double mean, double worst, int digits) { return fmt::format("{:.{}f} ({:.{}f})", mean, digits, worst, digits); }
+std::string mean_and_worst(double mean, double worst, int digits) {
+  return fmt::format("{:.{}f} ({:.{}f})", mean, digits, worst, digits);
+}
 
 }  // namespace
 
@@ -29,7 +31,8 @@ std::string text_at(const Json& value, const char* pointer) {
 std::string entries_of(const Json& object) {
   if (!object.is_object()) return {};
   std::string words;
-  for (const auto& [key, value] : object.items()) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", key, text_of(value));
+  for (const auto& [key, value] : object.items())
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", key, text_of(value));
   return words;
 }
 
@@ -106,14 +109,26 @@ std::array<std::string, summary_columns.size()> summary_cells(const SummaryRow& 
   return cells;
 }
 
+std::string trouble_of(const SummaryRow& row) {
+  std::string words;
+  if (row.failed_views > 0) words = fmt::format("failed in {} of {} views: {}", row.failed_views, row.views, row.reason);
+  if (row.nonfinite_pixels > 0)
+    words += fmt::format("{}{} pixels are not finite, and no error figure is made of such a picture", words.empty() ? "" : "; ",
+                         row.nonfinite_pixels);
+  return words;
+}
+
 std::vector<std::string> summary_notes(const std::vector<SummaryRow>& rows) {
   std::vector<std::string> notes = {
-      "Frame: the median over rounds of the mean over views, without what is done once. Ratio: to the baseline's time, paired by "
+      "Frame: the median over rounds of the mean over views, without what is done once. Ratio: to the baseline's time, paired "
+      "by "
       "round; under 1 is faster.",
-      "PSNR, SSIM and FLIP: mean over views (worst view), against the baseline, over the pixels that the effect covers, on 8-bit sRGB. "
+      "PSNR, SSIM and FLIP: mean over views (worst view), against the baseline, over the pixels that the effect covers, on "
+      "8-bit sRGB. "
       "Worst view: by FLIP."};
   const auto short_of_rounds = [](const std::optional<Interval>& i) { return i && i->coverage < report_confidence; };
-  if (std::any_of(rows.begin(), rows.end(), [&](const SummaryRow& r) { return short_of_rounds(r.frame_ms) || short_of_rounds(r.ratio); }))
+  if (std::any_of(rows.begin(), rows.end(),
+                  [&](const SummaryRow& r) { return short_of_rounds(r.frame_ms) || short_of_rounds(r.ratio); }))
     notes.push_back(fmt::format("* fewer than {} rounds: the range of the samples, not a 95% interval.", min_rounds_for_95));
   return notes;
 }

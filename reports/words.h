@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the reports share: the same words and the same rounding whether a terminal, Markdown or a page shows them. All strings are
-// plain text, not yet escaped for where they go.
+// What the reports share: the same words and the same rounding whether a terminal, Markdown or a page shows them. All strings
+// are plain text, not yet escaped for where they go.
 #pragma once
 
 #include <array>
@@ -41,7 +41,8 @@ inline constexpr double report_confidence = 0.95;    // an interval that covers 
 
 // "heart, 512x512, 3 views" and what else a title should say.
 std::string title_of(const Record& record);
-// What makes the figures worth less, one sentence each: a build that is not release, a record cut short, the run's own warnings.
+// What makes the figures worth less, one sentence each: a build that is not release, a record cut short, the run's own
+// warnings.
 std::vector<std::string> warnings_of(const Record& record);
 // One sentence a variant, with numbers: how much faster on each backend, at what loss.
 struct Headline {
@@ -50,9 +51,11 @@ struct Headline {
 std::vector<Headline> headlines(const std::vector<SummaryRow>& rows);
 
 // The columns of the summary table; the first two are names, the rest figures.
-inline constexpr std::array<const char*, 9> summary_columns = {"variant", "backend", "frame ms [95%]", "ratio [95%]", "fetches/px",
-                                                              "PSNR dB", "SSIM",    "FLIP",           "worst view"};
+inline constexpr std::array<const char*, 9> summary_columns = {
+    "variant", "backend", "frame ms [95%]", "ratio [95%]", "fetches/px", "PSNR dB", "SSIM", "FLIP", "worst view"};
 std::array<std::string, summary_columns.size()> summary_cells(const SummaryRow& row);
+// What a row cannot show in figures: failed views with the first reason, non-finite pixels. "" for most.
+std::string trouble_of(const SummaryRow& row);
 // How to read the table, one sentence each.
 std::vector<std::string> summary_notes(const std::vector<SummaryRow>& rows);
 
@@ -65,6 +68,7 @@ struct PassSummary {
   };
   std::string effect, variant, backend, name;
   bool once = false;
+  bool early_tests = true;  // false in some view: fragments hidden later are counted too
   size_t views = 0;
   std::optional<double> ms;  // mean over views of the median over rounds
   double fragments = 0;      // mean over views
@@ -72,6 +76,7 @@ struct PassSummary {
   std::vector<Share> shares;
 };
 std::vector<PassSummary> summarize_passes(const Record& record);
+std::string words_for_fragments(const PassSummary& pass);      // "5210", or "5210, hidden ones too"
 std::string words_for_share(const PassSummary::Share& share);  // "light_map (rgba16_float, linear) 13.0/px"
 
 struct Certificate {
@@ -80,8 +85,10 @@ struct Certificate {
   std::string words;
 };
 std::vector<Certificate> certificates(const Record& record);
-// "layered_material: called for, because ..."
+// "layered_material: called for: the reason"; its features with or without, and the passes that this left out, with theirs.
 std::vector<std::string> plan_lines(const Record& record);
+// How long the timed rounds took by the wall clock, over the device time that they measured.
+std::vector<std::string> phase_lines(const Record& record);
 // Every failed cell: what it is, and why it failed.
 std::vector<std::pair<std::string, std::string>> failures(const Record& record);
 // Label and value: machine, devices, threads, commit, settings, command.

@@ -17,7 +17,8 @@ std::string name_of(const CellRow& cell) {
 // JSON has neither NaN nor infinity, and the library would write a silent null.
 Json finite(double value, const std::string& owner, std::string_view what) {
   if (!std::isfinite(value))
-    throw Error(ErrorKind::failed, "record", owner, fmt::format("{} is not a finite number; this cell must be a failed one", what));
+    throw Error(ErrorKind::failed, "record", owner,
+                fmt::format("{} is not a finite number; this cell must be a failed one", what));
   return value;
 }
 
@@ -43,8 +44,8 @@ Json interval_to_json(const std::optional<Interval>& interval, const std::string
 
 Json median_or_null(const std::vector<double>& samples) { return samples.empty() ? Json(nullptr) : Json(median(samples)); }
 
-// Work that is done once has no rounds to pair by: each such pass counts with its own median. No such pass costs nothing, which is
-// known; one without samples makes the sum unknown.
+// Work that is done once has no rounds to pair by: each such pass counts with its own median. No such pass costs nothing, which
+// is known; one without samples makes the sum unknown.
 Json once_ms(const CellRow& cell) {
   double sum_ms = 0;
   for (const PassRow& pass : cell.passes) {
@@ -86,10 +87,8 @@ Json to_json(const CellRow& cell) {
     for (const double sample_ms : ms) finite(sample_ms, owner, fmt::format("a sample of pass '{}'", pass.name));
     Json by_texture = Json::array();
     for (const TextureFetches& fetched : pass.by_texture)
-      by_texture.push_back({{"texture", fetched.texture},
-                            {"format", fetched.format},
-                            {"filter", fetched.filter},
-                            {"fetches", fetched.fetches}});
+      by_texture.push_back(
+          {{"texture", fetched.texture}, {"format", fetched.format}, {"filter", fetched.filter}, {"fetches", fetched.fetches}});
     passes.push_back({{"name", pass.name},
                       {"once", pass.once},
                       {"ms", ms},
@@ -97,6 +96,7 @@ Json to_json(const CellRow& cell) {
                       {"fragments", count(pass.fragments)},
                       {"vertices", count(pass.vertices)},
                       {"fetches", count(pass.fetches)},
+                      {"early_tests", pass.early_tests},
                       {"by_texture", std::move(by_texture)}});
   }
   Json params = Json::object();
@@ -164,6 +164,7 @@ std::vector<PassRow> passes_of(const nlohmann::json& cell) {
     pass.fragments = count(from.at("fragments"));
     pass.vertices = count(from.at("vertices"));
     pass.fetches = count(from.at("fetches"));
+    pass.early_tests = from.at("early_tests");
     for (const nlohmann::json& fetched : from.at("by_texture"))
       pass.by_texture.push_back({.texture = fetched.at("texture"),
                                  .format = fetched.at("format"),

@@ -66,44 +66,47 @@ void check(const Json& value, const Fields& fields, const std::string& where, co
 }
 
 void check_cell(const Json& line, const std::string& where) {
-  check(line, {{"scene", text},
-               {"effect", text},
-               {"variant", text},
-               {"baseline", boolean},
-               {"backend", text},
-               {"device", text},
-               {"width", count},
-               {"height", count},
-               {"view", text},
-               {"params", numbers_by_name},
-               {"status", status},
-               {"reason", text},
-               {"timed", boolean},
-               {"passes", array},
-               {"median_ms", number_or_null},
-               {"once_ms", number_or_null},
-               {"cold_ms", number_or_null},
-               {"ratio_to_baseline", object_or_null},
-               {"fetches", count_or_null},
-               {"fetches_per_pixel", number_or_null},
-               {"error", object},
-               {"nonfinite_pixels", count_or_null},
-               {"covered_pixels", count_or_null},
-               {"image", text},
-               {"difference", text},
-               {"flip", text},
-               {"image_hash", text},
-               {"shader_hashes", texts}},
+  check(line,
+        {{"scene", text},
+         {"effect", text},
+         {"variant", text},
+         {"baseline", boolean},
+         {"backend", text},
+         {"device", text},
+         {"width", count},
+         {"height", count},
+         {"view", text},
+         {"params", numbers_by_name},
+         {"status", status},
+         {"reason", text},
+         {"timed", boolean},
+         {"passes", array},
+         {"median_ms", number_or_null},
+         {"once_ms", number_or_null},
+         {"cold_ms", number_or_null},
+         {"ratio_to_baseline", object_or_null},
+         {"fetches", count_or_null},
+         {"fetches_per_pixel", number_or_null},
+         {"error", object},
+         {"nonfinite_pixels", count_or_null},
+         {"covered_pixels", count_or_null},
+         {"image", text},
+         {"difference", text},
+         {"flip", text},
+         {"image_hash", text},
+         {"shader_hashes", texts}},
         where);
   for (const Json& pass : line["passes"]) {
-    check(pass, {{"name", text},
-                 {"once", boolean},
-                 {"ms", numbers},
-                 {"median_ms", number_or_null},
-                 {"fragments", count_or_null},
-                 {"vertices", count_or_null},
-                 {"fetches", count_or_null},
-                 {"by_texture", array}},
+    check(pass,
+          {{"name", text},
+           {"once", boolean},
+           {"ms", numbers},
+           {"median_ms", number_or_null},
+           {"fragments", count_or_null},
+           {"vertices", count_or_null},
+           {"fetches", count_or_null},
+           {"early_tests", boolean},
+           {"by_texture", array}},
           where, "passes.");
     for (const Json& fetched : pass["by_texture"])
       check(fetched, {{"texture", text}, {"format", text}, {"filter", text}, {"fetches", count}}, where, "passes.by_texture.");
@@ -114,12 +117,13 @@ void check_cell(const Json& line, const std::string& where) {
   check(line["error"], {{"baseline", object_or_null}, {"frame", object_or_null}, {"truth", object_or_null}}, where, "error.");
   for (const char* against : {"baseline", "frame", "truth"})
     if (const Json& figures = line["error"][against]; !figures.is_null()) {
-      check(figures, {{"psnr_db", number_or_null},
-                      {"identical", boolean},
-                      {"ssim", number},
-                      {"flip", number},
-                      {"rmse_linear", number},
-                      {"max_linear", number}},
+      check(figures,
+            {{"psnr_db", number_or_null},
+             {"identical", boolean},
+             {"ssim", number},
+             {"flip", number},
+             {"rmse_linear", number},
+             {"max_linear", number}},
             where, fmt::format("error.{}.", against));
       if (figures["psnr_db"].is_null() != figures["identical"].get<bool>())
         refuse(where, fmt::format("'error.{}.psnr_db' must be null for identical pictures and for no others", against));
@@ -134,12 +138,13 @@ void check_cell(const Json& line, const std::string& where) {
 }
 
 void check_timer(const Json& line, const std::string& where) {
-  check(line, {{"backend", text},
-               {"ok", boolean},
-               {"linearity", numbers},
-               {"additivity", number_or_null},
-               {"attribution", number_or_null},
-               {"reason", text}},
+  check(line,
+        {{"backend", text},
+         {"ok", boolean},
+         {"linearity", numbers},
+         {"additivity", number_or_null},
+         {"attribution", number_or_null},
+         {"reason", text}},
         where);
 }
 
@@ -147,6 +152,10 @@ void check_plan(const Json& line, const std::string& where) {
   check(line, {{"effects", array}}, where);
   for (const Json& effect : line["effects"])
     check(effect, {{"effect", text}, {"called_for", boolean}, {"reason", text}}, where, "effects.");
+}
+
+void check_phase(const Json& line, const std::string& where) {
+  check(line, {{"backend", text}, {"effect", text}, {"rounds", count}, {"wall_ms", number}, {"device_ms", number}}, where);
 }
 
 void check_run(const Json& line, const std::string& where) {
@@ -173,10 +182,13 @@ void add_line(Record& record, Json line, const std::string& where) {
   } else if (kind == "plan") {
     check_plan(line, where);
     record.plans.push_back(std::move(line));
+  } else if (kind == "phase") {
+    check_phase(line, where);
+    record.phases.push_back(std::move(line));
   } else if (kind == "run") {
     refuse(where, "a second line of kind 'run'; one record holds one run, so split the file before this line");
   } else {
-    const std::vector<std::string> known = {"run", "timer", "plan", "cell"};
+    const std::vector<std::string> known = {"run", "timer", "plan", "phase", "cell"};
     refuse(where, unknown_name("kind of line", kind, known));
   }
 }
@@ -210,11 +222,13 @@ Record read_record(const std::filesystem::path& file) {
       add_line(record, std::move(line), where);
       continue;
     }
-    if (kind_of(line, where) != "run") refuse(where, "the first line is not of kind 'run'; this is no record, or its start is lost");
+    if (kind_of(line, where) != "run")
+      refuse(where, "the first line is not of kind 'run'; this is no record, or its start is lost");
     check_run(line, where);
     record.run = std::move(line);
   }
-  if (number_of_line == 0) refuse(fmt::format("{}:1", file.string()), "the file is empty; a record begins with a line of kind 'run'");
+  if (number_of_line == 0)
+    refuse(fmt::format("{}:1", file.string()), "the file is empty; a record begins with a line of kind 'run'");
   return record;
 }
 

@@ -23,12 +23,12 @@ inline constexpr int record_schema = 1;  // of the run line; a reader refuses an
 
 struct PassRow {
   std::string name;
-  bool once = false;           // done once, apart from the frame: its time is not in the cell's median_ms
-  std::vector<double> ms;      // one sample a round (once: one a repetition)
-  uint64_t fragments = 0;      // shader invocations of the fragment (or compute) stage, hidden fragments excluded
-  uint64_t vertices = 0;       // invocations of the vertex stage
+  bool once = false;       // done once, apart from the frame: its time is not in the cell's median_ms
+  std::vector<double> ms;  // one sample a round (once: one a repetition)
+  uint64_t fragments = 0;  // shader invocations of the fragment (or compute) stage, hidden fragments excluded
+  uint64_t vertices = 0;   // invocations of the vertex stage
   uint64_t fetches = 0;
-  bool early_tests = true;     // false: fragments hidden later are counted too, since the shader discards or writes depth
+  bool early_tests = true;  // false: fragments hidden later are counted too, since the shader discards or writes depth
   std::vector<TextureFetches> by_texture;
 };
 
@@ -42,21 +42,25 @@ struct CellRow {
   int width = 0, height = 0;
   std::map<std::string, double> params;  // by path; "scene.time" is always there
   bool failed = false;
-  std::string reason;                    // of the failure
-  bool timed = true;                     // false: the timer's certificate failed, so no time is given
+  std::string reason;  // of the failure
+  bool timed = true;   // false: the timer's certificate failed, so no time is given
   std::vector<PassRow> passes;
-  double cold_ms = 0;                    // the first frame, shader compilation included, host clock
+  double cold_ms = 0;  // the first frame, shader compilation included, host clock
   std::optional<Interval> ratio_to_baseline;
-  uint64_t fetches = 0;                  // of the frame: sum over passes that are not done once
-  double fetches_per_pixel = 0;          // fetches / covered_pixels
-  std::optional<ErrorFigures> error_covered, error_frame;  // against the baseline; absent for the baseline itself and failed cells
+  uint64_t fetches = 0;          // of the frame: sum over passes that are not done once
+  double fetches_per_pixel = 0;  // fetches / covered_pixels
+  std::optional<ErrorFigures> error_covered,
+      error_frame;  // against the baseline; absent for the baseline itself and failed cells
   uint64_t nonfinite_pixels = 0;
-  uint64_t covered_pixels = 0;           // pixels in which the effect's final pass shaded at least once
-  std::string image, difference, flip;   // paths relative to the run's folder, "" where there is none
-  std::string image_hash;                // of the linear picture's bytes
+  uint64_t covered_pixels = 0;          // pixels in which the effect's final pass shaded at least once
+  std::string image, difference, flip;  // paths relative to the run's folder, "" where there is none
+  std::string image_hash;               // of the linear picture's bytes
   std::vector<std::string> shader_hashes;
 };
 
+// One line of the record. What is not known is null, never 0: figures of a failed cell that are still 0, times of a cell that
+// is not timed, fetches a pixel where no pixel is covered. PSNR of equal pictures is null with "identical": true. Throws
+// Error(failed) for a number that is not finite, and as frame_samples_ms() does.
 nlohmann::ordered_json to_json(const CellRow& cell);
 // Additivity and attribution are null where linearity is empty, which is a certificate that never got to measure.
 nlohmann::ordered_json to_json(const TimerRow& timer);
@@ -77,11 +81,11 @@ class RecordWriter {
 // A record as read back: what reports are made of.
 struct Record {
   nlohmann::json run;
-  std::vector<nlohmann::json> timers, plans, cells;
+  std::vector<nlohmann::json> timers, plans, cells, phases;  // phases: how long the rounds took beside what they measured
 };
-// Throws Error(bad_input, "record", "FILE:LINE", ...) for a line that is not JSON, another schema, no first line of kind "run", an
-// unknown kind, or a field missing or of the wrong type; what it returns has every field that to_json() writes. A last line cut
-// short by a crash (it has no newline) is dropped, and said so in `run["truncated"]`, a sentence.
+// Throws Error(bad_input, "record", "FILE:LINE", ...) for a line that is not JSON, another schema, no first line of kind "run",
+// an unknown kind, or a field missing or of the wrong type; what it returns has every field that to_json() writes. A last line
+// cut short by a crash (it has no newline) is dropped, and said so in `run["truncated"]`, a sentence.
 Record read_record(const std::filesystem::path& file);
 
 // The passes of a cell that was read back.

@@ -90,7 +90,7 @@ class Override {
 
   glm::vec3 scale() const {
     if (!table_.has("scale")) return glm::vec3(1);
-    const glm::vec3 scale = table_.is_list("scale") ? *vec3(table_, "scale") : glm::vec3(*table_.optional_number("scale", 1e-6, 1e6));
+    const glm::vec3 scale = table_.is_list("scale") ? *vec3(table_, "scale") : glm::vec3(float(*table_.optional_number("scale", 1e-6, 1e6)));
     if (!(scale.x > 0 && scale.y > 0 && scale.z > 0)) throw table_.error("scale", "'scale' must be above 0 along every axis");
     return scale;
   }

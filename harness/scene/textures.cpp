@@ -156,9 +156,11 @@ Texels load_texels(const std::filesystem::path& file, bool srgb_colour) {
 
 Texels decode_texels(std::span<const std::byte> encoded_file, const std::string& name, bool srgb_colour) {
   OIIO::Filesystem::IOMemReader memory(encoded_file.data(), encoded_file.size());
-  const OIIO::ImageSpec config = unassociated_alpha();
+  OIIO::ImageSpec config = unassociated_alpha();
+  void* proxy = &memory;
+  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
   // The name's ending is only where OpenImageIO starts to look; it tries every reader that can read from memory.
-  const auto input = OIIO::ImageInput::open("picture.png", &config, &memory);
+  const auto input = OIIO::ImageInput::open("picture.png", &config);
   if (!input) refuse(name, "cannot be read as a picture: " + OIIO::geterror());
   return read_texels(*input, name, srgb_colour);
 }

@@ -28,9 +28,12 @@ constexpr int dialect_version = 100;
 
 EShLanguage language_of(Stage stage) {
   switch (stage) {
-    case Stage::vertex: return EShLangVertex;
-    case Stage::fragment: return EShLangFragment;
-    case Stage::compute: return EShLangCompute;
+    case Stage::vertex:
+      return EShLangVertex;
+    case Stage::fragment:
+      return EShLangFragment;
+    case Stage::compute:
+      return EShLangCompute;
   }
   std::abort();
 }

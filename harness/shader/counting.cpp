@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The counting build: rewrites SPIR-V so that a shader counts its texture operations and its invocations.
 //
-// In: a module of compile_shader(). Out: the same module, all functions inlined into main, with an atomic increment before every
-// texture operation, and one or two at main's beginning. What is counted is what the source says: an operation whose result
-// nothing uses still counts, though a driver leaves it out of the timed build.
+// In: a module of compile_shader(). Out: the same module, all functions inlined into main, with an atomic increment before
+// every texture operation, and one or two at main's beginning. What is counted is what the source says: an operation whose
+// result nothing uses still counts, though a driver leaves it out of the timed build.
 #include <algorithm>
 #include <initializer_list>
 #include <map>
@@ -20,7 +20,9 @@ using Words = std::vector<uint32_t>;
 
 constexpr size_t header_words = 5, bound_word = 3;  // of a module, by the specification's section 2.3
 
-[[noreturn]] void refuse(std::string message) { throw Error(ErrorKind::failed, "shader", "counting build", std::move(message)); }
+[[noreturn]] void refuse(std::string message) {
+  throw Error(ErrorKind::failed, "shader", "counting build", std::move(message));
+}
 
 void emit(Words& out, spv::Op op, std::initializer_list<uint32_t> operands) {
   out.push_back(static_cast<uint32_t>(operands.size() + 1) << spv::WordCountShift | static_cast<uint32_t>(op));
@@ -32,14 +34,16 @@ void emit(Words& out, spv::Op op, std::initializer_list<uint32_t> operands) {
 Words inlined(const Words& spirv, Api api) {
   spvtools::Optimizer optimizer(api == Api::vulkan ? SPV_ENV_VULKAN_1_0 : SPV_ENV_OPENGL_4_5);
   std::string complaint;
-  optimizer.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* text) { complaint = text; });
+  optimizer.SetMessageConsumer(
+      [&](spv_message_level_t, const char*, const spv_position_t&, const char* text) { complaint = text; });
   optimizer.RegisterPass(spvtools::CreateMergeReturnPass())
       .RegisterPass(spvtools::CreateInlineExhaustivePass())
       .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
   spvtools::OptimizerOptions options;
   options.set_run_validator(false);  // compile_shader() did, and the result is validated as a whole
   Words result;
-  if (!optimizer.Run(spirv.data(), spirv.size(), &result, options)) refuse("SPIRV-Tools cannot inline the functions: " + complaint);
+  if (!optimizer.Run(spirv.data(), spirv.size(), &result, options))
+    refuse("SPIRV-Tools cannot inline the functions: " + complaint);
   return result;
 }
 
@@ -65,7 +69,9 @@ uint32_t texture_binding(const SpirvModule& module, const SpirvInstruction& oper
       case spv::OpInBoundsAccessChain:
       case spv::OpCopyObject:
       case spv::OpImage:
-      case spv::OpSampledImage: id = source.words[image_word]; break;
+      case spv::OpSampledImage:
+        id = source.words[image_word];
+        break;
       default:
         refuse(fmt::format("cannot tell which texture '{}' is, in a function that cannot be inlined; sample it in the caller",
                            module.name(id)));
@@ -169,7 +175,8 @@ class Instrumenter {
   // Adds `amount` to the word at `index`; returns what it was before. Order does not matter to a sum: relaxed semantics.
   uint32_t atomic_add(uint32_t index, uint32_t amount) {
     const uint32_t pointer = word_pointer(index);
-    return value(spv::OpAtomicIAdd, uint_, {pointer, constant(spv::ScopeDevice), constant(spv::MemorySemanticsMaskNone), amount});
+    return value(spv::OpAtomicIAdd, uint_,
+                 {pointer, constant(spv::ScopeDevice), constant(spv::MemorySemanticsMaskNone), amount});
   }
 
   // Counts 1 in the 64-bit counter at `word`. Exactly one increment finds the low word full, and that one carries. There is no
@@ -240,7 +247,8 @@ class Instrumenter {
       out_[out_.size() - entry.words.size()] += 1u << spv::WordCountShift;
       out_.push_back(frag_coord_);
     }
-    if (early_ && !demands_early_tests(module_)) emit(out_, spv::OpExecutionMode, {main_, spv::ExecutionModeEarlyFragmentTests});
+    if (early_ && !demands_early_tests(module_))
+      emit(out_, spv::OpExecutionMode, {main_, spv::ExecutionModeEarlyFragmentTests});
   }
 
   static void append(Words& to, std::span<const uint32_t> words) { to.insert(to.end(), words.begin(), words.end()); }

@@ -23,14 +23,17 @@ bool prevents_early_tests(const SpirvModule& module, const SpirvInstruction& i) 
     case spv::OpImageTexelPointer:  // what an image's atomics go through
     case spv::OpAtomicFAddEXT:
     case spv::OpAtomicFMinEXT:
-    case spv::OpAtomicFMaxEXT: return true;
+    case spv::OpAtomicFMaxEXT:
+      return true;
     case spv::OpStore:
-    case spv::OpCopyMemory: return is_memory(storage_class(module, i.words[1]));
+    case spv::OpCopyMemory:
+      return is_memory(storage_class(module, i.words[1]));
     case spv::OpDecorate:
       if (i.words[2] != spv::DecorationBuiltIn) return false;
       return i.words[3] == spv::BuiltInFragDepth || i.words[3] == spv::BuiltInFragStencilRefEXT ||
              (i.words[3] == spv::BuiltInSampleMask && storage_class(module, i.words[1]) == spv::StorageClassOutput);
-    default: return i.op() >= spv::OpAtomicStore && i.op() <= spv::OpAtomicXor;
+    default:
+      return i.op() >= spv::OpAtomicStore && i.op() <= spv::OpAtomicXor;
   }
 }
 
@@ -43,7 +46,8 @@ bool demands_early_tests(const SpirvModule& module) {
 }
 
 bool allows_early_tests(const SpirvModule& module) {
-  return std::ranges::none_of(module.instructions(), [&](const SpirvInstruction& i) { return prevents_early_tests(module, i); });
+  return std::ranges::none_of(module.instructions(),
+                              [&](const SpirvInstruction& i) { return prevents_early_tests(module, i); });
 }
 
 }  // namespace lamina

@@ -10,7 +10,8 @@ namespace lamina {
 bool demands_early_tests(const SpirvModule& module);
 
 // Whether depth and stencil tests before the shader leave its picture and its writes as they are after it, so that drivers test
-// early: it neither discards, nor writes depth, stencil or its sample mask, nor writes memory, which hidden fragments would do too.
+// early: it neither discards, nor writes depth, stencil or its sample mask, nor writes memory, which hidden fragments would do
+// too.
 bool allows_early_tests(const SpirvModule& module);
 
 }  // namespace lamina

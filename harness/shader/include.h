@@ -30,7 +30,9 @@ class FileIncluder : public glslang::TShader::Includer {
         : text(std::move(content)), result(name, text.data(), text.size(), nullptr) {}
   };
   // glslang takes a result without a name for a failure, and its text for the reason.
-  IncludeResult* give(const std::string& name, std::string text) { return &included_.emplace_back(name, std::move(text)).result; }
+  IncludeResult* give(const std::string& name, std::string text) {
+    return &included_.emplace_back(name, std::move(text)).result;
+  }
   // The file's result, or nullptr where there is no such file.
   IncludeResult* open(const std::filesystem::path& path);
 

@@ -33,31 +33,41 @@ class Rules {
     if (name.empty()) name = module_.name(type.result);  // a block without an instance name
 
     switch (variable.words[storage_class_word]) {
-      case spv::StorageClassPushConstant: refuse(name, "is a push constant; put it into a uniform block, which OpenGL has too");
-      case spv::StorageClassAtomicCounter: refuse(name, "is an atomic counter; use a storage buffer, which Vulkan has too");
+      case spv::StorageClassPushConstant:
+        refuse(name, "is a push constant; put it into a uniform block, which OpenGL has too");
+      case spv::StorageClassAtomicCounter:
+        refuse(name, "is an atomic counter; use a storage buffer, which Vulkan has too");
       case spv::StorageClassUniformConstant:
       case spv::StorageClassUniform:
-      case spv::StorageClassStorageBuffer: break;
-      default: return;
+      case spv::StorageClassStorageBuffer:
+        break;
+      default:
+        return;
     }
-    check_type(name, type);
+    check_type(name, type, variable.words[storage_class_word] == spv::StorageClassUniformConstant);
     if (module_.decoration(variable.result, spv::DecorationDescriptorSet).value_or(0) != 0)
       refuse(name, "asks for a descriptor set; leave out set=, all resources share one");
     const auto binding = module_.decoration(variable.result, spv::DecorationBinding);
     if (!binding) refuse(name, "has no binding; give it one with layout(binding = N)");
     const auto [other, fresh] = at_binding_.emplace(*binding, name);
-    if (!fresh) refuse(name, fmt::format("shares binding {} with '{}'; bindings are unique across kinds", *binding, other->second));
+    if (!fresh)
+      refuse(name, fmt::format("shares binding {} with '{}'; bindings are unique across kinds", *binding, other->second));
   }
 
-  void check_type(const std::string& name, const SpirvInstruction& type) const {
+  void check_type(const std::string& name, const SpirvInstruction& type, bool outside_blocks) const {
+    if (type.op() == spv::OpTypeStruct && !outside_blocks) return;
     switch (type.op()) {
       case spv::OpTypeArray:
-      case spv::OpTypeRuntimeArray: refuse(name, "is an array of resources; declare each with a binding of its own");
-      case spv::OpTypeSampler: refuse(name, "is a sampler without a texture; use a combined sampler2D");
-      case spv::OpTypeStruct: return;
-      case spv::OpTypeSampledImage: return check_image(name, module_.definition(type.words[2]), true);
-      case spv::OpTypeImage: return check_image(name, type, false);
-      default: refuse(name, "is a plain uniform; put it into a uniform block");
+      case spv::OpTypeRuntimeArray:
+        refuse(name, "is an array of resources; declare each with a binding of its own");
+      case spv::OpTypeSampler:
+        refuse(name, "is a sampler without a texture; use a combined sampler2D");
+      case spv::OpTypeSampledImage:
+        return check_image(name, module_.definition(type.words[2]), true);
+      case spv::OpTypeImage:
+        return check_image(name, type, false);
+      default:
+        refuse(name, "is a plain uniform; put it into a uniform block");
     }
   }
 
@@ -72,7 +82,8 @@ class Rules {
 
   void check_constant(const SpirvInstruction& constant) const {
     const SpirvInstruction& type = module_.definition(constant.type);
-    if (type.words[width_word] != 32) refuse(module_.name(constant.result), "is no 32-bit specialization constant; use a 32-bit type");
+    if (type.words[width_word] != 32)
+      refuse(module_.name(constant.result), "is no 32-bit specialization constant; use a 32-bit type");
   }
 
   SpirvModule module_;

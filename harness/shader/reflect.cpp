@@ -21,7 +21,8 @@ using Context = std::unique_ptr<std::remove_pointer_t<spvc_context>, ContextDele
 
 void check(spvc_result result, spvc_context context) {
   if (result != SPVC_SUCCESS)
-    throw Error(ErrorKind::failed, "shader", "SPIR-V", fmt::format("cannot be reflected: {}", spvc_context_get_last_error_string(context)));
+    throw Error(ErrorKind::failed, "shader", "SPIR-V",
+                fmt::format("cannot be reflected: {}", spvc_context_get_last_error_string(context)));
 }
 
 class Reflector {
@@ -41,7 +42,8 @@ class Reflector {
 
   Reflection reflection() {
     Reflection result;
-    for (const auto& r : list(reached_, SPVC_RESOURCE_TYPE_SAMPLED_IMAGE)) result.resources.push_back(image(r, BindingKind::texture));
+    for (const auto& r : list(reached_, SPVC_RESOURCE_TYPE_SAMPLED_IMAGE))
+      result.resources.push_back(image(r, BindingKind::texture));
     for (const auto& r : list(reached_, SPVC_RESOURCE_TYPE_STORAGE_IMAGE))
       result.resources.push_back(image(r, BindingKind::storage_image));
     for (const auto& r : list(reached_, SPVC_RESOURCE_TYPE_UNIFORM_BUFFER))
@@ -108,16 +110,21 @@ class Reflector {
 
   static SpecConstantInfo::Type type_of(spvc_basetype type) {
     switch (type) {
-      case SPVC_BASETYPE_BOOLEAN: return SpecConstantInfo::Type::boolean;
-      case SPVC_BASETYPE_INT32: return SpecConstantInfo::Type::integer;
-      case SPVC_BASETYPE_UINT32: return SpecConstantInfo::Type::unsigned_integer;
-      case SPVC_BASETYPE_FP32: return SpecConstantInfo::Type::real;
-      default: throw Error(ErrorKind::failed, "shader", "SPIR-V", "a specialization constant is not 32 bits wide");
+      case SPVC_BASETYPE_BOOLEAN:
+        return SpecConstantInfo::Type::boolean;
+      case SPVC_BASETYPE_INT32:
+        return SpecConstantInfo::Type::integer;
+      case SPVC_BASETYPE_UINT32:
+        return SpecConstantInfo::Type::unsigned_integer;
+      case SPVC_BASETYPE_FP32:
+        return SpecConstantInfo::Type::real;
+      default:
+        throw Error(ErrorKind::failed, "shader", "SPIR-V", "a specialization constant is not 32 bits wide");
     }
   }
 
-  // Of every declared variable, used or not: Vulkan matches a module's declared interface. A matrix takes a location a column, an
-  // array as many as its elements do. Interface blocks, which neither end of a pipeline has, are left out.
+  // Of every declared variable, used or not: Vulkan matches a module's declared interface. A matrix takes a location a column,
+  // an array as many as its elements do. Interface blocks, which neither end of a pipeline has, are left out.
   std::vector<uint32_t> locations(spvc_resource_type kind) {
     std::vector<uint32_t> result;
     for (const spvc_reflected_resource& r : list(declared_, kind)) {

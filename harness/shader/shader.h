@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // GLSL 450 to SPIR-V 1.0 through glslang, for Vulkan or OpenGL, and what the module asks for, read back from the SPIR-V.
 //
-// Sources: no `set=`, no push constants, combined samplers, std140 uniform blocks, explicit locations and bindings, bindings
-// unique across kinds. #include "path" is looked up beside the including file, then in the include folders. LAMINA_VULKAN or
-// LAMINA_OPENGL is defined (1), and LAMINA_VERTEX_INDEX stands for gl_VertexIndex / gl_VertexID.
+// Sources: no `set=`, no push constants, combined samplers, 2D textures and images, std140 uniform blocks, no arrays of
+// resources, no uniforms outside blocks, explicit locations and bindings, bindings unique across kinds. #include "path" is
+// looked up beside the including file, then in the include folders. LAMINA_VULKAN or LAMINA_OPENGL is defined (1),
+// LAMINA_VERTEX_INDEX stands for gl_VertexIndex / gl_VertexID and LAMINA_INSTANCE_INDEX for gl_InstanceIndex / gl_InstanceID.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@ struct ShaderRequest {
   std::filesystem::path file;  // .vert, .frag or .comp
   Stage stage = Stage::fragment;
   Api api = Api::vulkan;
-  std::map<std::string, std::string> defines;       // name -> text
+  std::map<std::string, std::string> defines;  // name -> text
   std::vector<std::filesystem::path> include_dirs;
 };
 
@@ -32,8 +33,8 @@ struct ShaderResource {
   std::string name;  // of the sampler or image variable, or of the block (its type's name: `uniform Frame {...}` is "Frame")
   uint32_t binding = 0;
   BindingKind kind = BindingKind::texture;
-  uint32_t size_bytes = 0;           // of a block
-  std::vector<BlockMember> members;  // of a block
+  uint32_t size_bytes = 0;           // of a block; a uniform block's is padded to 16, a runtime array at the end has none
+  std::vector<BlockMember> members;  // of a block, the outermost only
 };
 struct SpecConstantInfo {
   std::string name;
@@ -44,23 +45,25 @@ struct SpecConstantInfo {
 struct Reflection {
   std::vector<ShaderResource> resources;  // by binding; only those that the entry point can reach
   std::vector<SpecConstantInfo> constants;
-  std::vector<uint32_t> input_locations;   // sorted; vertex stage: of the mesh layout
-  std::vector<uint32_t> output_locations;  // sorted; fragment stage: colour attachments
+  std::vector<uint32_t> input_locations;   // sorted, used or not; vertex stage: of the mesh layout
+  std::vector<uint32_t> output_locations;  // sorted, used or not; fragment stage: colour attachments
 };
 
 struct CompiledShader {
   Stage stage = Stage::fragment;
   std::vector<uint32_t> spirv;
   Reflection reflection;
-  std::string hash;  // of the preprocessed input and the API: same source and definitions, same hash
+  // 16 hex digits of the preprocessed source, the API and the stage; the files' places, comments and empty lines do not count.
+  std::string hash;
 };
 
 // Throws Error(bad_input, "shader", "FILE:LINE", glslang's words) when the source does not compile (the first error's file and
-// line, included files named as themselves), when a file is missing, or when a resource has no explicit binding or a set.
-// The module is validated with SPIRV-Tools for the API's environment.
+// line, included files named as themselves), when a file is missing, or, naming the file and the resource, when a resource
+// breaks the rules above. The module is what glslang writes, unoptimized and with its names, validated with SPIRV-Tools for the
+// API's environment. May be called from several threads.
 CompiledShader compile_shader(const ShaderRequest& request);
 
-// Words of SPIR-V to the names and numbers of its interface.
+// Words of SPIR-V to the names and numbers of its interface. Throws Error(failed) for words that are not SPIR-V.
 Reflection reflect(const std::vector<uint32_t>& spirv);
 
 // ---- The counting build (counting.cpp): the same shader, made to count what it executes. --------------------------------
@@ -77,13 +80,19 @@ struct CountingLayout {
 };
 struct CountingShader {
   std::vector<uint32_t> spirv;
-  std::vector<uint32_t> slots;      // slot k counts operations on the texture at binding slots[k] (arrays: all elements together)
-  bool early_fragment_tests = false;  // forced, because the shader neither discards nor writes depth: hidden fragments are not counted
-  uint32_t words = 0;               // counter words used from first_word on (2 + 2 * slots.size())
+  // Ascending; slot k counts operations on the texture at binding slots[k] (arrays: all elements together). Only textures that
+  // the code operates on have one.
+  std::vector<uint32_t> slots;
+  // Depth is tested before the shader, so hidden fragments are not counted: the shader says so, or it is forced because the
+  // shader neither discards nor writes depth, its sample mask or memory. Otherwise hidden and discarded fragments are counted
+  // too.
+  bool early_fragment_tests = false;
+  uint32_t words = 0;  // counter words used from first_word on (2 + 2 * slots.size())
 };
-// Every sample, fetch, gather and query-free image read through a sampler executed by the shader adds 1 to its texture's counter,
-// loops, branches and function calls included. Functions are inlined first (SPIRV-Tools). Reads of storage images and size or
-// level queries are not texture fetches. Throws Error(failed) for a module it cannot rewrite.
+// Every sample, fetch, gather and query-free image read through a sampler executed by the shader adds 1 to its texture's
+// counter, loops, branches and function calls included. Functions are inlined first (SPIRV-Tools). Reads of storage images and
+// size or level queries are not texture fetches; one whose result nothing uses is. Throws Error(failed) for a module it cannot
+// rewrite, or when the layout's binding is taken. The device needs stores and atomics in the stage.
 CountingShader add_counters(const CompiledShader& shader, Api api, const CountingLayout& layout);
 
 }  // namespace lamina

@@ -44,7 +44,8 @@ class SpirvModule {
   std::vector<size_t> definitions_;  // by id: index of the instruction that makes it plus 1, or 0
 };
 
-// Throws Error(kind) about `subject`, with the words of SPIRV-Tools, where the module is not valid for Vulkan 1.0 or OpenGL 4.5.
+// Throws Error(kind) about `subject`, with the words of SPIRV-Tools, where the module is not valid for Vulkan 1.0 or
+// OpenGL 4.5.
 void validate_spirv(std::span<const uint32_t> words, Api api, ErrorKind kind, std::string_view subject);
 
 }  // namespace lamina

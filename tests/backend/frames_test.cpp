@@ -70,7 +70,7 @@ void main() {
     draw.textures = {{.binding = 0, .texture = from, .sampler = {.filter = Filter::nearest}}};
     return raster(into, {draw});
   }
-  static constexpr const char* plus_one = R"(
+  static constexpr const char* add_one_source = R"(
 layout(binding = 0) uniform sampler2D from;
 layout(location = 0) out vec4 c;
 void main() { c = texelFetch(from, ivec2(gl_FragCoord.xy), 0) + 1; })";
@@ -82,7 +82,7 @@ LAMINA_ON_EVERY_BACKEND(BackendFrames);
 
 TEST_P(BackendFrames, EveryPassSeesWhatThePassesBeforeItWrote) {
   const TextureId a = target(Format::rgba32_float, 64, 64), b = target(Format::rgba32_float, 64, 64);
-  const PipelineId add = pipeline(full_screen, plus_one);
+  const PipelineId add = pipeline(full_screen, add_one_source);
   std::vector<Pass> passes = {raster(a, {})};
   for (int i = 0; i < 20; ++i) passes.push_back(i % 2 == 0 ? add_one(add, a, b) : add_one(add, b, a));
   for (const Timing timing : {Timing::off, Timing::bracketed}) {
@@ -169,7 +169,7 @@ TEST_P(BackendFrames, PictureHasTheSameBitsOnEveryBackend) {
 
 TEST_P(BackendFrames, BracketedTimingGivesEveryPassAPositiveTimeWithinTheFrames) {
   const TextureId a = target(Format::rgba32_float, 256, 256), b = target(Format::rgba32_float, 256, 256);
-  const PipelineId add = pipeline(full_screen, plus_one);
+  const PipelineId add = pipeline(full_screen, add_one_source);
   const std::vector<Pass> passes = {raster(a, {}), add_one(add, a, b), add_one(add, b, a)};
   for (int i = 0; i < 5; ++i) {
     const RunTimes times = run(passes, Timing::bracketed);

@@ -59,7 +59,8 @@ CellRow cell_row() {
   pass.ms = {0.1, 0.2, 1.0 / 3.0};
   pass.by_texture = {{.texture = "t", .format = "rgba8_srgb", .filter = "trilinear", .fetches = 64}};
   cell.ratio_to_baseline = Interval{.median = 0.5, .low = 0.25, .high = 0.75, .rounds = 6, .coverage = 0.96875};
-  cell.error_covered = cell.error_frame = ErrorFigures{.psnr_db = 30, .ssim = 0.9, .flip = 0.1, .rmse_linear = 0.1, .max_linear = 0.2};
+  cell.error_covered = cell.error_frame =
+      ErrorFigures{.psnr_db = 30, .ssim = 0.9, .flip = 0.1, .rmse_linear = 0.1, .max_linear = 0.2};
   cell.covered_pixels = 64;
   cell.shader_hashes = {"aa"};
   return cell;
@@ -73,13 +74,15 @@ std::string lines(std::initializer_list<Json> all) {
 }
 
 TEST_F(RecordFile, ReadsBackEveryKindExactly) {
-  const Json timer =
-      to_json(TimerRow{.backend = "vulkan", .ok = true, .linearity = {1, 1.1}, .additivity = 1, .attribution = 0, .reason = ""});
+  const Json timer = to_json(
+      TimerRow{.backend = "vulkan", .ok = true, .linearity = {1, 1.1}, .additivity = 1, .attribution = 0, .reason = ""});
   const Json plan = {{"kind", "plan"},
                      {"effects", {{{"effect", "volume_fog"}, {"called_for", false}, {"reason", "the scene has no fog"}}}}};
+  const Json phase = {{"kind", "phase"}, {"backend", "vulkan"}, {"effect", "layered_material"},
+                      {"rounds", 9},     {"wall_ms", 110.5},    {"device_ms", 100.25}};
   {
     RecordWriter writer(file_);
-    for (const Json& one : {run_line(), timer, plan, cell_line()}) writer.append(one);
+    for (const Json& one : {run_line(), timer, plan, phase, cell_line()}) writer.append(one);
   }
   const Record record = read_record(file_);
   EXPECT_EQ(record.run, nlohmann::json(run_line()));
@@ -87,6 +90,8 @@ TEST_F(RecordFile, ReadsBackEveryKindExactly) {
   EXPECT_EQ(record.timers[0], nlohmann::json(timer));
   ASSERT_EQ(record.plans.size(), 1u);
   EXPECT_EQ(record.plans[0], nlohmann::json(plan));
+  ASSERT_EQ(record.phases.size(), 1u);
+  EXPECT_EQ(record.phases[0], nlohmann::json(phase));
   ASSERT_EQ(record.cells.size(), 1u);
   EXPECT_EQ(record.cells[0], nlohmann::json(cell_line()));
   EXPECT_EQ(record.cells[0]["passes"][0]["ms"][2].get<double>(), 1.0 / 3.0);

@@ -30,6 +30,7 @@ PassRow pass(std::string name, std::vector<double> ms, bool once = false) {
   row.fragments = 100;
   row.vertices = 36;
   row.fetches = 1300;
+  row.early_tests = false;
   row.by_texture = {{.texture = "light_map", .format = "rgba16_float", .filter = "linear", .fetches = 1300}};
   return row;
 }
@@ -59,17 +60,34 @@ CellRow good_cell() {
 
 TEST(CellToJson, HasTheFieldsThatTheDesignFixes) {
   const Json line = to_json(good_cell());
-  const std::set<std::string> fixed = {"kind",   "scene",   "effect",           "variant",        "baseline",
-                                       "backend", "device", "width",            "height",         "view",
-                                       "params", "status",  "reason",           "passes",         "median_ms",
-                                       "fetches", "error",  "ratio_to_baseline", "fetches_per_pixel", "nonfinite_pixels",
-                                       "image",  "covered_pixels"};
+  const std::set<std::string> fixed = {"kind",
+                                       "scene",
+                                       "effect",
+                                       "variant",
+                                       "baseline",
+                                       "backend",
+                                       "device",
+                                       "width",
+                                       "height",
+                                       "view",
+                                       "params",
+                                       "status",
+                                       "reason",
+                                       "passes",
+                                       "median_ms",
+                                       "fetches",
+                                       "error",
+                                       "ratio_to_baseline",
+                                       "fetches_per_pixel",
+                                       "nonfinite_pixels",
+                                       "image",
+                                       "covered_pixels"};
   const std::set<std::string> added = {"timed", "once_ms", "cold_ms", "difference", "flip", "image_hash", "shader_hashes"};
   std::set<std::string> all = fixed;
   all.insert(added.begin(), added.end());
   EXPECT_EQ(names_of(line), all);
-  EXPECT_EQ(names_of(line["passes"][0]),
-            (std::set<std::string>{"name", "once", "ms", "median_ms", "fragments", "vertices", "fetches", "by_texture"}));
+  EXPECT_EQ(names_of(line["passes"][0]), (std::set<std::string>{"name", "once", "ms", "median_ms", "fragments", "vertices",
+                                                                "fetches", "early_tests", "by_texture"}));
   EXPECT_EQ(names_of(line["passes"][0]["by_texture"][0]), (std::set<std::string>{"texture", "format", "filter", "fetches"}));
   EXPECT_EQ(names_of(line["ratio_to_baseline"]), (std::set<std::string>{"median", "low", "high", "rounds", "coverage"}));
   EXPECT_EQ(names_of(line["error"]), (std::set<std::string>{"baseline", "frame", "truth"}));
@@ -108,7 +126,7 @@ TEST(CellToJson, AFailedCellHasNullsWhereNothingIsKnown) {
   CellRow cell;
   cell.failed = true;
   cell.reason = "shader: skin.frag:12: syntax error";
-  cell.passes.push_back({.name = "light", .once = false, .ms = {}, .fragments = 0, .vertices = 0, .fetches = 0, .by_texture = {}});
+  cell.passes.emplace_back().name = "light";
   const Json line = to_json(cell);
   EXPECT_EQ(line["status"], "failed");
   EXPECT_EQ(line["reason"], "shader: skin.frag:12: syntax error");
@@ -116,7 +134,8 @@ TEST(CellToJson, AFailedCellHasNullsWhereNothingIsKnown) {
                            "nonfinite_pixels", "covered_pixels"})
     EXPECT_TRUE(line[name].is_null()) << name;
   for (const char* name : {"baseline", "frame", "truth"}) EXPECT_TRUE(line["error"][name].is_null()) << name;
-  for (const char* name : {"median_ms", "fragments", "vertices", "fetches"}) EXPECT_TRUE(line["passes"][0][name].is_null()) << name;
+  for (const char* name : {"median_ms", "fragments", "vertices", "fetches"})
+    EXPECT_TRUE(line["passes"][0][name].is_null()) << name;
 }
 
 TEST(CellToJson, AFailedCellKeepsWhatIsKnown) {
@@ -211,6 +230,7 @@ TEST(PassesOf, GivesBackWhatWasWritten) {
   EXPECT_EQ(back[2].fragments, 100u);
   EXPECT_EQ(back[2].vertices, 36u);
   EXPECT_EQ(back[2].fetches, 1300u);
+  EXPECT_FALSE(back[2].early_tests);
   ASSERT_EQ(back[2].by_texture.size(), 1u);
   EXPECT_EQ(back[2].by_texture[0].texture, "light_map");
   EXPECT_EQ(back[2].by_texture[0].format, "rgba16_float");

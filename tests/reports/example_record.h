@@ -65,10 +65,8 @@ inline Record example_record(const std::vector<CellRow>& cells, const std::vecto
                 {"machine", {{"cpu", "Example CPU"}, {"threads", 2}, {"lp_num_threads", 2}}},
                 {"settings", {{"width", 64}, {"height", 32}, {"rounds", 6}, {"seed", 1}, {"difference_gain", 8}}},
                 {"warnings", nlohmann::json::array()}};
-  record.run["devices"] = nlohmann::json::array({{{"backend", "vulkan"},
-                                                  {"device", "llvmpipe"},
-                                                  {"driver", "Mesa 22.3.6"},
-                                                  {"api_version", "1.3.230"}}});
+  record.run["devices"] = nlohmann::json::array(
+      {{{"backend", "vulkan"}, {"device", "llvmpipe"}, {"driver", "Mesa 22.3.6"}, {"api_version", "1.3.230"}}});
   for (const TimerRow& timer : timers) record.timers.push_back(nlohmann::json(to_json(timer)));
   for (const CellRow& cell : cells) record.cells.push_back(nlohmann::json(to_json(cell)));
   return record;
@@ -76,9 +74,9 @@ inline Record example_record(const std::vector<CellRow>& cells, const std::vecto
 
 // Two views, six rounds: the variant takes 4 of the baseline's 8 ms in one, 6 of its 12 ms in the other.
 inline std::vector<CellRow> example_cells() {
-  return {example_cell("light_map", "front", {8, 8, 8, 8, 8, 8}), example_cell("light_map", "grazing", {12, 12, 12, 12, 12, 12}),
-          example_cell("vertex_normal", "front", {4, 4, 4, 4, 4, 4}),
-          example_cell("vertex_normal", "grazing", {6, 6, 6, 6, 6, 6})};
+  return {
+      example_cell("light_map", "front", {8, 8, 8, 8, 8, 8}), example_cell("light_map", "grazing", {12, 12, 12, 12, 12, 12}),
+      example_cell("vertex_normal", "front", {4, 4, 4, 4, 4, 4}), example_cell("vertex_normal", "grazing", {6, 6, 6, 6, 6, 6})};
 }
 
 inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

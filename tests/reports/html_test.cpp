@@ -4,9 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <regex>
-
 #include "tests/reports/example_record.h"
 
 namespace lamina {
@@ -64,10 +61,10 @@ TEST(HtmlReport, LoadsNothingFromOutside) {
   cells[1].image = "//example.com/a.png";
   cells[2].image = "javascript:alert(1)";
   const std::string page = html_report(example_record(cells));
-  const std::regex source("(?:src|href|data-own|data-baseline)=\"([^\"]*)\"");
   size_t sources = 0;
-  for (std::sregex_iterator match(page.begin(), page.end(), source), end; match != end; ++match, ++sources)
-    EXPECT_TRUE((*match)[1].str().starts_with("./")) << (*match)[0];
+  for (const char* attribute : {" src=\"", " href=\"", " data-own=\"", " data-baseline=\""})
+    for (size_t at = page.find(attribute); at != std::string::npos; at = page.find(attribute, at + 1), ++sources)
+      EXPECT_EQ(page.compare(page.find('"', at) + 1, 2, "./"), 0) << page.substr(at, 60);
   EXPECT_GT(sources, 8u);
   EXPECT_FALSE(has(page, "url("));
   EXPECT_FALSE(has(page, "@import"));
@@ -83,7 +80,8 @@ TEST(HtmlReport, PictureUrlsStayRelative) {
 
 TEST(HtmlReport, BeginsWithTheFindingInWords) {
   const std::string page = html_report(example_record(example_cells()));
-  const size_t headline = page.find("<strong>vertex_normal</strong> is 2.0 times faster than light_map on vulkan at SSIM 0.900");
+  const size_t headline =
+      page.find("<strong>vertex_normal</strong> is 2.0 times faster than light_map on vulkan at SSIM 0.900");
   ASSERT_NE(headline, std::string::npos);
   EXPECT_LT(headline, page.find("<table"));
 }
@@ -108,11 +106,11 @@ TEST(HtmlReport, TablesHaveHeadersAndEveryTagCloses) {
   const std::string page = html_report(example_record(cells));
   EXPECT_TRUE(has(page, "<html lang=\"en\">"));
   EXPECT_GT(count_of(page, "<th scope=\"col\""), 10u);
-  for (const char* tag : {"table", "thead", "tbody", "tr", "th", "td", "div", "section", "article", "figure", "figcaption", "button",
-                          "ul", "li", "dl", "dt", "dd", "h1", "h2", "h3", "h4", "p", "svg", "main", "span", "strong"}) {
-    const std::regex opening(fmt::format("<{}[ >]", tag));
-    const auto opened = std::distance(std::sregex_iterator(page.begin(), page.end(), opening), std::sregex_iterator());
-    EXPECT_EQ(static_cast<size_t>(opened), count_of(page, fmt::format("</{}>", tag))) << tag;
+  for (const char* tag :
+       {"table", "thead", "tbody", "tr", "th", "td", "div", "section", "article", "figure", "figcaption", "button", "ul",
+        "li",    "dl",    "dt",    "dd", "h1", "h2", "h3",  "h4",      "p",       "svg",    "main",       "span",   "strong"}) {
+    const size_t opened = count_of(page, fmt::format("<{}>", tag)) + count_of(page, fmt::format("<{} ", tag));
+    EXPECT_EQ(opened, count_of(page, fmt::format("</{}>", tag))) << tag;
   }
 }
 

@@ -12,8 +12,8 @@ namespace lamina {
 namespace {
 
 TEST(Summarize, MeansOverViewsByRoundThenTheMedian) {
-  const std::vector<SummaryRow> rows = summarize(example_record({example_cell("light_map", "front", {1, 2, 3, 4, 5, 60}),
-                                                                 example_cell("light_map", "grazing", {50, 4, 3, 2, 1, 0})}));
+  const std::vector<SummaryRow> rows = summarize(example_record(
+      {example_cell("light_map", "front", {1, 2, 3, 4, 5, 60}), example_cell("light_map", "grazing", {50, 4, 3, 2, 1, 0})}));
   ASSERT_EQ(rows.size(), 1u);
   ASSERT_TRUE(rows[0].frame_ms);
   // Means by round: 25.5, 3, 3, 3, 3, 30. Each view alone has a median of 3.5 and 2.5.
@@ -27,11 +27,10 @@ TEST(Summarize, MeansOverViewsByRoundThenTheMedian) {
 
 TEST(Summarize, RatioIsPairedByRoundOverAllViewsTogether) {
   // Both slow down together by the round. Sums: baseline 10 20 30 40 50 60, variant 5 10 15 20 25 36.
-  const std::vector<SummaryRow> rows =
-      summarize(example_record({example_cell("vertex_normal", "front", {1, 2, 3, 4, 5, 6}),
-                                example_cell("vertex_normal", "grazing", {4, 8, 12, 16, 20, 30}),
-                                example_cell("light_map", "front", {9, 18, 27, 36, 45, 54}),
-                                example_cell("light_map", "grazing", {1, 2, 3, 4, 5, 6})}));
+  const std::vector<SummaryRow> rows = summarize(example_record(
+      {example_cell("vertex_normal", "front", {1, 2, 3, 4, 5, 6}),
+       example_cell("vertex_normal", "grazing", {4, 8, 12, 16, 20, 30}),
+       example_cell("light_map", "front", {9, 18, 27, 36, 45, 54}), example_cell("light_map", "grazing", {1, 2, 3, 4, 5, 6})}));
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].variant, "light_map");  // the baseline leads, though its cells came last
   ASSERT_TRUE(rows[1].ratio);
@@ -133,10 +132,25 @@ TEST(Summarize, AFailedVariantIsARowWithoutFigures) {
   EXPECT_FALSE(row.frame_ms || row.ratio || row.fetches_per_pixel || row.mean || row.worst);
 }
 
+TEST(Summarize, NonFinitePixelsAreCountedAndSaid) {
+  std::vector<CellRow> cells = example_cells();
+  for (CellRow* cell : {&cells[2], &cells[3]}) {
+    cell->nonfinite_pixels = 4;
+    cell->error_covered = cell->error_frame = std::nullopt;
+  }
+  const Record record = example_record(cells);
+  const SummaryRow row = summarize(record)[1];
+  EXPECT_EQ(row.nonfinite_pixels, 8u);
+  EXPECT_FALSE(row.mean || row.worst);
+  for (const std::string& report : {terminal_table(record, false), markdown_summary(record), html_report(record)})
+    EXPECT_TRUE(has(report, "8 pixels are not finite")) << report;
+}
+
 TEST(Summarize, WithoutAGoodCertificateThereAreNoTimes) {
-  for (const std::vector<TimerRow>& timers :
-       {std::vector<TimerRow>{}, {example_timer("vulkan", false)}, {example_timer("vulkan"), example_timer("vulkan", false)},
-        {example_timer("osmesa")}}) {
+  for (const std::vector<TimerRow>& timers : {std::vector<TimerRow>{},
+                                              {example_timer("vulkan", false)},
+                                              {example_timer("vulkan"), example_timer("vulkan", false)},
+                                              {example_timer("osmesa")}}) {
     const SummaryRow row = summarize(example_record(example_cells(), timers))[1];
     EXPECT_FALSE(row.frame_ms || row.ratio);
     EXPECT_TRUE(row.mean);
@@ -161,11 +175,13 @@ TEST(SummarizePasses, MeansOverViewsAndFetchesByTexture) {
   const std::vector<PassSummary> passes = summarize_passes(example_record(cells));
   ASSERT_EQ(passes.size(), 1u);
   EXPECT_DOUBLE_EQ(passes[0].ms.value(), 3);  // of the medians 2 and 4
-  EXPECT_DOUBLE_EQ(passes[0].fragments, 120);
+  EXPECT_EQ(words_for_fragments(passes[0]), "120");
   EXPECT_DOUBLE_EQ(passes[0].fetches_per_pixel.value(), 7.5);  // 3000 over 400
   ASSERT_EQ(passes[0].shares.size(), 2u);
   EXPECT_EQ(words_for_share(passes[0].shares[0]), "light_map_texture (rgba16_float, linear) 6.5/px");
   EXPECT_EQ(words_for_share(passes[0].shares[1]), "outer_albedo (rgba8_srgb, trilinear) 1.0/px");
+  cells[1].passes[0].early_tests = false;
+  EXPECT_EQ(words_for_fragments(summarize_passes(example_record(cells))[0]), "120, hidden ones too");
 }
 
 }  // namespace

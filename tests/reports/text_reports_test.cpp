@@ -53,9 +53,10 @@ std::string field(const std::vector<std::vector<std::string>>& csv, size_t cell,
 
 TEST(TerminalTable, ShowsEachFigureOfEachVariant) {
   const std::string table = terminal_table(example_record(example_cells()), false);
-  for (const char* part : {"heart, 64x32, 2 views", "layered_material", "light_map", "vertex_normal", "vulkan", "10.00 [10.00, 10.00]",
-                           "5.000 [5.000, 5.000]", "0.500 [0.500, 0.500]", "15.0", "30.0 (30.0)", "0.9000 (0.9000)",
-                           "0.1000 (0.1000)", "frame ms", "fetches/px", "PSNR dB", "the timer's certificate on vulkan holds"})
+  for (const char* part :
+       {"heart, 64x32, 2 views", "layered_material", "light_map", "vertex_normal", "vulkan", "10.00 [10.00, 10.00]",
+        "5.000 [5.000, 5.000]", "0.500 [0.500, 0.500]", "15.0", "30.0 (30.0)", "0.9000 (0.9000)", "0.1000 (0.1000)", "frame ms",
+        "fetches/px", "PSNR dB", "the timer's certificate on vulkan holds"})
     EXPECT_TRUE(has(table, part)) << part << "\n" << table;
   EXPECT_FALSE(has(table, "warning")) << table;
   EXPECT_FALSE(has(table, "\x1b")) << table;
@@ -130,13 +131,14 @@ TEST(TextReports, AFailedCertificatePrintsNoTimes) {
 
 TEST(Headlines, SayHowMuchFasterInPlainWords) {
   const auto words = [](const std::vector<double>& variant_ms, const std::vector<double>& baseline_ms) {
-    return headlines(summarize(example_record(
-                         {example_cell("light_map", "front", baseline_ms), example_cell("vertex_normal", "front", variant_ms)})))
+    return headlines(summarize(example_record({example_cell("light_map", "front", baseline_ms),
+                                               example_cell("vertex_normal", "front", variant_ms)})))
         .at(0)
         .words;
   };
   const std::vector<double> ten(6, 10.0);
-  EXPECT_EQ(words(std::vector<double>(6, 4.0), ten), "is 2.5 times faster than light_map on vulkan at SSIM 0.900 (worst view 0.900).");
+  EXPECT_EQ(words(std::vector<double>(6, 4.0), ten),
+            "is 2.5 times faster than light_map on vulkan at SSIM 0.900 (worst view 0.900).");
   EXPECT_TRUE(has(words(std::vector<double>(6, 9.0), ten), "takes 10% less time than light_map"));
   EXPECT_TRUE(has(words(std::vector<double>(6, 11.0), ten), "takes 10% more time than light_map"));
   EXPECT_TRUE(has(words(std::vector<double>(6, 20.0), ten), "is 2.0 times slower than light_map"));
@@ -163,17 +165,32 @@ TEST(Headlines, IdenticalPicturesAreCalledTheSame) {
 
 TEST(MarkdownSummary, HoldsWhatWasRunThePlanAndThePasses) {
   Record record = example_record(example_cells());
-  record.plans.push_back({{"kind", "plan"},
-                          {"effects",
-                           {{{"effect", "layered_material"}, {"called_for", true}, {"reason", "object 'heart' has layers"}},
-                            {{"effect", "volume_fog"}, {"called_for", false}, {"reason", "the scene has no fog"}}}}});
+  record.plans.push_back(
+      {{"kind", "plan"},
+       {"effects",
+        {{{"effect", "layered_material"},
+          {"called_for", true},
+          {"reason", "object 'heart' has layers"},
+          {"features", {{{"feature", "SCATTER"}, {"on", false}, {"reason", "the thickness is 0"}}}},
+          {"variants", {{{"variant", "light_map"}, {"passes", {{{"pass", "blur"}, {"runs", false}, {"reason", "unread"}}}}}}}},
+         {{"effect", "volume_fog"}, {"called_for", false}, {"reason", "the scene has no fog"}}}}});
+  record.phases.push_back({{"kind", "phase"},
+                           {"backend", "vulkan"},
+                           {"effect", "layered_material"},
+                           {"rounds", 9},
+                           {"wall_ms", 2200},
+                           {"device_ms", 2000}});
   const std::string markdown = markdown_summary(record);
   for (const char* part :
        {"| vertex_normal | vulkan | 5.000 \\[5.000, 5.000\\] | 0.500 \\[0.500, 0.500\\] | 15.0 | 30.0 (30.0) |",
-        "| light_map | vulkan | composite | each frame | 10.00 | 120 | 15.0 | light_map_texture (rgba16_float, linear) 13.0/px, ",
+        "| light_map | vulkan | composite | each frame | 10.00 | 120 | 15.0 | light_map_texture (rgba16_float, linear) "
+        "13.0/px, ",
         "- layered_material: called for: object 'heart' has layers", "- volume_fog: not called for: the scene has no fog",
-        "Command: lamina compare heart", "Commit: abc1234", "Example CPU", "lp_num_threads 2", "Mesa 22.3.6", "1.3.230",
-        "seed 1", "Build: release", "**vertex_normal** is 2.0 times faster than light_map on vulkan"})
+        "- layered_material: without SCATTER: the thickness is 0",
+        "- layered_material: light_map without its pass blur: unread",
+        "9 rounds of layered_material on vulkan took 2.2 s, 1.10 times the device time", "Command: lamina compare heart",
+        "Commit: abc1234", "Example CPU", "lp_num_threads 2", "Mesa 22.3.6", "1.3.230", "seed 1", "Build: release",
+        "**vertex_normal** is 2.0 times faster than light_map on vulkan"})
     EXPECT_TRUE(has(markdown, part)) << part << "\n" << markdown;
 }
 

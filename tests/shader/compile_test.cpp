@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <future>
+
 #include "harness/shader/spirv_module.h"
 #include "tests/shader/shader_files.h"
 
@@ -21,9 +24,12 @@ class Compile : public ShaderFiles {
 
 TEST_F(Compile, EveryStageForBothApis) {
   for (const Api api : both_apis) {
-    EXPECT_GT(compile(Stage::vertex, api, "void main() { gl_Position = vec4(LAMINA_VERTEX_INDEX, LAMINA_INSTANCE_INDEX, 0, 1); }\n")
-                  .spirv.size(), 5u);
-    EXPECT_GT(compile(Stage::fragment, api, "layout(location = 0) out vec4 o; void main() { o = vec4(1); }\n").spirv.size(), 5u);
+    EXPECT_GT(
+        compile(Stage::vertex, api, "void main() { gl_Position = vec4(LAMINA_VERTEX_INDEX, LAMINA_INSTANCE_INDEX, 0, 1); }\n")
+            .spirv.size(),
+        5u);
+    EXPECT_GT(compile(Stage::fragment, api, "layout(location = 0) out vec4 o; void main() { o = vec4(1); }\n").spirv.size(),
+              5u);
     const auto shader = compile(Stage::compute, api, "layout(local_size_x = 4) in; void main() {}\n");
     EXPECT_EQ(shader.spirv[1], 0x00010000u) << "SPIR-V 1.0, which both APIs take";
     EXPECT_EQ(shader.stage, Stage::compute);
@@ -47,8 +53,8 @@ void main() { o = vec4(1); }
 }
 
 TEST_F(Compile, DefinitionsReachTheSource) {
-  const auto shader = compile(Stage::fragment, Api::vulkan, "layout(location = WHERE) out vec4 o; void main() { o = vec4(1); }\n",
-                              {{"WHERE", "1 + 1"}});
+  const auto shader = compile(Stage::fragment, Api::vulkan,
+                              "layout(location = WHERE) out vec4 o; void main() { o = vec4(1); }\n", {{"WHERE", "1 + 1"}});
   EXPECT_EQ(shader.reflection.output_locations, std::vector<uint32_t>{2});
 }
 
@@ -59,12 +65,15 @@ TEST_F(Compile, ADefinitionMustLieOnOneLine) {
 }
 
 TEST_F(Compile, IncludesNestBesideTheIncludingFileAndThenInTheFolders) {
-  const auto file = write("a/main.frag", "#version 450\n#include \"sub/one.glsl\"\nvoid main() { o = vec4(one() + shared_one()); }\n");
-  write("a/sub/one.glsl", "#include \"two.glsl\"\n#include \"shared.glsl\"\n#include <shared.glsl>\nfloat one() { return two(); }\n");
+  const auto file =
+      write("a/main.frag", "#version 450\n#include \"sub/one.glsl\"\nvoid main() { o = vec4(one() + shared_one()); }\n");
+  write("a/sub/one.glsl",
+        "#include \"two.glsl\"\n#include \"shared.glsl\"\n#include <shared.glsl>\nfloat one() { return two(); }\n");
   write("a/sub/two.glsl", "layout(location = 4) out vec4 o;\nfloat two() { return 2.0; }\n");
   write("b/shared.glsl", "#ifndef SHARED\n#define SHARED\nfloat shared_one() { return 1.0; }\n#endif\n");
   for (const Api api : both_apis) {
-    const auto shader = compile_shader({.file = file, .stage = Stage::fragment, .api = api, .defines = {}, .include_dirs = {folder() / "b"}});
+    const auto shader =
+        compile_shader({.file = file, .stage = Stage::fragment, .api = api, .defines = {}, .include_dirs = {folder() / "b"}});
     EXPECT_EQ(shader.reflection.output_locations, std::vector<uint32_t>{4});
   }
 }
@@ -86,7 +95,8 @@ TEST_F(Compile, AnErrorInAnIncludedFileNamesThatFile) {
 }
 
 TEST_F(Compile, LinesAfterAnIncludeCountOn) {
-  const auto file = write("main.frag", "#version 450\n#include \"one.glsl\"\n\nfloat wrong() { return nothing; }\nvoid main() {}\n");
+  const auto file =
+      write("main.frag", "#version 450\n#include \"one.glsl\"\n\nfloat wrong() { return nothing; }\nvoid main() {}\n");
   write("one.glsl", "float fine() { return 1.0; }\n\n\n\n\n");
   const Error error = error_of([&] { compile_shader({file, Stage::fragment, Api::vulkan, {}, {}}); });
   EXPECT_EQ(error.subject(), file.string() + ":4");
@@ -150,7 +160,8 @@ TEST_F(Compile, ResourcesOutsideTheRulesAreRefusedByName) {
   };
   for (const Case& c : cases)
     for (const Api api : both_apis) {
-      const std::string source = fmt::format("{}\nlayout(location = 0) out vec4 o;\nvoid main() {{ o = {}; }}\n", c.declaration, c.use);
+      const std::string source =
+          fmt::format("{}\nlayout(location = 0) out vec4 o;\nvoid main() {{ o = {}; }}\n", c.declaration, c.use);
       const Error error = fragment_error(api, source);
       EXPECT_EQ(error.kind(), ErrorKind::bad_input) << c.declaration;
       EXPECT_THAT(error.subject(), HasSubstr((folder() / "test.frag").string())) << c.declaration;
@@ -164,6 +175,14 @@ TEST_F(Compile, SeparateSamplersAndTexturesAreRefused) {
                                      "layout(location = 0) out vec4 o;\n"
                                      "void main() { o = texture(sampler2D(picture, how), vec2(0)); }\n");
   EXPECT_THAT(error.message(), HasSubstr("combined sampler2D"));
+}
+
+TEST_F(Compile, ASamplerInAPlainStructureIsRefused) {
+  const Error error = fragment_error(Api::opengl,
+                                     "struct Picture { sampler2D t; vec4 tint; }; layout(location = 0) out vec4 o;\n"
+                                     "layout(location = 3) uniform Picture bad;\n"
+                                     "void main() { o = texture(bad.t, vec2(0)) * bad.tint; }\n");
+  EXPECT_THAT(error.message(), HasSubstr("'bad' is a plain uniform"));
 }
 
 TEST_F(Compile, AnAtomicCounterIsRefused) {
@@ -198,33 +217,55 @@ void main() {
 )"));
 }
 
-constexpr std::string_view plain = "layout(location = 0) out vec4 o;\n#ifndef K\n#define K 1\n#endif\nvoid main() { o = vec4(K); }\n";
+TEST_F(Compile, ThreadsCompileAtTheSameTime) {
+  const auto file = write("test.frag", "#version 450\nlayout(location = 0) out vec4 o;\nvoid main() { o = vec4(1); }\n");
+  const auto job = [&] { return compile_shader({file, Stage::fragment, Api::vulkan, {}, {}}); };
+  std::vector<std::future<CompiledShader>> jobs;
+  for (int i = 0; i < 8; ++i) jobs.push_back(std::async(std::launch::async, job));
+  const CompiledShader expected = job();
+  for (auto& result : jobs) EXPECT_EQ(result.get().spirv, expected.spirv);
+}
 
-TEST(CompileHash, IsOfTheContentNotOfThePlace) {
-  struct Files : ShaderFiles {
-    void TestBody() override {
-      const std::string source = "#version 450\n#include \"k.glsl\"\n" + std::string(plain);
-      const auto here = write("here/x.frag", source), there = write("there/far/y.frag", source);
-      write("here/k.glsl", "#define J 1\n");
-      write("there/far/k.glsl", "#define J 1\n");
-      const auto hash = [](const std::filesystem::path& file, Api api = Api::vulkan, std::map<std::string, std::string> defines = {}) {
-        return compile_shader({file, Stage::fragment, api, std::move(defines), {}}).hash;
-      };
-      EXPECT_EQ(hash(here), hash(there));
-      EXPECT_EQ(hash(here).size(), 16u);
-      EXPECT_NE(hash(here), hash(here, Api::opengl));
-      EXPECT_NE(hash(here), hash(here, Api::vulkan, {{"K", "2"}}));
-      EXPECT_EQ(hash(here), hash(here, Api::vulkan, {{"K", "1"}}));
-      const auto commented = write("here/z.frag", source + "\n// a comment\n\n");
-      EXPECT_EQ(hash(here), hash(commented));
-      const auto before = hash(here);
-      write("here/k.glsl", "#undef K\n#define K 7\n");
-      EXPECT_NE(hash(write("here/w.frag", "#version 450\n" + std::string(plain))), "");
-      write("here/x.frag", "#version 450\n" + std::string(plain) + "#include \"k.glsl\"\nfloat more() { return K; }\n");
-      EXPECT_NE(hash(here), before);
-    }
-  };
-  Files().TestBody();
+class CompileHash : public ShaderFiles {
+ protected:
+  static std::string hash_of(const std::filesystem::path& file, Api api = Api::vulkan,
+                             std::map<std::string, std::string> defines = {}) {
+    return compile_shader({file, Stage::fragment, api, std::move(defines), {}}).hash;
+  }
+
+  const std::string source_ = R"(#version 450
+#include "k.glsl"
+layout(location = 0) out vec4 o;
+void main() { o = vec4(K); }
+)";
+  const std::string included_ = "#ifndef K\n#define K 1\n#endif\n";
+};
+
+TEST_F(CompileHash, StaysWithTheContent) {
+  write("here/k.glsl", included_);
+  write("there/far/k.glsl", included_);
+  const std::string hash = hash_of(write("here/x.frag", source_));
+  EXPECT_EQ(hash.size(), 16u);
+  EXPECT_EQ(hash_of(write("there/far/y.frag", source_)), hash);
+  EXPECT_EQ(hash_of(write("here/commented.frag", source_ + "\n// a comment\n\n")), hash);
+  EXPECT_EQ(hash_of(folder() / "here/x.frag", Api::vulkan, {{"K", "1"}, {"UNUSED", "3"}}), hash);
+}
+
+TEST_F(CompileHash, ChangesWithWhatIsCompiled) {
+  write("k.glsl", included_);
+  const auto file = write("x.frag", source_);
+  std::vector<std::string> hashes = {hash_of(file), hash_of(file, Api::opengl), hash_of(file, Api::vulkan, {{"K", "2"}})};
+  write("k.glsl", "#define K 7\n");
+  hashes.push_back(hash_of(file));
+  hashes.push_back(hash_of(write("y.frag", source_ + "float more() { return 1.0; }\n")));
+  std::ranges::sort(hashes);
+  EXPECT_EQ(std::ranges::adjacent_find(hashes), hashes.end()) << "two of them are the same";
+}
+
+TEST_F(CompileHash, TellsStagesApart) {
+  const auto file = write("empty.glsl", "#version 450\nvoid main() {}\n");
+  const auto hash = [&](Stage stage) { return compile_shader({file, stage, Api::vulkan, {}, {}}).hash; };
+  EXPECT_NE(hash(Stage::vertex), hash(Stage::fragment));
 }
 
 }  // namespace

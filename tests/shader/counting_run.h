@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a shader as it is and in its counting build, on a backend that the test names, and gives back both pictures and the counts.
+// Runs a shader as it is and in its counting build, on a backend that the test names, and gives back both pictures and the
+// counts.
 #pragma once
 
 #include <algorithm>
@@ -23,10 +24,10 @@ struct RunSetup {
   std::string_view vertex = full_screen;
   std::string_view fragment;
   uint32_t vertices = 3;
-  bool depth = false;                      // test and write depth, less or equal, from a clear of 1
-  std::vector<SpecConstant> constants;     // of both stages
-  std::vector<uint32_t> preset;            // of the counter buffer's first words
-  bool count_vertex = false;               // count in the vertex stage instead of the fragment stage
+  bool depth = false;                   // test and write depth, less or equal, from a clear of 1
+  std::vector<SpecConstant> constants;  // of both stages
+  std::vector<uint32_t> preset;         // of the counter buffer's first words
+  bool count_vertex = false;            // count in the vertex stage instead of the fragment stage
 };
 
 struct Counts {
@@ -36,7 +37,9 @@ struct Counts {
   bool early_fragment_tests = false;
   std::vector<float> picture;  // RGBA of the counting build
 
-  uint64_t covered() const { return static_cast<uint64_t>(std::ranges::count_if(coverage, [](uint32_t n) { return n != 0; })); }
+  uint64_t covered() const {
+    return static_cast<uint64_t>(std::ranges::count_if(coverage, [](uint32_t n) { return n != 0; }));
+  }
 };
 
 // Every texture that a shader binds is 16 x 16, with a full mip chain and texels that differ.
@@ -84,7 +87,8 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
     Counts counts;
     counts.picture = setup.count_vertex ? draw(setup, vertex, fragment, counting.spirv, fragment.spirv, buffer)
                                         : draw(setup, vertex, fragment, vertex.spirv, counting.spirv, buffer);
-    EXPECT_EQ(std::memcmp(plain.data(), counts.picture.data(), plain.size() * sizeof(float)), 0) << "counting changed the picture";
+    EXPECT_EQ(std::memcmp(plain.data(), counts.picture.data(), plain.size() * sizeof(float)), 0)
+        << "counting changed the picture";
     words = read_words(buffer);
     take_counts(counts, words, counting);
     counts.coverage.assign(words.begin() + coverage_word, words.end());
@@ -137,16 +141,19 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
   void bind(PipelineDesc& desc, Draw& draw, const Reflection& reflection) {
     for (const ShaderResource& r : reflection.resources) {
       desc.bindings.push_back({r.binding, r.kind});
-      if (r.kind == BindingKind::texture) draw.textures.push_back({r.binding, texture_, Sampler{Filter::trilinear, Wrap::repeat}});
+      if (r.kind == BindingKind::texture)
+        draw.textures.push_back({r.binding, texture_, Sampler{Filter::trilinear, Wrap::repeat}});
       if (r.kind == BindingKind::storage_buffer) {
         const std::vector<std::byte> zeros(1024);
-        draw.buffers.push_back({r.binding, backend_->create_buffer("storage", BufferUse::storage, zeros.size(), zeros), r.kind});
+        draw.buffers.push_back(
+            {r.binding, backend_->create_buffer("storage", BufferUse::storage, zeros.size(), zeros), r.kind});
       }
     }
   }
 
   std::vector<float> draw(const RunSetup& setup, const CompiledShader& vertex, const CompiledShader& fragment,
-                          const std::vector<uint32_t>& vertex_spirv, const std::vector<uint32_t>& fragment_spirv, BufferId counters) {
+                          const std::vector<uint32_t>& vertex_spirv, const std::vector<uint32_t>& fragment_spirv,
+                          BufferId counters) {
     PipelineDesc desc{.name = counters ? "counted" : "plain"};
     desc.stages = {{Stage::vertex, vertex_spirv}, {Stage::fragment, fragment_spirv}};
     desc.constants = setup.constants;

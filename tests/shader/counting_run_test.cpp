@@ -176,11 +176,14 @@ void main() {
 )";
 
 TEST_P(CountingRun, HiddenFragmentsDoNotCountWhereTestsComeFirst) {
-  const Counts counts = run({.vertex = near_quad_then_far_quad, .fragment = R"(
+  const Counts counts = run({.vertex = near_quad_then_far_quad,
+                             .fragment = R"(
 layout(binding = 0) uniform sampler2D t;
 layout(location = 0) out vec4 o;
 void main() { o = texelFetch(t, ivec2(gl_FragCoord.xy) & 15, 0) + vec4(gl_FragCoord.z); }
-)", .vertices = 12, .depth = true});
+)",
+                             .vertices = 12,
+                             .depth = true});
   EXPECT_TRUE(counts.early_fragment_tests);
   EXPECT_EQ(counts.invocations, all_pixels);
   EXPECT_EQ(counts.fetches.at(0), all_pixels);
@@ -188,25 +191,31 @@ void main() { o = texelFetch(t, ivec2(gl_FragCoord.xy) & 15, 0) + vec4(gl_FragCo
 }
 
 TEST_P(CountingRun, HiddenFragmentsCountWhereTestsComeLast) {
-  const Counts counts = run({.vertex = near_quad_then_far_quad, .fragment = R"(
+  const Counts counts = run({.vertex = near_quad_then_far_quad,
+                             .fragment = R"(
 layout(binding = 0) uniform sampler2D t;
 layout(location = 0) out vec4 o;
 void main() {
   if (gl_FragCoord.x < 0.0) discard;
   o = texelFetch(t, ivec2(gl_FragCoord.xy) & 15, 0) + vec4(gl_FragCoord.z);
 }
-)", .vertices = 12, .depth = true});
+)",
+                             .vertices = 12,
+                             .depth = true});
   EXPECT_FALSE(counts.early_fragment_tests);
   EXPECT_EQ(counts.invocations, 2 * all_pixels);
   EXPECT_EQ(counts.coverage, std::vector<uint32_t>(all_pixels, 2));
 }
 
 TEST_P(CountingRun, AShaderThatWritesMemoryKeepsItsHiddenFragments) {
-  const Counts counts = run({.vertex = near_quad_then_far_quad, .fragment = R"(
+  const Counts counts = run({.vertex = near_quad_then_far_quad,
+                             .fragment = R"(
 layout(binding = 3) buffer Tally { uint n; };
 layout(location = 0) out vec4 o;
 void main() { atomicAdd(n, 1u); o = vec4(gl_FragCoord.z); }
-)", .vertices = 12, .depth = true});
+)",
+                             .vertices = 12,
+                             .depth = true});
   EXPECT_EQ(counts.invocations, 2 * all_pixels);
 }
 
@@ -218,7 +227,9 @@ void main() {
   for (int i = 0; i <= LAMINA_VERTEX_INDEX; ++i) lift += texelFetch(t, ivec2(i, 0), 0);
   gl_Position = vec4(LAMINA_VERTEX_INDEX == 1 ? 3 : -1, LAMINA_VERTEX_INDEX == 2 ? 3 : -1, lift.x * 0.001, 1);
 }
-)", .fragment = "layout(location = 0) out vec4 o; void main() { o = gl_FragCoord; }\n", .count_vertex = true});
+)",
+                             .fragment = "layout(location = 0) out vec4 o; void main() { o = gl_FragCoord; }\n",
+                             .count_vertex = true});
   EXPECT_EQ(counts.invocations, 3u);
   EXPECT_EQ(counts.fetches.at(0), 1u + 2u + 3u);
   EXPECT_EQ(counts.covered(), 0u) << "the map is the fragment stage's";
@@ -234,7 +245,8 @@ void main() {
   for (uint i = 0u; i < gl_LocalInvocationID.x; ++i) s += textureLod(t, vec2(i) / 8.0, 0.0);
   sum[gl_LocalInvocationIndex] = s;
 }
-)", {3, 2, 2});
+)",
+                                 {3, 2, 2});
   EXPECT_EQ(counts.invocations, 8u * 4 * 12);
   EXPECT_EQ(counts.fetches.at(0), (0u + 1 + 2 + 3 + 4 + 5 + 6 + 7) * 4 * 12);
 }
@@ -245,7 +257,8 @@ layout(constant_id = 7) const int taps = 2;
 layout(binding = 0) uniform sampler2D t;
 layout(location = 0) out vec4 o;
 void main() { o = vec4(0); for (int i = 0; i < taps; ++i) o += texelFetch(t, ivec2(i, 1), 0); }
-)", .constants = {{7, 6}}});
+)",
+                             .constants = {{7, 6}}});
   EXPECT_EQ(counts.fetches.at(0), all_pixels * 6);
 }
 
@@ -254,7 +267,8 @@ TEST_P(CountingRun, CountersCarryIntoTheirHighWord) {
 layout(binding = 0) uniform sampler2D t;
 layout(location = 0) out vec4 o;
 void main() { o = texelFetch(t, ivec2(1), 0) + texelFetch(t, ivec2(2), 0); }
-)", .preset = {0, 0, 0xfffffff0u, 0, 0xfffffff0u, 6}});
+)",
+                             .preset = {0, 0, 0xfffffff0u, 0, 0xfffffff0u, 6}});
   EXPECT_EQ(counts.invocations, 0xfffffff0ull + all_pixels);
   EXPECT_EQ(counts.fetches.at(0), (6ull << 32) + 0xfffffff0ull + 2 * all_pixels);
 }

@@ -83,7 +83,8 @@ TEST_F(Counting, EarlyTestsAreForcedOnlyWhereTheyChangeNothing) {
   };
   for (const Case& c : cases)
     for (const Api api : both_apis) {
-      const auto source = fmt::format("{}\nlayout(location = 0) out vec4 o;\nvoid main() {{ {} }}\n", c.declaration, c.statement);
+      const auto source =
+          fmt::format("{}\nlayout(location = 0) out vec4 o;\nvoid main() {{ {} }}\n", c.declaration, c.statement);
       const CountingShader counting = add_counters(compile(Stage::fragment, api, source), api, {.binding = 9});
       EXPECT_EQ(counting.early_fragment_tests, c.early) << source;
       const SpirvModule module(counting.spirv);
@@ -133,7 +134,8 @@ void main() { o = vec4(textureSize(a, 0), textureQueryLevels(a), textureQueryLod
 }
 
 TEST_F(Counting, ATakenBindingIsRefusedByName) {
-  const Error error = error_of([&] { add_counters(compile(Stage::fragment, Api::vulkan, three_taps), Api::vulkan, {.binding = 4}); });
+  const Error error =
+      error_of([&] { add_counters(compile(Stage::fragment, Api::vulkan, three_taps), Api::vulkan, {.binding = 4}); });
   EXPECT_EQ(error.kind(), ErrorKind::failed);
   EXPECT_THAT(error.message(), HasSubstr("binding 4 is taken by 'a'"));
 }

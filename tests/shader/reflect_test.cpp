@@ -55,8 +55,8 @@ void main() { o = vec4(block.last); }
 )")
                              .reflection;
     ASSERT_EQ(r.resources.size(), 1u);
-    const std::pair<const char*, uint32_t> expected[] = {{"a", 0},   {"b", 16},  {"c", 32},       {"d", 44},    {"e", 48},
-                                                         {"f", 96},  {"g", 112}, {"lights", 160}, {"last", 192}};
+    const std::pair<const char*, uint32_t> expected[] = {{"a", 0},  {"b", 16},  {"c", 32},       {"d", 44},    {"e", 48},
+                                                         {"f", 96}, {"g", 112}, {"lights", 160}, {"last", 192}};
     const auto& members = r.resources[0].members;
     ASSERT_EQ(members.size(), std::size(expected));
     for (size_t i = 0; i < members.size(); ++i) {

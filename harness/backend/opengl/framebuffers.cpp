@@ -4,10 +4,6 @@
 namespace lamina::gl {
 namespace {
 
-[[noreturn]] void refuse(const Pass& pass, std::string message) {
-  throw Error(ErrorKind::failed, "opengl", fmt::format("pass '{}'", pass.name), std::move(message));
-}
-
 FramebufferObject make_framebuffer(const Pass& pass, Table<TextureId, Texture>& textures) {
   GLuint name = 0;
   glCreateFramebuffers(1, &name);
@@ -23,10 +19,11 @@ FramebufferObject make_framebuffer(const Pass& pass, Table<TextureId, Texture>& 
   }
   if (pass.depth) attach(GL_DEPTH_ATTACHMENT, *pass.depth);
   glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(draw_buffers.size()), draw_buffers.data());
-  throw_on_error(fmt::format("framebuffer of pass '{}'", pass.name));
+  throw_on_error(pass.name);
   const GLenum status = glCheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
-    refuse(pass, fmt::format("the driver cannot draw into this set of attachments (framebuffer status 0x{:04x})", status));
+    throw_failed(pass.name,
+                 fmt::format("the driver cannot draw into this set of attachments (framebuffer status 0x{:04x})", status));
   return framebuffer;
 }
 
@@ -37,16 +34,17 @@ Framebuffers::Target Framebuffers::of(const Pass& pass, Table<TextureId, Texture
   for (const Attachment& color : pass.colors) key.attachments.emplace_back(color.texture, color.level);
   if (pass.depth) key.attachments.emplace_back(pass.depth->texture, pass.depth->level);
   key.depth = pass.depth.has_value();
-  if (key.attachments.empty()) refuse(pass, "it draws, but has nothing to draw into");
+  if (key.attachments.empty()) throw_bad_input(pass.name, "a raster pass needs a colour or depth target");
 
   Target target;
   for (const auto& [id, level] : key.attachments) {
     const Texture& texture = textures.at(id);
-    if (level >= texture.desc.levels) refuse(pass, fmt::format("texture '{}' has no level {}", texture.desc.name, level));
-    const uint32_t width = texture.width(level), height = texture.height(level);
+    if (level >= texture.desc.levels)
+      throw_bad_input(pass.name, fmt::format("texture '{}' has no level {}", texture.desc.name, level));
+    const uint32_t width = level_width(texture.desc, level), height = level_height(texture.desc, level);
     if (target.width != 0 && (target.width != width || target.height != height))
-      refuse(pass, fmt::format("texture '{}' is {} x {} pixels, others are {} x {}", texture.desc.name, width, height,
-                               target.width, target.height));
+      throw_bad_input(pass.name, fmt::format("texture '{}' is {} x {} pixels, others are {} x {}", texture.desc.name, width,
+                                             height, target.width, target.height));
     target.width = width;
     target.height = height;
   }

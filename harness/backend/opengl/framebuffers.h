@@ -18,7 +18,8 @@ class Framebuffers {
     GLuint name = 0;
     uint32_t width = 0, height = 0;  // pixels
   };
-  // Throws Error(failed) about the pass where the driver finds the set incomplete or the sizes differ.
+  // Throws Error(bad_input) about the pass where it has no attachments or their sizes differ, Error(failed) where the driver
+  // finds the set incomplete.
   Target of(const Pass& pass, Table<TextureId, Texture>& textures);
   void forget(TextureId texture);
 

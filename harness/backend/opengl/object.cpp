@@ -34,8 +34,7 @@ void throw_on_error(std::string_view subject) {
     errors += (errors.empty() ? "" : ", ") + error_name(error);
   }
   if (errors.empty()) return;
-  throw Error(ErrorKind::failed, "opengl", std::string(subject),
-              fmt::format("the driver reports {}; its own words come with validation switched on", errors));
+  throw_failed(subject, fmt::format("the driver reports {}; its own words come with validation switched on", errors));
 }
 
 }  // namespace lamina::gl

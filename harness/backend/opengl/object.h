@@ -13,6 +13,14 @@
 
 namespace lamina::gl {
 
+// `subject` is the name of the texture, buffer, pipeline or pass.
+[[noreturn]] inline void throw_failed(std::string_view subject, std::string message) {
+  throw Error(ErrorKind::failed, "opengl", std::string(subject), std::move(message));
+}
+[[noreturn]] inline void throw_bad_input(std::string_view subject, std::string message) {
+  throw Error(ErrorKind::bad_input, "opengl", std::string(subject), std::move(message));
+}
+
 // Owns one OpenGL name; 0 owns nothing.
 template <void (*destroy)(GLuint)>
 class Object {
@@ -65,8 +73,7 @@ class Table {
   T& at(Id id) {
     const auto found = items_.find(id.value);
     if (found == items_.end())
-      throw Error(ErrorKind::failed, "opengl", fmt::format("{} {}", kind_, id ? std::to_string(id.value) : "none"),
-                  "does not exist, or was destroyed");
+      throw_failed(fmt::format("{} {}", kind_, id ? std::to_string(id.value) : "none"), "does not exist, or was destroyed");
     return found->second;
   }
   void remove(Id id) {
@@ -82,7 +89,7 @@ class Table {
 
 // Names an object for debuggers and for the driver's messages.
 inline void label(GLenum kind, GLuint name, std::string_view text) {
-  constexpr size_t longest = 255;  // GL_MAX_LABEL_LENGTH is at least 256, its terminator included (OpenGL 4.5, table 23.62)
+  constexpr size_t longest = 255;  // MAX_LABEL_LENGTH is at least 256, terminator included (OpenGL 4.5, table 23.62)
   text = text.substr(0, longest);
   glObjectLabel(kind, name, static_cast<GLsizei>(text.size()), text.data());
 }

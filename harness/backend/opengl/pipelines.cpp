@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/backend/opengl/pipelines.h"
 
+#include <algorithm>
+
 #include "harness/backend/opengl/spirv_interface.h"
 
 namespace lamina::gl {
@@ -33,10 +35,18 @@ std::string info_log(GLuint name, Get get, GetLog get_log) {
   return log.empty() ? "the driver gives no reason" : log;
 }
 
+void check(const PipelineDesc& desc) {
+  const auto has = [&](Stage stage) {
+    return std::any_of(desc.stages.begin(), desc.stages.end(), [&](const ShaderStage& s) { return s.stage == stage; });
+  };
+  if (!is_compute(desc) && !(desc.stages.size() == 2 && has(Stage::vertex) && has(Stage::fragment)))
+    throw_bad_input(desc.name, "a pipeline has a vertex and a fragment stage, or a compute stage alone");
+  if (desc.depth != Depth::none && !desc.depth_format) throw_bad_input(desc.name, "it tests depth and has no depth format");
+}
+
 ShaderObject make_shader(const PipelineDesc& desc, const ShaderStage& stage, const std::map<uint32_t, uint32_t>& units) {
-  const std::string subject = fmt::format("pipeline '{}', {} shader", desc.name, stage_name(stage.stage));
-  const std::vector<uint32_t> words = with_units(stage.spirv, units, subject);
-  const std::set<uint32_t> known = specialization_ids(stage.spirv, subject);
+  const std::vector<uint32_t> words = with_units(stage.spirv, units, desc.name);
+  const std::set<uint32_t> known = specialization_ids(stage.spirv, desc.name);
   std::vector<GLuint> ids, values;
   for (const SpecConstant& constant : desc.constants) {
     if (!known.contains(constant.id)) continue;
@@ -49,17 +59,18 @@ ShaderObject make_shader(const PipelineDesc& desc, const ShaderStage& stage, con
   label(GL_SHADER, name, fmt::format("{} {}", desc.name, stage_name(stage.stage)));
   glShaderBinary(1, &name, GL_SHADER_BINARY_FORMAT_SPIR_V_ARB, words.data(),
                  static_cast<GLsizei>(words.size() * sizeof(uint32_t)));
-  throw_on_error(subject);
+  throw_on_error(desc.name);
   glSpecializeShaderARB(name, "main", static_cast<GLuint>(ids.size()), ids.data(), values.data());
-  throw_on_error(subject);
+  throw_on_error(desc.name);
   GLint compiled = GL_FALSE;
   glGetShaderiv(name, GL_COMPILE_STATUS, &compiled);
-  if (!compiled) throw Error(ErrorKind::failed, "opengl", subject, info_log(name, glGetShaderiv, glGetShaderInfoLog));
+  if (!compiled)
+    throw_failed(desc.name, fmt::format("the driver refuses the {} shader: {}", stage_name(stage.stage),
+                                        info_log(name, glGetShaderiv, glGetShaderInfoLog)));
   return shader;
 }
 
 ProgramObject link(const PipelineDesc& desc, const std::map<uint32_t, uint32_t>& units) {
-  const std::string subject = fmt::format("pipeline '{}'", desc.name);
   std::vector<ShaderObject> shaders;
   for (const ShaderStage& stage : desc.stages) shaders.push_back(make_shader(desc, stage, units));
   ProgramObject program(glCreateProgram());
@@ -67,10 +78,12 @@ ProgramObject link(const PipelineDesc& desc, const std::map<uint32_t, uint32_t>&
   for (const ShaderObject& shader : shaders) glAttachShader(program.name(), shader.name());
   glLinkProgram(program.name());
   for (const ShaderObject& shader : shaders) glDetachShader(program.name(), shader.name());
-  throw_on_error(subject);
+  throw_on_error(desc.name);
   GLint linked = GL_FALSE;
   glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
-  if (!linked) throw Error(ErrorKind::failed, "opengl", subject, info_log(program.name(), glGetProgramiv, glGetProgramInfoLog));
+  if (!linked)
+    throw_failed(desc.name,
+                 fmt::format("the driver cannot link it: {}", info_log(program.name(), glGetProgramiv, glGetProgramInfoLog)));
   return program;
 }
 
@@ -82,9 +95,8 @@ VertexArrayObject make_vertex_array(const PipelineDesc& desc) {
   label(GL_VERTEX_ARRAY, name, desc.name);
   for (uint32_t location : desc.vertex_locations) {
     if (location >= components.size())
-      throw Error(
-          ErrorKind::bad_input, "opengl", fmt::format("pipeline '{}'", desc.name),
-          fmt::format("the vertex shader reads location {}; a mesh has 0 position, 1 normal, 2 tangent, 3 uv", location));
+      throw_bad_input(desc.name, fmt::format("the mesh has no vertex attribute at location {}; its locations are 0 to {}",
+                                             location, components.size() - 1));
     glEnableVertexArrayAttrib(name, location);
     glVertexArrayAttribFormat(name, location, components[location], GL_FLOAT, GL_FALSE, vertex_offset_bytes[location]);
     glVertexArrayAttribBinding(name, location, 0);
@@ -95,6 +107,7 @@ VertexArrayObject make_vertex_array(const PipelineDesc& desc) {
 }  // namespace
 
 Pipeline make_pipeline(const PipelineDesc& desc) {
+  check(desc);
   // Bindings are unique across kinds, while OpenGL counts each kind on its own, and some by very few (8 image units on NVIDIA):
   // so each kind gets units of its own from 0 on.
   std::array<GLuint, 4> next = {};
@@ -107,12 +120,9 @@ Pipeline make_pipeline(const PipelineDesc& desc) {
   }
   pipeline.program = link(desc, units);
   pipeline.vertex_array = make_vertex_array(desc);
-  pipeline.name = desc.name;
-  pipeline.has_vertices = !desc.vertex_locations.empty();
-  pipeline.blend = desc.blend;
-  pipeline.depth = desc.depth;
-  pipeline.cull = desc.cull;
-  throw_on_error(fmt::format("pipeline '{}'", desc.name));
+  pipeline.desc = desc;
+  for (ShaderStage& stage : pipeline.desc.stages) stage.spirv = {};  // the driver has it now
+  throw_on_error(desc.name);
   return pipeline;
 }
 
@@ -135,8 +145,8 @@ void use(const Pipeline& pipeline) {
   glBindVertexArray(pipeline.vertex_array.name());
 
   const auto enable = [](GLenum what, bool on) { on ? glEnable(what) : glDisable(what); };
-  enable(GL_BLEND, pipeline.blend != Blend::none);
-  switch (pipeline.blend) {
+  enable(GL_BLEND, pipeline.desc.blend != Blend::none);
+  switch (pipeline.desc.blend) {
     case Blend::none:
       break;
     case Blend::alpha:
@@ -149,10 +159,10 @@ void use(const Pipeline& pipeline) {
       glBlendFunc(GL_ONE, GL_ONE);
       break;
   }
-  enable(GL_DEPTH_TEST, pipeline.depth != Depth::none);
-  glDepthMask(pipeline.depth == Depth::read_write);
-  enable(GL_CULL_FACE, pipeline.cull != Cull::none);
-  if (pipeline.cull != Cull::none) glCullFace(pipeline.cull == Cull::back ? GL_BACK : GL_FRONT);
+  enable(GL_DEPTH_TEST, pipeline.desc.depth != Depth::none);
+  glDepthMask(pipeline.desc.depth == Depth::read_write);
+  enable(GL_CULL_FACE, pipeline.desc.cull != Cull::none);
+  if (pipeline.desc.cull != Cull::none) glCullFace(pipeline.desc.cull == Cull::back ? GL_BACK : GL_FRONT);
 }
 
 }  // namespace lamina::gl

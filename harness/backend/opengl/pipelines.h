@@ -2,8 +2,6 @@
 // A linked program with the state that it draws with.
 #pragma once
 
-#include <map>
-#include <string>
 #include <vector>
 
 #include "harness/backend/backend.h"
@@ -19,13 +17,11 @@ struct Pipeline {
 
   ProgramObject program;
   VertexArrayObject vertex_array;
-  std::string name;
   std::vector<Slot> slots;
-  bool has_vertices = false;  // takes a vertex buffer
-  Blend blend = Blend::none;
-  Depth depth = Depth::none;
-  Cull cull = Cull::none;
+  PipelineDesc desc;  // without the shaders' words
 };
+
+inline bool is_compute(const PipelineDesc& desc) { return desc.stages.size() == 1 && desc.stages[0].stage == Stage::compute; }
 
 // As Backend::create_pipeline says.
 Pipeline make_pipeline(const PipelineDesc& desc);

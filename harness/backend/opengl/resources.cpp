@@ -7,15 +7,19 @@ namespace lamina::gl {
 namespace {
 
 void check(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels, uint32_t max_size) {
-  const auto refuse = [&](std::string message) {
-    throw Error(ErrorKind::bad_input, "opengl", fmt::format("texture '{}'", desc.name), std::move(message));
-  };
   if (desc.width == 0 || desc.height == 0 || desc.width > max_size || desc.height > max_size)
-    refuse(fmt::format("{} x {} pixels; the device takes 1 to {} on a side", desc.width, desc.height, max_size));
+    throw_bad_input(desc.name,
+                    fmt::format("{} x {} pixels; the device takes 1 to {} on a side", desc.width, desc.height, max_size));
   const uint32_t most = full_mip_levels(desc.width, desc.height);
   if (desc.levels == 0 || desc.levels > most)
-    refuse(fmt::format("{} levels; {} x {} pixels take 1 to {}", desc.levels, desc.width, desc.height, most));
-  if (levels.size() > desc.levels) refuse(fmt::format("texels for {} levels, but it has {}", levels.size(), desc.levels));
+    throw_bad_input(desc.name,
+                    fmt::format("{} levels; {} x {} pixels have 1 to {}", desc.levels, desc.width, desc.height, most));
+  if (levels.size() > desc.levels)
+    throw_bad_input(desc.name, fmt::format("texels for {} levels, but it has {}", levels.size(), desc.levels));
+  for (uint32_t level = 0; level < levels.size(); ++level)
+    if (levels[level].size() != level_bytes(desc, level))
+      throw_bad_input(desc.name, fmt::format("level {} needs {} bytes of {}, not {}", level, level_bytes(desc, level),
+                                             name_of(desc.format), levels[level].size()));
 }
 
 }  // namespace
@@ -29,54 +33,46 @@ Texture make_texture(const TextureDesc& desc, std::span<const std::vector<std::b
   label(GL_TEXTURE, name, desc.name);
   glTextureStorage2D(name, static_cast<GLsizei>(desc.levels), format.internal, static_cast<GLsizei>(desc.width),
                      static_cast<GLsizei>(desc.height));
-  throw_on_error(fmt::format("texture '{}'", desc.name));  // before the upload: there may be no room
-  for (uint32_t level = 0; level < levels.size(); ++level) {
-    if (levels[level].size() != texture.level_bytes(level))
-      throw Error(ErrorKind::bad_input, "opengl", fmt::format("texture '{}', level {}", desc.name, level),
-                  fmt::format("{} bytes of texels, {} are needed", levels[level].size(), texture.level_bytes(level)));
-    glTextureSubImage2D(name, static_cast<GLint>(level), 0, 0, static_cast<GLsizei>(texture.width(level)),
-                        static_cast<GLsizei>(texture.height(level)), format.layout, format.type, levels[level].data());
-  }
-  throw_on_error(fmt::format("texture '{}'", desc.name));
+  throw_on_error(desc.name);  // before the upload: there may be no room
+  for (uint32_t level = 0; level < levels.size(); ++level)
+    glTextureSubImage2D(name, static_cast<GLint>(level), 0, 0, static_cast<GLsizei>(level_width(desc, level)),
+                        static_cast<GLsizei>(level_height(desc, level)), format.layout, format.type, levels[level].data());
+  throw_on_error(desc.name);
   return texture;
 }
 
 Buffer make_buffer(std::string name, size_t size_bytes, std::span<const std::byte> data) {
-  const std::string subject = fmt::format("buffer '{}'", name);
-  if (size_bytes == 0) throw Error(ErrorKind::bad_input, "opengl", subject, "its size is 0 bytes");
+  if (size_bytes == 0) throw_bad_input(name, "a buffer of 0 bytes");
   GLuint object = 0;
   glCreateBuffers(1, &object);
   Buffer buffer{BufferObject(object), std::move(name), size_bytes};
   label(GL_BUFFER, object, buffer.name);
   glNamedBufferStorage(object, static_cast<GLsizeiptr>(size_bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
-  throw_on_error(subject);
+  throw_on_error(buffer.name);
   if (!data.empty()) write(buffer, data);
   return buffer;
 }
 
 void write(const Buffer& buffer, std::span<const std::byte> data) {
-  const std::string subject = fmt::format("buffer '{}'", buffer.name);
   if (data.size() > buffer.size_bytes)
-    throw Error(ErrorKind::bad_input, "opengl", subject,
-                fmt::format("{} bytes are written, it holds {}", data.size(), buffer.size_bytes));
+    throw_bad_input(buffer.name, fmt::format("{} bytes written to a buffer of {}", data.size(), buffer.size_bytes));
   glNamedBufferSubData(buffer.object.name(), 0, static_cast<GLsizeiptr>(data.size()), data.data());
-  throw_on_error(subject);
+  throw_on_error(buffer.name);
 }
 
 std::vector<std::byte> read(const Texture& texture, uint32_t level) {
-  const std::string subject = fmt::format("texture '{}', level {}", texture.desc.name, level);
-  if (level >= texture.desc.levels)
-    throw Error(ErrorKind::bad_input, "opengl", subject, fmt::format("it has {} levels", texture.desc.levels));
-  const GlFormat format = gl_format(texture.desc.format);
+  const TextureDesc& desc = texture.desc;
+  if (level >= desc.levels) throw_bad_input(desc.name, fmt::format("level {} of a texture of {} levels", level, desc.levels));
   constexpr size_t most_bytes = 0x7fffffff;  // glGetTextureImage counts bytes in a signed 32-bit integer
-  if (texture.level_bytes(level) > most_bytes)
-    throw Error(ErrorKind::failed, "opengl", subject,
-                fmt::format("{} bytes are over the {} that OpenGL reads back at once", texture.level_bytes(level), most_bytes));
-  std::vector<std::byte> texels(texture.level_bytes(level));
+  if (level_bytes(desc, level) > most_bytes)
+    throw_failed(desc.name, fmt::format("level {} has {} bytes, over the {} that OpenGL reads back at once", level,
+                                        level_bytes(desc, level), most_bytes));
+  const GlFormat format = gl_format(desc.format);
+  std::vector<std::byte> texels(level_bytes(desc, level));
   glMemoryBarrier(GL_ALL_BARRIER_BITS);
   glGetTextureImage(texture.object.name(), static_cast<GLint>(level), format.layout, format.type,
                     static_cast<GLsizei>(texels.size()), texels.data());
-  throw_on_error(subject);
+  throw_on_error(desc.name);
   return texels;
 }
 
@@ -84,7 +80,7 @@ std::vector<std::byte> read(const Buffer& buffer) {
   std::vector<std::byte> bytes(buffer.size_bytes);
   glMemoryBarrier(GL_ALL_BARRIER_BITS);
   glGetNamedBufferSubData(buffer.object.name(), 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
-  throw_on_error(fmt::format("buffer '{}'", buffer.name));
+  throw_on_error(buffer.name);
   return bytes;
 }
 

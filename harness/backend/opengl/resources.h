@@ -14,13 +14,15 @@
 
 namespace lamina::gl {
 
+inline uint32_t level_width(const TextureDesc& desc, uint32_t level) { return std::max(1u, desc.width >> level); }
+inline uint32_t level_height(const TextureDesc& desc, uint32_t level) { return std::max(1u, desc.height >> level); }
+inline size_t level_bytes(const TextureDesc& desc, uint32_t level) {
+  return size_t{level_width(desc, level)} * level_height(desc, level) * bytes_per_texel(desc.format);
+}
+
 struct Texture {
   TextureObject object;
   TextureDesc desc;
-
-  uint32_t width(uint32_t level) const { return std::max(1u, desc.width >> level); }
-  uint32_t height(uint32_t level) const { return std::max(1u, desc.height >> level); }
-  size_t level_bytes(uint32_t level) const { return size_t{width(level)} * height(level) * bytes_per_texel(desc.format); }
 };
 
 struct Buffer {

@@ -3,7 +3,7 @@
 
 #include <spirv/unified1/spirv.hpp>
 
-#include "harness/core/error.h"
+#include "harness/backend/opengl/object.h"
 
 namespace lamina::gl {
 namespace {
@@ -13,12 +13,11 @@ template <class Visit>
 void for_each_instruction(const std::vector<uint32_t>& spirv, std::string_view subject, Visit visit) {
   constexpr size_t header_words = 5;
   if (spirv.size() < header_words || spirv[0] != spv::MagicNumber)
-    throw Error(ErrorKind::failed, "opengl", std::string(subject), "its words are not a SPIR-V module");
+    throw_failed(subject, "the words of a stage are no SPIR-V: the first is not its magic number");
   for (size_t at = header_words; at < spirv.size();) {
     const size_t words = spirv[at] >> spv::WordCountShift;
     if (words == 0 || words > spirv.size() - at)
-      throw Error(ErrorKind::failed, "opengl", std::string(subject),
-                  fmt::format("the SPIR-V module breaks off at word {}", at));
+      throw_failed(subject, fmt::format("the SPIR-V module breaks off at word {}", at));
     visit(static_cast<spv::Op>(spirv[at] & spv::OpCodeMask), at, words);
     at += words;
   }

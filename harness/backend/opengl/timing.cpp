@@ -7,9 +7,7 @@ void PassTimer::prepare(size_t passes) {
   if (mask_ == 0) {
     GLint bits = 0;
     glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
-    if (bits <= 0)
-      throw Error(ErrorKind::failed, "opengl", "timer",
-                  "the device has no timestamps (GL_QUERY_COUNTER_BITS is 0); run without timing");
+    if (bits <= 0) throw_failed("timer", "the device has no timestamps (GL_QUERY_COUNTER_BITS is 0); run without timing");
     mask_ = bits >= 64 ? ~uint64_t{0} : (uint64_t{1} << bits) - 1;
   }
   while (queries_.size() < 2 * passes) {
