@@ -30,17 +30,18 @@ std::string speed_words(const Interval& ratio, const std::string& baseline) {
 
 std::string loss_words(const SummaryRow& row) {
   if (!row.mean || !row.worst) return "";
-  if (std::isinf(row.worst->psnr_db)) return " with the same picture";
-  return fmt::format(" at SSIM {:.3f} (worst view {:.3f})", row.mean->ssim, row.worst->ssim);
+  if (std::isinf(row.worst->psnr_db)) return row.ratio ? " with the same picture" : ", where its picture is the same";
+  return fmt::format("{} {:.3f} (worst view {:.3f})", row.ratio ? " at SSIM" : ", where its SSIM is", row.mean->ssim,
+                     row.worst->ssim);
 }
 
 std::string clause(const SummaryRow& row, const std::string& baseline) {
   if (row.failed_views == row.views) return fmt::format("failed on {}: {}", row.backend, row.reason);
-  std::string words = row.ratio ? speed_words(*row.ratio, baseline) : fmt::format("has no time to set against {}", baseline);
+  std::string words = row.ratio ? speed_words(*row.ratio, baseline) : fmt::format("was not timed against {}", baseline);
   words += fmt::format(" on {}", row.backend) + loss_words(row);
   if (row.ratio && row.ratio->coverage < report_confidence)
     words += fmt::format(", by {} round{} only", row.ratio->rounds, row.ratio->rounds == 1 ? "" : "s");
-  if (row.failed_views > 0) words += fmt::format(", where {} of {} views failed", row.failed_views, row.views);
+  if (row.failed_views > 0) words += fmt::format("; {} of {} views failed there", row.failed_views, row.views);
   return words;
 }
 

@@ -42,10 +42,12 @@ std::string image_tag(const Json& cell, const std::string& path, const std::stri
                      cell.at("width").dump(), cell.at("height").dump(), escaped_html(alt));
 }
 
-std::string figure(const Json& cell, const char* field, const std::string& alt, const std::string& caption) {
+std::string figure(const Json& cell, const char* field, const std::string& alt, const std::string& caption,
+                   const std::string& legend = "") {
   const std::string path = cell.at(field);
   if (path.empty()) return "";
-  return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", image_tag(cell, path, alt), escaped_html(caption));
+  return fmt::format("<figure>{}<figcaption>{}{}</figcaption></figure>\n", image_tag(cell, path, alt), escaped_html(caption),
+                     legend);
 }
 
 // A variant's own picture is a button that swaps the baseline's into its place.
@@ -112,13 +114,14 @@ std::string shot(const Record& record, const Json& cell, const Json* baseline, d
            fmt::format("<p class=\"bad\">Failed: {}</p></article>\n", escaped_html(cell.at("reason").get<std::string>()));
   html += own_picture(cell, baseline);
   const std::string view = cell.at("view");
-  html += figure(cell, "difference", fmt::format("difference of {} from the baseline, view {}", variant, view),
-                 "difference" + (gain.empty() ? std::string(", scaled") : fmt::format(", times {}", gain)));
-  if (const std::string map = figure(cell, "flip", fmt::format("FLIP map of {}, view {}", variant, view), "FLIP map");
-      !map.empty())
-    html += map +
-            "<div class=\"legend\" role=\"img\" aria-label=\"FLIP's scale: black is 0, pale yellow is 1\">0"
-            "<span class=\"magma\"></span>1</div>\n";
+  const std::string difference =
+      figure(cell, "difference", fmt::format("difference of {} from the baseline, view {}", variant, view),
+             "difference" + (gain.empty() ? std::string(", scaled") : fmt::format(", times {}", gain)));
+  const std::string flip_map =
+      figure(cell, "flip", fmt::format("FLIP map of {}, view {}", variant, view), "FLIP",
+             "<div class=\"legend\" role=\"img\" aria-label=\"FLIP's scale: black is 0, pale yellow is 1\">0"
+             "<span class=\"magma\"></span>1</div>");
+  if (!difference.empty() || !flip_map.empty()) html += fmt::format("<div class=\"maps\">{}{}</div>\n", difference, flip_map);
   const std::vector<double> samples_ms = shown_samples_ms(record, cell);
   html += fmt::format("<table class=\"figures\">{}{}</table>\n", cost_figures(record, cell, samples_ms), error_figures(cell));
   if (!samples_ms.empty()) html += html_strip_plot(samples_ms, axis_ms);

@@ -30,8 +30,8 @@ p { max-width: 75ch; }
 .headlines { padding-left: 1.2rem; margin: 1rem 0; max-width: 95ch; }
 .headlines li { margin: .4rem 0; font-size: 1.08rem; }
 .warning { background: var(--warn-page); color: var(--warn-ink); border-radius: .4rem; padding: .6rem .9rem; margin: .5rem 0; }
-.bad { color: var(--bad); }
 .note { color: var(--soft); font-size: .9rem; margin: .4rem 0; max-width: 110ch; }
+.bad { color: var(--bad); }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .93rem; }
 caption { text-align: left; color: var(--soft); font-size: .9rem; padding-bottom: .35rem; }
@@ -53,7 +53,8 @@ ul.shares { list-style: none; margin: 0; padding: 0; }
 .figures th { font-weight: normal; color: var(--soft); white-space: normal; }
 .figures th, .figures td { padding: .2rem 0 .2rem .6rem; }
 .figures th:first-child { padding-left: 0; }
-.legend { display: flex; align-items: center; gap: .5rem; font-size: .85rem; color: var(--soft); margin-top: .35rem; }
+.maps { display: grid; grid-template-columns: 1fr 1fr; gap: .7rem; }
+.legend { display: flex; align-items: center; gap: .5rem; font-size: .85rem; color: var(--soft); margin-top: .15rem; }
 .magma {
   flex: 1; height: .8rem; border-radius: .2rem;
   background: linear-gradient(to right, #000004, #1c1044, #4f127b, #812581, #b5367a, #e55064, #fb8761, #fec287, #fcfdbf);

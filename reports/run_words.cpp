@@ -62,6 +62,8 @@ std::vector<std::string> warnings_of(const Record& record) {
         fmt::format("the build is '{}', not 'release': its times do not count", build.empty() ? "unknown" : build));
   if (const std::string truncated = text_at(record.run, "/truncated"); !truncated.empty())
     warnings.push_back(fmt::format("the record is incomplete: {}", truncated));
+  for (const Certificate& certificate : certificates(record))
+    if (!certificate.ok) warnings.push_back(certificate.words);
   if (const auto own = record.run.find("warnings"); own != record.run.end() && own->is_array())
     for (const Json& warning : *own) warnings.push_back(warning.is_string() ? warning.get<std::string>() : warning.dump());
   return warnings;
@@ -91,11 +93,11 @@ std::vector<std::string> plan_lines(const Record& record) {
       lines.push_back(fmt::format("{}: {}: {}", name, effect.at("called_for").get<bool>() ? "called for" : "not called for",
                                   effect.at("reason").get<std::string>()));
       for (const Json& feature : elements_of(effect, "features"))
-        lines.push_back(fmt::format("{}: {} {}: {}", name, feature.value("on", false) ? "with" : "without",
+        lines.push_back(fmt::format("{}: {} {}: {}", name, text_at(feature, "/on") == "true" ? "with" : "without",
                                     text_at(feature, "/feature"), text_at(feature, "/reason")));
       for (const Json& variant : elements_of(effect, "variants"))
         for (const Json& pass : elements_of(variant, "passes"))
-          if (!pass.value("runs", true))
+          if (text_at(pass, "/runs") == "false")
             lines.push_back(fmt::format("{}: {} without its pass {}: {}", name, text_at(variant, "/variant"),
                                         text_at(pass, "/pass"), text_at(pass, "/reason")));
     }

@@ -82,7 +82,7 @@ std::string terminal_table(const Record& record, bool colour) {
   lines.add("");
   for (const std::string& note : summary_notes(rows)) lines.add(note, dim);
   for (const Certificate& certificate : certificates(record))
-    lines.add("timer: " + one_line(certificate.words), certificate.ok ? dim : red);
+    if (certificate.ok) lines.add("timer: " + one_line(certificate.words), dim);
   for (const std::string& warning : warnings_of(record)) lines.add("warning: " + one_line(warning), yellow);
   return lines.take();
 }

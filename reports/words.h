@@ -41,8 +41,8 @@ inline constexpr double report_confidence = 0.95;    // an interval that covers 
 
 // "heart, 512x512, 3 views" and what else a title should say.
 std::string title_of(const Record& record);
-// What makes the figures worth less, one sentence each: a build that is not release, a record cut short, the run's own
-// warnings.
+// What makes the figures worth less, one sentence each: a build that is not release, a record cut short, a timer that cannot be
+// believed, the run's own warnings.
 std::vector<std::string> warnings_of(const Record& record);
 // One sentence a variant, with numbers: how much faster on each backend, at what loss.
 struct Headline {

@@ -2,7 +2,9 @@
 #include "harness/cli/backend_run.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 
 #include "harness/core/text.h"
 
@@ -71,6 +73,16 @@ std::vector<PassRow> count_rows(const Frame& counting, const std::vector<PassCou
   add(counting.once_names(), once, true);
   add(counting.frame_names(), frame, false);
   return rows;
+}
+
+// A picture of a broken frame can be shown, but not scored: what is not finite becomes magenta.
+Image with_marked_nonfinite(const Image& image) {
+  constexpr std::array<float, 4> magenta = {1, 0, 1, 1};
+  Image marked = image;
+  for (size_t i = 0; i < marked.rgba.size(); i += 4)
+    if (!std::all_of(&marked.rgba[i], &marked.rgba[i] + 4, [](float value) { return std::isfinite(value); }))
+      std::copy(magenta.begin(), magenta.end(), &marked.rgba[i]);
+  return marked;
 }
 
 Mask either(const Mask& a, const Mask& b) {
@@ -176,7 +188,7 @@ void BackendRun::score_view(Variant& variant, size_t view, const Image* baseline
   CellRow& row = variant.rows[view];
   const bool is_baseline = variant.manifest->baseline;
   const Image picture = is_baseline ? *baseline : render(variant, view);
-  const DisplayImage display = to_display(picture);
+  const DisplayImage display = to_display(with_marked_nonfinite(picture));
   const auto write = [&](std::string_view suffix, const DisplayImage& image) {
     const std::string name = picture_path(row, suffix);
     write_png((images_ / name).string(), image);

@@ -11,6 +11,8 @@
 namespace lamina {
 namespace {
 
+// Above what shaders declare, used or not, and below the fewest storage buffer bindings that drivers offer.
+constexpr uint32_t first_counter_binding = 16;
 constexpr uint32_t counter_header_words = 2;  // shader.h's CountingLayout: width of the coverage map, 0
 
 bool writes_frame(const GraphPass& pass) {
@@ -254,7 +256,7 @@ PipelineId FrameBuilder::pipeline(const GraphPass& pass, const GraphDraw& draw, 
 }
 
 void FrameBuilder::count(const GraphPass& pass, const GraphDraw& draw, Frame::Step& step, PipelineDesc& desc, Draw& command) {
-  uint32_t binding = 0;
+  uint32_t binding = first_counter_binding;
   for (const BindingSlot& slot : desc.bindings) binding = std::max(binding, slot.binding + 1);
   for (size_t i = 0; i < draw.stages.size(); ++i) {
     const CompiledShader& shader = *draw.stages[i];

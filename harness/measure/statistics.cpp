@@ -50,8 +50,8 @@ Interval median_interval(std::span<const double> samples, double confidence) {
     if (k == 1)
       refuse("median interval", fmt::format("{} samples give at most {:.4f} confidence, {} was asked for; measure more rounds",
                                             n, coverage, confidence));
-    // From count k to k - 1; an odd n has two middle counts, k and k - 1, of one probability.
-    if (n % 2 == 0 || k != (n + 1) / 2) probability *= static_cast<double>(k) / static_cast<double>(n - k + 1);
+    // From count k to k - 1: C(n, k - 1) = C(n, k) k / (n - k + 1). From an odd count's middle that factor is 1.
+    probability *= static_cast<double>(k) / static_cast<double>(n - k + 1);
     --k;
     coverage += 2 * probability;
   }

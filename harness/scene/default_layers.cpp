@@ -3,22 +3,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 
 #include "harness/core/error.h"
 #include "harness/scene/marble.h"
 
 namespace lamina {
+namespace {
 
-LayeredMaterial DefaultLayers::around(const std::string& name, const Texels& outer, std::shared_ptr<const TextureImage> normal) {
+// The same picture for every material of a size, so each size is made once.
+std::shared_ptr<const TextureImage> inner_layer(uint32_t width, uint32_t height) {
+  static std::mutex making;
+  static std::map<std::pair<uint32_t, uint32_t>, std::shared_ptr<const TextureImage>> made;
+  const std::lock_guard lock(making);
+  std::shared_ptr<const TextureImage>& layer = made[{width, height}];
+  if (!layer) layer = make_texture("inner layer", marble(width, height, 1), TexelMeaning::colour);
+  return layer;
+}
+
+}  // namespace
+
+LayeredMaterial default_layers(const std::string& name, const Texels& outer, std::shared_ptr<const TextureImage> normal) {
   const uint32_t width = std::clamp(outer.width, 512u, 4096u), height = std::clamp(outer.height, 512u, 4096u);
-  std::shared_ptr<const TextureImage>& inner = inner_[{width, height}];
-  if (!inner) inner = make_texture("inner layer", marble(width, height, 1), TexelMeaning::colour);
-
   LayeredMaterial layers;
   layers.outer_albedo = make_texture(name + " outer albedo", outer, TexelMeaning::colour);
   layers.outer_normal =
       normal ? std::move(normal) : constant_texture(name + " flat normal", {0.5f, 0.5f, 1.0f, 1.0f}, TexelMeaning::normal);
-  layers.inner_albedo = inner;
+  layers.inner_albedo = inner_layer(width, height);
   layers.thickness_texels = float(width) / 100;
   return layers;
 }

@@ -2,9 +2,8 @@
 // The layered material that a model gets where it, or its scene file, says nothing else.
 #pragma once
 
-#include <map>
 #include <memory>
-#include <optional>
+#include <string>
 
 #include "harness/scene/scene.h"
 #include "harness/scene/textures.h"
@@ -14,16 +13,10 @@ namespace lamina {
 // Transparency of an outer layer that has none of its own: the inner layer shows clearly, the outer one still rules.
 inline constexpr float default_transparency = 0.55f;
 
-// Makes inner layers, each size once.
-class DefaultLayers {
- public:
-  // Outer layer as given, transparency in `outer`'s alpha; a flat normal map where there is none; an inner layer of the outer's
-  // size (at least 512, at most 4096 texels on a side); thickness a hundredth of the inner layer's width.
-  LayeredMaterial around(const std::string& name, const Texels& outer, std::shared_ptr<const TextureImage> normal);
-
- private:
-  std::map<std::pair<uint32_t, uint32_t>, std::shared_ptr<const TextureImage>> inner_;
-};
+// Outer layer as given, transparency in `outer`'s alpha; a flat normal map where `normal` is null; an inner layer of the outer's
+// size (at least 512, at most 4096 texels on a side), which all materials of that size share; thickness a hundredth of the inner
+// layer's width; max_transparency not yet settled.
+LayeredMaterial default_layers(const std::string& name, const Texels& outer, std::shared_ptr<const TextureImage> normal);
 
 // Thickness in texels of `texture`'s base level for a thickness in the mesh's own units, by the mesh's mean texel density:
 // sqrt(area in texels / area of the surface). Throws Error(bad_input) about `subject` where the mesh has no area in its texture.

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "harness/core/error.h"
+#include "harness/scene/default_layers.h"
 #include "harness/scene/gltf_file.h"
 #include "harness/scene/gltf_material.h"
 #include "harness/scene/gltf_mesh.h"
@@ -106,8 +107,7 @@ std::optional<Placement> placement(const PlacedNode& node, const std::string& la
 
 class ObjectMaker {
  public:
-  ObjectMaker(const tinygltf::Model& model, DefaultLayers& defaults, LoadedModel& result)
-      : model_(model), defaults_(defaults), result_(result) {}
+  ObjectMaker(const tinygltf::Model& model, LoadedModel& result) : model_(model), result_(result) {}
 
   void add_mesh(int mesh_index, const std::string& node_name, const std::string& by, const Placement& place) {
     if (size_t(mesh_index) >= model_.meshes.size())
@@ -137,7 +137,7 @@ class ObjectMaker {
   const MaterialLook& look_of(int material) {
     const auto known = looks_.find(material);
     if (known != looks_.end()) return known->second;
-    return looks_.emplace(material, read_material(model_, material, defaults_, result_.warnings)).first->second;
+    return looks_.emplace(material, read_material(model_, material, result_.warnings)).first->second;
   }
 
   std::string unique(const std::string& wanted) {
@@ -147,7 +147,6 @@ class ObjectMaker {
   }
 
   const tinygltf::Model& model_;
-  DefaultLayers& defaults_;
   LoadedModel& result_;
   std::map<int, MaterialLook> looks_;
   std::set<std::string> names_;
@@ -155,12 +154,12 @@ class ObjectMaker {
 
 }  // namespace
 
-LoadedModel load_gltf(const std::filesystem::path& file, DefaultLayers& defaults) {
+LoadedModel load_gltf(const std::filesystem::path& file) {
   LoadedModel result;
   const tinygltf::Model model = read_gltf_file(file, result.warnings);
   if (!model.skins.empty() || !model.animations.empty())
     result.warnings.push_back(fmt::format("{}: skins and animations are not applied.", file.string()));
-  ObjectMaker maker(model, defaults, result);
+  ObjectMaker maker(model, result);
   for (const PlacedNode& node : placed_nodes(model, file.string())) {
     const tinygltf::Node& from = model.nodes[size_t(node.node)];
     if (from.mesh < 0) continue;

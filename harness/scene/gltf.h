@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "harness/scene/default_layers.h"
 #include "harness/scene/scene.h"
 
 namespace lamina {
@@ -18,6 +17,6 @@ struct LoadedModel {
 };
 
 // Throws Error(bad_input) naming the file, mesh or material.
-LoadedModel load_gltf(const std::filesystem::path& file, DefaultLayers& defaults);
+LoadedModel load_gltf(const std::filesystem::path& file);
 
 }  // namespace lamina

@@ -90,7 +90,7 @@ std::optional<float> volume_thickness(const tinygltf::Material& material, const 
 
 }  // namespace
 
-MaterialLook read_material(const tinygltf::Model& model, int material, DefaultLayers& defaults, std::vector<std::string>& warnings) {
+MaterialLook read_material(const tinygltf::Model& model, int material, std::vector<std::string>& warnings) {
   if (material >= 0 && size_t(material) >= model.materials.size())
     refuse(fmt::format("material {}", material), fmt::format("is referred to; the file has {}", model.materials.size()));
   const tinygltf::Material& from = material < 0 ? tinygltf::Material() : model.materials[size_t(material)];
@@ -99,7 +99,7 @@ MaterialLook read_material(const tinygltf::Model& model, int material, DefaultLa
   if (from.alphaMode != "OPAQUE" && from.alphaMode != "BLEND" && from.alphaMode != "MASK")
     refuse(look.name, fmt::format("alphaMode '{}' is none of OPAQUE, BLEND, MASK", from.alphaMode));
   look.thickness = volume_thickness(from, look.name, warnings);
-  look.layers = defaults.around(look.name, outer_layer(model, from, look.name, warnings), normal_map(model, from, look.name, warnings));
+  look.layers = default_layers(look.name, outer_layer(model, from, look.name, warnings), normal_map(model, from, look.name, warnings));
   return look;
 }
 

@@ -22,6 +22,6 @@ struct MaterialLook {
 // `material` may be -1: glTF's default material, white. Alpha of BLEND and MASK materials is opacity, so transparency is 1 - alpha
 // (after MASK's cutoff); OPAQUE ones get default_transparency. Normal maps are turned from glTF's green-up to scene.h's green-down.
 // Throws Error(bad_input) naming the material.
-MaterialLook read_material(const tinygltf::Model& model, int material, DefaultLayers& defaults, std::vector<std::string>& warnings);
+MaterialLook read_material(const tinygltf::Model& model, int material, std::vector<std::string>& warnings);
 
 }  // namespace lamina

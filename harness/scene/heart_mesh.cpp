@@ -44,10 +44,17 @@ void sew(HeartGrid& grid) {
 }
 
 // One round of springs: every point moves along the surface towards its eight neighbours, the farther ones pulling harder.
-void spread(HeartGrid& grid, float growth, int newton_steps) {
+// `drift` carries most of a point's last move into its next (Polyak's heavy ball, 1964), or far points would take thousands of rounds.
+void spread(HeartGrid& grid, std::vector<glm::vec3>& drift, float keep, float growth) {
   static constexpr std::array<std::pair<int, int>, 8> around = {
       {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
   std::vector<glm::vec3> moved(grid.points.size());
+  std::vector<float> crowd(grid.points.size());
+  const float crowding = 30 * std::max(1 - growth / trunks_grown, 0.0f);
+  for (size_t i = 0; i < crowd.size(); ++i) {
+    const float away = crowding > 0 ? std::max(vessel_distance(grid.points[i]), 0.0f) / 0.12f : 0;
+    crowd[i] = 1 + crowding * std::exp(-away * away);
+  }
   for (int y = 0; y <= grid.cells; ++y)
     for (int x = 0; x <= grid.cells; ++x) {
       const glm::vec3 p = grid.point({x, y});
@@ -56,14 +63,34 @@ void spread(HeartGrid& grid, float growth, int newton_steps) {
       for (const auto& [dx, dy] : around) {
         const glm::vec3 to = grid.point({x + dx, y + dy}) - p;
         // Stiffness grows with length squared; corners count half, being sqrt(2) as far in the square.
-        const float weight = (dx != 0 && dy != 0 ? 0.25f : 1.0f) * (glm::dot(to, to) + 1e-8f);
+        const float weight = (dx != 0 && dy != 0 ? 0.25f : 1.0f) * (glm::dot(to, to) + 1e-8f) * 0.5f * (crowd[grid.index({x, y})] + crowd[grid.index(grid.fold({x + dx, y + dy}))]);
         pull += weight * to;
         total += weight;
       }
-      pull *= 0.6f / total;
-      const glm::vec3 g = heart_gradient(p, growth);
-      pull -= g * (glm::dot(pull, g) / std::max(glm::dot(g, g), 1e-6f));
-      moved[grid.index({x, y})] = onto_heart(p + pull, growth, newton_steps);
+      // Six tenths of the way, for stability, and only along the surface: a vessel's tip, pulled inwards, would fall into the vessel.
+      glm::vec3 move = pull * (0.6f / total) + keep * drift[grid.index({x, y})];
+      const glm::vec3 across = glm::cross(grid.point({x, y + 1}) - grid.point({x, y - 1}), grid.point({x + 1, y}) - grid.point({x - 1, y}));
+      const float area = glm::length(across);
+      const glm::vec3 normal = across / std::max(area, 1e-12f);
+      move -= normal * glm::dot(move, normal);
+      // Near the surface the mesh's normal will do for bringing the point back, at a fourth of the gradient's cost.
+      const float away = area > 1e-8f ? heart_distance(p + move, growth) : 1.0f;
+      moved[grid.index({x, y})] = std::abs(away) < 0.003f ? p + move - normal * away : onto_heart(p + move, growth, 1);
+      drift[grid.index({x, y})] = move;
+    }
+  grid.points = std::move(moved);
+  sew(grid);
+}
+
+// Undoes small folds, which springs along the surface cannot: every point goes to the middle of its neighbours, then back to the
+// surface along the shape's gradient.
+void unfold(HeartGrid& grid, float growth) {
+  std::vector<glm::vec3> moved(grid.points.size());
+  for (int y = 0; y <= grid.cells; ++y)
+    for (int x = 0; x <= grid.cells; ++x) {
+      const glm::vec3 middle =
+          0.25f * (grid.point({x + 1, y}) + grid.point({x - 1, y}) + grid.point({x, y + 1}) + grid.point({x, y - 1}));
+      moved[grid.index({x, y})] = onto_heart(0.5f * (middle + grid.point({x, y})), growth, 1);
     }
   grid.points = std::move(moved);
   sew(grid);
@@ -93,16 +120,25 @@ HeartGrid make_grid() {
       grid.points[grid.index({x, y})] =
           cast_out(chart_direction(2.0f * static_cast<float>(x) / static_cast<float>(n) - 1, 1 - 2.0f * static_cast<float>(y) / static_cast<float>(n)));
   sew(grid);
-  // Rounds chosen by looking at the largest stretch: more change it by less than a tenth.
-  for (int i = 0; i < 40; ++i) spread(grid, 0, 1);
-  constexpr int growth_steps = 60;
-  for (int step = 1; step <= growth_steps; ++step)
-    for (int i = 0; i < 4; ++i) spread(grid, static_cast<float>(step) / growth_steps, 1);
-  for (int i = 0; i < 60; ++i) spread(grid, 1, 1);
+  // Numbers of rounds chosen by looking at the largest stretch, which more of them hardly change.
+  const auto grow = [&grid](float from, float to, int steps, int rounds, float keep = 0) {
+    std::vector<glm::vec3> drift(grid.points.size(), glm::vec3(0));
+    for (int step = 1; step <= steps; ++step)
+      for (int i = 0; i < rounds; ++i) spread(grid, drift, keep, from + (to - from) * static_cast<float>(step) / static_cast<float>(steps));
+  };
+  grow(0, 0, 1, 150, 0.8f);
+  grow(0, trunks_grown, 60, 5);
+  grow(trunks_grown, trunks_grown, 1, 150, 0.7f);
   grid = refined(grid);
-  for (int i = 0; i < 24; ++i) spread(grid, 1, 1);
+  for (int i = 0; i < 12; ++i) unfold(grid, trunks_grown);
+  grow(trunks_grown, branches_grown, 24, 4);
+  grow(branches_grown, branches_grown, 1, 60, 0.7f);
   grid = refined(grid);
-  for (int i = 0; i < 8; ++i) spread(grid, 1, i < 7 ? 1 : 3);
+  grow(branches_grown, 1, 12, 1);
+  grow(1, 1, 1, 12, 0.5f);
+  for (int i = 0; i < 6; ++i) unfold(grid, 1);
+  for (glm::vec3& p : grid.points) p = onto_heart(p, 1, 2);
+  sew(grid);
   return grid;
 }
 

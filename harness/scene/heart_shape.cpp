@@ -24,8 +24,8 @@ class Egg {
     side_ = glm::normalize(glm::cross(along_, front));
     front_ = glm::cross(side_, along_);
   }
-  float distance(glm::vec3 p, float size) const {
-    const glm::vec3 q = (p - center_) / size;
+  float distance(glm::vec3 p) const {
+    const glm::vec3 q = p - center_;
     const float h = glm::dot(q, along_);
     const float narrow = std::max(1 - taper_ * h / radii_.z, 0.25f);
     const glm::vec3 radii(radii_.x * narrow, radii_.y * narrow, radii_.z);
@@ -33,7 +33,7 @@ class Egg {
     const float k = glm::length(scaled);
     // Quilez's estimate k (k - 1) / |q / r^2|; at the centre, where it is 0/0, minus the smallest radius.
     const float slope = glm::length(scaled / radii);
-    return size * (slope > 1e-6f ? k * (k - 1) / slope : -std::min({radii.x, radii.y, radii.z}));
+    return slope > 1e-6f ? k * (k - 1) / slope : -std::min({radii.x, radii.y, radii.z});
   }
 
  private:
@@ -49,7 +49,7 @@ class Tube {
     float radius;
   };
   explicit Tube(const std::vector<Knot>& knots) {
-    constexpr int pieces = 5;  // straight pieces between knots: bends stay under 15 degrees
+    constexpr int pieces = 4;  // straight pieces between knots: bends stay under 20 degrees
     const auto knot = [&](size_t i) { return knots[std::min(i, knots.size() - 1)]; };
     for (size_t k = 0; k + 1 < knots.size(); ++k) {
       const Knot before = knot(k == 0 ? 0 : k - 1), from = knot(k), to = knot(k + 1), after = knot(k + 2);
@@ -83,11 +83,12 @@ class Tube {
     return nearest;
   }
 
-  // Of the hollow at the end: a ball that leaves a wall of a quarter of the radius.
-  float hollow(glm::vec3 p) const {
+  // Of the hollow at the end: a ball of the vessel's radius, sunk in until a thin lip is left. With `opening` from 0 to 1 it comes
+  // in from outside, so that what lies on the closed end is pushed inwards.
+  float hollow(glm::vec3 p, float opening) const {
     const Knot &end = path_.back(), &before = path_[path_.size() - 2];
-    const glm::vec3 center = end.at + 0.75f * end.radius * glm::normalize(end.at - before.at);
-    return glm::distance(p, center) - 1.0f * end.radius;
+    const float sunk = 0.7f + 1.5f * (1 - opening);
+    return glm::distance(p, end.at + sunk * end.radius * glm::normalize(end.at - before.at)) - end.radius;
   }
 
  private:
@@ -99,29 +100,37 @@ class Tube {
 enum class Kind : uint8_t { aorta, pulmonary, cava };
 struct Vessel {
   Kind kind;
+  bool branch;  // of the aorta: it can only grow once that is there
   Tube tube;
+  // Trunks grow first, then branches, then the ends open.
+  float growth(float whole) const {
+    return branch ? std::clamp((whole - trunks_grown) / (branches_grown - trunks_grown), 0.0f, 1.0f)
+                  : std::min(whole / trunks_grown, 1.0f);
+  }
 };
 
 struct Anatomy {
   glm::vec3 axis = heart_apex - heart_base;
   Egg left_ventricle{{0.25f, -0.34f, -0.10f}, {0.46f, -1.0f, 0.22f}, {0, 0, 1}, {0.54f, 0.56f, 0.84f}, 0.22f};
   Egg right_ventricle{{-0.13f, -0.24f, 0.20f}, {0.52f, -1.0f, 0.02f}, {0.15f, 0, 1}, {0.54f, 0.44f, 0.74f}, 0.24f};
-  std::array<Egg, 2> atria{{{{-0.56f, 0.26f, -0.06f}, {-0.1f, 1, 0}, {0, 0, 1}, {0.32f, 0.36f, 0.42f}, 0.10f},
+  std::array<Egg, 3> atria{{{{-0.12f, 0.40f, -0.14f}, {1, 0, 0}, {0, 0, 1}, {0.24f, 0.24f, 0.36f}, 0.0f},  // what lies between them
+                            {{-0.56f, 0.26f, -0.06f}, {-0.1f, 1, 0}, {0, 0, 1}, {0.32f, 0.36f, 0.42f}, 0.10f},
                             {{0.20f, 0.44f, -0.40f}, {1, 0.1f, 0}, {0, 0, 1}, {0.30f, 0.32f, 0.52f}, 0.0f}}};
-  std::array<Egg, 2> auricles{{{{-0.40f, 0.40f, 0.30f}, {0.75f, 0.45f, 0.25f}, {0, 0, 1}, {0.17f, 0.15f, 0.30f}, 0.25f},
-                               {{0.58f, 0.36f, 0.10f}, {0.10f, -0.45f, 0.75f}, {1, 0, 0}, {0.17f, 0.14f, 0.30f}, 0.30f}}};
+  std::array<Tube, 2> auricles{
+      {Tube({{{-0.54f, 0.36f, 0.00f}, 0.19f}, {{-0.43f, 0.47f, 0.25f}, 0.16f}, {{-0.25f, 0.42f, 0.38f}, 0.10f}}),
+       Tube({{{0.42f, 0.46f, -0.20f}, 0.19f}, {{0.61f, 0.40f, 0.02f}, 0.17f}, {{0.50f, 0.20f, 0.25f}, 0.11f}})}};
   std::array<Vessel, 6> vessels{
-      {{Kind::aorta,
-        Tube({{{-0.06f, 0.25f, 0.06f}, 0.19f}, {{-0.15f, 0.72f, 0.12f}, 0.205f}, {{-0.07f, 1.10f, 0.04f}, 0.19f},
-              {{0.16f, 1.30f, -0.14f}, 0.18f}, {{0.46f, 1.27f, -0.36f}, 0.165f}, {{0.62f, 1.06f, -0.48f}, 0.155f}})},
-       {Kind::aorta, Tube({{{-0.04f, 1.15f, 0.02f}, 0.09f}, {{-0.14f, 1.48f, 0.05f}, 0.085f}, {{-0.26f, 1.66f, 0.06f}, 0.085f}})},
-       {Kind::aorta, Tube({{{0.14f, 1.30f, -0.12f}, 0.07f}, {{0.13f, 1.54f, -0.12f}, 0.065f}, {{0.10f, 1.70f, -0.10f}, 0.065f}})},
-       {Kind::aorta, Tube({{{0.36f, 1.30f, -0.29f}, 0.07f}, {{0.42f, 1.50f, -0.31f}, 0.066f}, {{0.52f, 1.64f, -0.30f}, 0.066f}})},
-       {Kind::pulmonary,
-        Tube({{{0.10f, 0.15f, 0.30f}, 0.20f}, {{0.15f, 0.56f, 0.36f}, 0.20f}, {{0.28f, 0.82f, 0.24f}, 0.19f},
-              {{0.53f, 0.92f, 0.10f}, 0.165f}, {{0.74f, 0.90f, 0.02f}, 0.15f}})},
-       {Kind::cava, Tube({{{-0.56f, 0.30f, -0.08f}, 0.15f}, {{-0.57f, 0.76f, -0.12f}, 0.145f}, {{-0.62f, 1.10f, -0.14f}, 0.145f},
-                          {{-0.66f, 1.28f, -0.13f}, 0.15f}})}}};
+      {{Kind::aorta, false,
+        Tube({{{-0.06f, 0.25f, 0.06f}, 0.18f}, {{-0.17f, 0.72f, 0.12f}, 0.185f}, {{-0.09f, 1.10f, 0.04f}, 0.18f},
+              {{0.14f, 1.31f, -0.14f}, 0.17f}, {{0.44f, 1.30f, -0.36f}, 0.16f}, {{0.62f, 1.10f, -0.50f}, 0.155f}})},
+       {Kind::aorta, true, Tube({{{-0.04f, 1.17f, 0.02f}, 0.09f}, {{-0.14f, 1.48f, 0.05f}, 0.088f}, {{-0.26f, 1.66f, 0.06f}, 0.09f}})},
+       {Kind::aorta, true, Tube({{{0.14f, 1.31f, -0.13f}, 0.075f}, {{0.14f, 1.54f, -0.12f}, 0.072f}, {{0.10f, 1.70f, -0.10f}, 0.074f}})},
+       {Kind::aorta, true, Tube({{{0.36f, 1.31f, -0.29f}, 0.075f}, {{0.42f, 1.52f, -0.31f}, 0.073f}, {{0.52f, 1.66f, -0.30f}, 0.075f}})},
+       {Kind::pulmonary, false,
+        Tube({{{0.12f, 0.15f, 0.30f}, 0.19f}, {{0.20f, 0.56f, 0.39f}, 0.19f}, {{0.36f, 0.82f, 0.28f}, 0.18f},
+              {{0.60f, 0.92f, 0.14f}, 0.16f}, {{0.80f, 0.88f, 0.06f}, 0.15f}})},
+       {Kind::cava, false, Tube({{{-0.56f, 0.30f, -0.08f}, 0.15f}, {{-0.57f, 0.76f, -0.12f}, 0.145f}, {{-0.62f, 1.06f, -0.14f}, 0.145f},
+                          {{-0.66f, 1.22f, -0.13f}, 0.15f}})}}};
 };
 
 const Anatomy& anatomy() {
@@ -130,25 +139,27 @@ const Anatomy& anatomy() {
 }
 
 // Widths of the unions in metres: soft between chambers, tight around vessels so that their necks stay.
-constexpr float ventricle_blend = 0.10f, atrium_blend = 0.10f, auricle_blend = 0.05f, vessel_blend = 0.07f, lip_blend = 0.035f;
+constexpr float ventricle_blend = 0.10f, atrium_blend = 0.10f, auricle_blend = 0.10f, vessel_blend = 0.15f, lip_blend = 0.035f;
 
 float ventricles(const Anatomy& a, glm::vec3 p) {
-  return smooth_min(a.left_ventricle.distance(p, 1), a.right_ventricle.distance(p, 1), ventricle_blend);
+  return smooth_min(a.left_ventricle.distance(p), a.right_ventricle.distance(p), ventricle_blend);
 }
 
 float atria(const Anatomy& a, glm::vec3 p, float growth) {
-  float d = std::min(a.atria[0].distance(p, 1), a.atria[1].distance(p, 1));
-  const float size = 0.4f + 0.6f * growth;
-  for (const Egg& auricle : a.auricles) d = smooth_min(d, auricle.distance(p, size), auricle_blend);
+  float d = a.atria[0].distance(p);
+  d = smooth_min(d, a.atria[1].distance(p), atrium_blend);
+  d = smooth_min(d, a.atria[2].distance(p), atrium_blend);
+  for (const Tube& auricle : a.auricles)
+    if (auricle.lower_bound(p) < d + auricle_blend)
+      d = smooth_min(d, auricle.distance(p, std::min(growth / trunks_grown, 1.0f)), auricle_blend);
   return d;
 }
 
-// Cuts a vessel's hollow end out of the whole; the hollow opens over the last fifth of the growth.
+// Cuts a vessel's hollow end out of the whole.
 float cut_lumen(const Tube& tube, glm::vec3 p, float d, float growth) {
-  const float opening = std::clamp((growth - 0.8f) * 5, 0.0f, 1.0f);
+  const float opening = (growth - branches_grown) / (1 - branches_grown);
   if (opening <= 0) return d;
-  const float hollow = tube.hollow(p) + (1 - opening) * 0.12f;
-  return -smooth_min(-d, hollow, lip_blend);
+  return -smooth_min(-d, tube.hollow(p, opening), lip_blend);
 }
 
 }  // namespace
@@ -157,35 +168,46 @@ float heart_distance(glm::vec3 p, float growth) {
   const Anatomy& a = anatomy();
   float d = smooth_min(ventricles(a, p), atria(a, p, growth), atrium_blend);
   for (const Vessel& vessel : a.vessels)
-    if (vessel.tube.lower_bound(p) < d + vessel_blend) d = smooth_min(d, vessel.tube.distance(p, growth), vessel_blend);
+    if (vessel.tube.lower_bound(p) < d + vessel_blend && vessel.growth(growth) > 0)
+      d = smooth_min(d, vessel.tube.distance(p, vessel.growth(growth)), vessel_blend);
+  if (growth <= branches_grown) return d;
   for (const Vessel& vessel : a.vessels)
     if (vessel.tube.lower_bound(p) < 0.3f) d = cut_lumen(vessel.tube, p, d, growth);
   return d;
 }
 
-glm::vec3 heart_gradient(glm::vec3 p, float growth) {
-  // Differences along a tetrahedron's corners: four evaluations instead of six. 2 mm is below every blend width and far above
-  // a float's rounding at this size.
-  constexpr float step = 0.002f;
-  glm::vec3 sum(0);
-  for (const glm::vec3 corner : {glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1), glm::vec3(-1, 1, -1), glm::vec3(1, 1, 1)})
-    sum += corner * heart_distance(p + step * corner, growth);
-  return sum / (4 * step);
-}
-
 glm::vec3 onto_heart(glm::vec3 p, float growth, int steps) {
-  // Steps are held to 5 cm: the estimate is only first-order far from the surface.
+  // Differences along a tetrahedron's corners give the gradient from four evaluations, and their mean the distance. 2 mm is below
+  // every blend width and far above a float's rounding at this size.
+  constexpr float step = 0.002f;
   for (int i = 0; i < steps; ++i) {
-    const glm::vec3 g = heart_gradient(p, growth);
-    const glm::vec3 move = g * (heart_distance(p, growth) / std::max(glm::dot(g, g), 0.1f));
+    glm::vec3 sum(0);
+    float distance = 0;
+    for (const glm::vec3 corner : {glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1), glm::vec3(-1, 1, -1), glm::vec3(1, 1, 1)}) {
+      const float d = heart_distance(p + step * corner, growth);
+      sum += corner * d;
+      distance += 0.25f * d;
+    }
+    const glm::vec3 gradient = sum / (4 * step);
+    // Steps are held to 5 cm: the estimate is only first-order far from the surface.
+    const glm::vec3 move = gradient * (distance / std::max(glm::dot(gradient, gradient), 0.1f));
     p -= move * std::min(1.0f, 0.05f / std::max(glm::length(move), 1e-9f));
   }
   return p;
 }
 
+float vessel_distance(glm::vec3 p) {
+  float d = 1e9f;
+  for (const Vessel& vessel : anatomy().vessels)
+    if (vessel.tube.lower_bound(p) < d) d = std::min(d, vessel.tube.distance(p, 1));
+  for (const Tube& auricle : anatomy().auricles)
+    if (auricle.lower_bound(p) < d) d = std::min(d, auricle.distance(p, 1));
+  return d;
+}
+
 HeartRegions heart_regions(glm::vec3 p) {
   const Anatomy& a = anatomy();
-  const float left = a.left_ventricle.distance(p, 1), right = a.right_ventricle.distance(p, 1);
+  const float left = a.left_ventricle.distance(p), right = a.right_ventricle.distance(p);
   const float below = smooth_min(left, right, ventricle_blend), above = atria(a, p, 1);
   std::array<float, 3> kinds = {1e9f, 1e9f, 1e9f};
   HeartRegions r;
@@ -193,7 +215,7 @@ HeartRegions heart_regions(glm::vec3 p) {
   for (const Vessel& vessel : a.vessels) {
     float& nearest = kinds[static_cast<size_t>(vessel.kind)];
     nearest = std::min(nearest, vessel.tube.distance(p, 1));
-    r.lumen = std::max(r.lumen, -vessel.tube.hollow(p));
+    r.lumen = std::max(r.lumen, -vessel.tube.hollow(p, 1));
   }
   r.sulcus = left - right;
   r.base = below - above;

@@ -23,13 +23,15 @@ struct HeartRegions {
   float lumen = 0;   // depth inside a cut vessel's end; <= 0 outside of it
 };
 
-// `growth` in [0, 1] lets auricles and vessels grow out of a star-shaped body (0) to the whole heart (1), so that a mesh can follow.
+// `growth` in [0, 1] lets auricles and vessels grow out of a star-shaped body, so that a mesh can follow: 0 is the body,
+// from trunks_grown on the vessels have their length, from branches_grown on their branches too; at 1 their ends are open.
+inline constexpr float trunks_grown = 0.5f, branches_grown = 0.8f;
 // Negative inside.
 float heart_distance(glm::vec3 p, float growth);
-// Of heart_distance, by differences: about unit length near the surface, pointing outwards.
-glm::vec3 heart_gradient(glm::vec3 p, float growth);
 // Moves a point near the surface onto it (Newton's steps along the gradient).
 glm::vec3 onto_heart(glm::vec3 p, float growth, int steps);
+// To the nearest of the fully grown vessels and auricles; negative inside them.
+float vessel_distance(glm::vec3 p);
 HeartRegions heart_regions(glm::vec3 p);
 
 }  // namespace lamina

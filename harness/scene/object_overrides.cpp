@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "harness/core/text.h"
+#include "harness/scene/default_layers.h"
 #include "harness/scene/textures.h"
 #include "harness/scene/toml_values.h"
 
@@ -51,8 +52,8 @@ std::shared_ptr<const TextureImage> normal_map(const std::string& name, const st
 // One object's entry. Everything is read through the tables, so their unknown keys are refused before anything is loaded.
 class Override {
  public:
-  Override(const TomlTable& table, const std::filesystem::path& folder, DefaultLayers& defaults)
-      : table_(table), outer_(table.table("outer")), inner_(table.table("inner")), folder_(folder), defaults_(defaults) {
+  Override(const TomlTable& table, const std::filesystem::path& folder)
+      : table_(table), outer_(table.table("outer")), inner_(table.table("inner")), folder_(folder) {
     expect_keys(table_, {"layers", "albedo", "outer", "inner", "thickness", "scattering", "position", "rotation_degrees", "scale"});
     expect_keys(outer_, {"albedo", "normal", "transparency"});
     expect_keys(inner_, {"albedo"});
@@ -99,7 +100,7 @@ class Override {
     if (!outer_.has("albedo"))
       throw table_.error({}, fmt::format("object '{}' has no layers to change; give outer.albedo to make them", name));
     const Texels transparency{1, 1, {glm::vec4(default_transparency)}};
-    return defaults_.around(name, with_transparency(picture_or_colour(outer_, "albedo", folder_), transparency), nullptr);
+    return default_layers(name, with_transparency(picture_or_colour(outer_, "albedo", folder_), transparency), nullptr);
   }
 
   void change_layers(LayeredMaterial& layers, const std::string& name) const {
@@ -125,20 +126,18 @@ class Override {
 
   TomlTable table_, outer_, inner_;
   std::filesystem::path folder_;
-  DefaultLayers& defaults_;
 };
 
 }  // namespace
 
-void override_objects(std::vector<Object>& objects, const TomlTable& root, const std::filesystem::path& folder,
-                      DefaultLayers& defaults) {
+void override_objects(std::vector<Object>& objects, const TomlTable& root, const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const Object& object : objects) names.push_back(object.name);
   std::vector<std::pair<std::string, TomlTable>> entries = root.tables("objects");
   std::stable_partition(entries.begin(), entries.end(), [](const auto& entry) { return entry.first == "*"; });
 
   for (const auto& [name, table] : entries) {
-    const Override change(table, folder, defaults);
+    const Override change(table, folder);
     const bool all = name == "*";
     if (!all && std::find(names.begin(), names.end(), name) == names.end())
       throw table.error({}, unknown_name("object", name, names));

@@ -13,7 +13,6 @@
 #pragma once
 
 #include "harness/core/toml_table.h"
-#include "harness/scene/default_layers.h"
 #include "harness/scene/scene.h"
 
 namespace lamina {
@@ -21,6 +20,6 @@ namespace lamina {
 // Objects that no entry names stay as they are; "*" holds for all, before the entries that name one. What "*" says about layers goes
 // to the objects that have them; an entry that names an object without layers must give outer.albedo and so makes them.
 // Throws Error(bad_input) with file and line.
-void override_objects(std::vector<Object>& objects, const TomlTable& root, const std::filesystem::path& folder, DefaultLayers& defaults);
+void override_objects(std::vector<Object>& objects, const TomlTable& root, const std::filesystem::path& folder);
 
 }  // namespace lamina

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/scene/scene_file.h"
 
-#include <array>
+#include <algorithm>
 
 #include "harness/core/text.h"
 #include "harness/core/toml_table.h"
@@ -28,7 +28,7 @@ Scene scene_of_objects(LoadedModel model, float time_s) {
 }
 
 // The scene that [scene] starts from.
-Scene base_scene(const TomlTable& table, const std::filesystem::path& folder, float time_s, DefaultLayers& defaults) {
+Scene base_scene(const TomlTable& table, const std::filesystem::path& folder, float time_s) {
   if (table.has("model") == table.has("builtin"))
     throw table.error({}, "[scene] needs either model = \"FILE\" (.glb or .gltf) or builtin = \"NAME\"");
   if (table.has("builtin")) {
@@ -40,7 +40,7 @@ Scene base_scene(const TomlTable& table, const std::filesystem::path& folder, fl
   }
   const std::filesystem::path file = folder / table.string("model");
   if (!std::filesystem::is_regular_file(file)) throw table.error("model", fmt::format("there is no file {}", file.string()));
-  return scene_of_objects(load_gltf(file, defaults), time_s);
+  return scene_of_objects(load_gltf(file), time_s);
 }
 
 Light read_light(const std::string& name, const TomlTable& table) {
@@ -117,8 +117,7 @@ Scene read_builtin(const std::string& name, float time_s) {
 }
 
 Scene read_model(const std::filesystem::path& file, float time_s) {
-  DefaultLayers defaults;
-  Scene scene = scene_of_objects(load_gltf(file, defaults), time_s);
+  Scene scene = scene_of_objects(load_gltf(file), time_s);
   scene.name = file.stem().string();
   return scene;
 }
@@ -131,13 +130,12 @@ Scene read_scene_file(const std::filesystem::path& file, std::optional<float> ti
   expect_keys(table, {"model", "builtin", "name", "time", "background", "ambient"});
 
   const auto file_time_s = table.optional_number("time", -1e6, 1e6);
-  DefaultLayers defaults;
   const std::filesystem::path folder = file.parent_path();
-  Scene scene = base_scene(table, folder, time_s.value_or(static_cast<float>(file_time_s.value_or(0))), defaults);
+  Scene scene = base_scene(table, folder, time_s.value_or(static_cast<float>(file_time_s.value_or(0))));
   scene.name = table.optional_string("name").value_or(file.stem().string());
   scene.background = colour(table, "background", brightest).value_or(scene.background);
   scene.ambient = colour(table, "ambient", brightest).value_or(scene.ambient);
-  override_objects(scene.objects, root, folder, defaults);
+  override_objects(scene.objects, root, folder);
   read_lights(scene, root);
   read_views(scene, root);
   return scene;

@@ -155,14 +155,17 @@ Texels load_texels(const std::filesystem::path& file, bool srgb_colour) {
 }
 
 Texels decode_texels(std::span<const std::byte> encoded_file, const std::string& name, bool srgb_colour) {
-  OIIO::Filesystem::IOMemReader memory(encoded_file.data(), encoded_file.size());
-  OIIO::ImageSpec config = unassociated_alpha();
-  void* proxy = &memory;
-  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-  // The name's ending is only where OpenImageIO starts to look; it tries every reader that can read from memory.
-  const auto input = OIIO::ImageInput::open("picture.png", &config);
-  if (!input) refuse(name, "cannot be read as a picture: " + OIIO::geterror());
-  return read_texels(*input, name, srgb_colour);
+  // OpenImageIO chooses a reader by the name's ending alone: glTF's own formats first, then others that read from memory.
+  std::string why;
+  for (const char* ending : {"png", "jpg", "webp", "exr", "hdr"}) {
+    OIIO::Filesystem::IOMemReader memory(encoded_file.data(), encoded_file.size());
+    OIIO::ImageSpec config = unassociated_alpha();
+    void* proxy = &memory;
+    config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+    if (const auto input = OIIO::ImageInput::open(fmt::format("picture.{}", ending), &config)) return read_texels(*input, name, srgb_colour);
+    why += fmt::format("; {}: {}", ending, OIIO::geterror());
+  }
+  refuse(name, "cannot be read as a picture" + why);
 }
 
 std::shared_ptr<const TextureImage> make_texture(std::string name, const Texels& base, TexelMeaning meaning) {

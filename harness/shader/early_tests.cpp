@@ -11,7 +11,7 @@ spv::StorageClass storage_class(const SpirvModule& module, uint32_t pointer) {
 }
 
 bool is_memory(spv::StorageClass storage) {
-  return storage == spv::StorageClassUniform || storage == spv::StorageClassStorageBuffer || storage == spv::StorageClassImage;
+  return storage == spv::StorageClassUniform || storage == spv::StorageClassStorageBuffer;
 }
 
 bool prevents_early_tests(const SpirvModule& module, const SpirvInstruction& i) {
@@ -20,7 +20,6 @@ bool prevents_early_tests(const SpirvModule& module, const SpirvInstruction& i) 
     case spv::OpTerminateInvocation:
     case spv::OpDemoteToHelperInvocation:
     case spv::OpImageWrite:
-    case spv::OpImageTexelPointer:  // what an image's atomics go through
     case spv::OpAtomicFAddEXT:
     case spv::OpAtomicFMinEXT:
     case spv::OpAtomicFMaxEXT:

@@ -115,8 +115,9 @@ INSTANTIATE_TEST_SUITE_P(Backends, VulkanDevice, ::testing::Values("vulkan"),
 // Silence of the validation layers means something only where they can be heard.
 TEST_P(VulkanDevice, ValidationLayersAreHeard) {
   PipelineDesc desc{.name = "reads an attribute that no buffer feeds"};
-  desc.stages = {{Stage::vertex, shader(Stage::vertex, "layout(location = 3) in vec2 uv; void main() { gl_Position = uv.xyxy; }").spirv},
-                 {Stage::fragment, shader(Stage::fragment, "layout(location = 0) out vec4 c; void main() { c = vec4(1); }").spirv}};
+  desc.stages = {
+      {Stage::vertex, shader(Stage::vertex, "layout(location = 3) in vec2 uv; void main() { gl_Position = uv.xyxy; }").spirv},
+      {Stage::fragment, shader(Stage::fragment, "layout(location = 0) out vec4 c; void main() { c = vec4(1); }").spirv}};
   desc.colors = {Format::rgba8_unorm};
   backend().create_pipeline(desc);
   const std::vector<std::string> messages = backend().take_messages();
@@ -125,14 +126,50 @@ TEST_P(VulkanDevice, ValidationLayersAreHeard) {
   EXPECT_TRUE(backend().take_messages().empty()) << "they are taken once";
 }
 
+// An environment variable that goes back to what it was.
+class ScopedVariable {
+ public:
+  ScopedVariable(const char* name, const char* value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    ::setenv(name, value, 1);
+  }
+  ~ScopedVariable() { before_ ? ::setenv(name_, before_->c_str(), 1) : ::unsetenv(name_); }
+  ScopedVariable(const ScopedVariable&) = delete;
+  ScopedVariable& operator=(const ScopedVariable&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
+
+TEST_P(VulkanDevice, WithoutADriverTheListIsEmptyAndOpeningSaysWhatToInstall) {
+  close();
+  const ScopedVariable none("VK_ICD_FILENAMES", "/no/such/driver.json"), none_either("VK_DRIVER_FILES", "/no/such/driver.json");
+  EXPECT_TRUE(list_devices("vulkan").empty());
+  const Error error = error_of([] { open_backend("vulkan"); });
+  EXPECT_EQ(error.kind(), ErrorKind::no_device);
+  EXPECT_NE(error.message().find("mesa-vulkan-drivers"), std::string::npos) << error.what();
+}
+
+TEST_P(VulkanDevice, WithoutTheLayerValidationNamesThePackage) {
+  close();
+  const ScopedVariable none("VK_LAYER_PATH", "/no/such/folder");
+  const Error error = error_of([] { open_backend("vulkan", {.device = "", .validation = true}); });
+  EXPECT_EQ(error.kind(), ErrorKind::no_device);
+  EXPECT_NE(error.message().find("vulkan-validationlayers"), std::string::npos) << error.what();
+  EXPECT_NO_THROW(open_backend("vulkan"));
+}
+
 TEST_P(VulkanDevice, TextureLargerThanAllMemoryIsAnErrorThatNamesIt) {
-  const uint32_t most = backend().info().max_texture_size;
   if (!backend().info().software) GTEST_SKIP() << "a device with this much memory may have room";
-  const Error error = error_of([&] {
-    backend().create_texture({.name = "huge", .width = most, .height = most, .format = Format::rgba32_float});
-  });
-  EXPECT_EQ(error.kind(), ErrorKind::failed);
-  EXPECT_EQ(error.subject(), "huge");
+  const uint32_t most = backend().info().max_texture_size;
+  for (const uint32_t height : {most, most / 4 * 3}) {  // 4 and 3 GB on lavapipe, past its largest image and its largest memory
+    const Error error = error_of(
+        [&] { backend().create_texture({.name = "huge", .width = most, .height = height, .format = Format::rgba32_float}); });
+    EXPECT_EQ(error.kind(), ErrorKind::failed);
+    EXPECT_EQ(error.subject(), "huge");
+    EXPECT_NE(error.message().find("smaller"), std::string::npos) << error.what();
+  }
 }
 
 TEST_P(VulkanDevice, PassThatDoesNotFitTogetherIsBadInput) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the conformance tests share: a fixture that runs over every backend, with the API's checker on and listened to, and short
-// ways to make shaders, pipelines, targets and passes. A test of this fixture runs on every backend that opens here; where one
-// does not open, its tests are skipped and say why.
+// What the conformance tests share: a fixture that runs over every backend, with the API's checker on and listened to, and
+// short ways to make shaders, pipelines, targets and passes. A test of this fixture runs on every backend that opens here;
+// where one does not open, its tests are skipped and say why.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -58,7 +58,9 @@ struct Look {
 struct Floats {
   uint32_t width = 0, channels = 4;
   std::vector<float> values;
-  float at(uint32_t x, uint32_t y, uint32_t channel = 0) const { return values.at((size_t{y} * width + x) * channels + channel); }
+  float at(uint32_t x, uint32_t y, uint32_t channel = 0) const {
+    return values.at((size_t{y} * width + x) * channels + channel);
+  }
 };
 
 class BackendTest : public ShaderFiles, public ::testing::WithParamInterface<std::string_view> {
@@ -167,7 +169,7 @@ class BackendTest : public ShaderFiles, public ::testing::WithParamInterface<std
 };
 
 // Runs every TEST_P of `Suite` over every backend.
-#define LAMINA_ON_EVERY_BACKEND(Suite)                                                 \
+#define LAMINA_ON_EVERY_BACKEND(Suite)                                            \
   INSTANTIATE_TEST_SUITE_P(Backends, Suite, ::testing::ValuesIn(backend_names()), \
                            [](const auto& case_of) { return std::string(case_of.param); })
 

@@ -41,6 +41,7 @@ TEST_P(BackendSampling, LinearIsBilinear) {
   EXPECT_NEAR(sample(id, linear, "texture(t, vec2(0.5, 0.25)).r"), 0.5, weight_step);
   EXPECT_NEAR(sample(id, linear, "texture(t, vec2(0.25, 0.5)).r"), 1.0, 2 * weight_step);
   EXPECT_NEAR(sample(id, linear, "texture(t, vec2(0.5, 0.5)).r"), 2.0, 5 * weight_step);
+  EXPECT_NEAR(sample(id, {.filter = Filter::trilinear}, "texture(t, vec2(0.5, 0.5)).r"), 2.0, 5 * weight_step);
   // Three quarters of the way right, a quarter down: (1 - a)(1 - b) 0 + a (1 - b) 1 + (1 - a) b 2 + a b 5.
   EXPECT_NEAR(sample(id, linear, "texture(t, vec2(0.625, 0.375)).r"), 0.5625 + 0.125 + 0.9375, 5 * weight_step);
 }
@@ -54,14 +55,15 @@ TEST_P(BackendSampling, ClampHoldsTheEdgeAndRepeatComesRound) {
   EXPECT_EQ(sample(id, repeat, "texture(t, vec2(-0.375, 0.5)).r"), 3);
   // At the border, linear mixes the edge with itself or with the other side.
   EXPECT_NEAR(sample(id, {.filter = Filter::linear, .wrap = Wrap::clamp}, "texture(t, vec2(0.0, 0.5)).r"), 1, weight_step);
-  EXPECT_NEAR(sample(id, {.filter = Filter::linear, .wrap = Wrap::repeat}, "texture(t, vec2(0.0, 0.5)).r"), 2.5, 3 * weight_step);
+  EXPECT_NEAR(sample(id, {.filter = Filter::linear, .wrap = Wrap::repeat}, "texture(t, vec2(0.0, 0.5)).r"), 2.5,
+              3 * weight_step);
 }
 
 TEST_P(BackendSampling, OnlyTrilinearReadsOtherLevels) {
   const std::vector<std::vector<std::byte>> levels = {bytes_of(std::vector<float>(16, 1)), bytes_of(std::vector<float>(4, 3)),
                                                       bytes_of(std::vector<float>(1, 7))};
-  const TextureId id = backend().create_texture(
-      {.name = "levels", .width = 4, .height = 4, .levels = 3, .format = Format::r32_float}, levels);
+  const TextureId id =
+      backend().create_texture({.name = "levels", .width = 4, .height = 4, .levels = 3, .format = Format::r32_float}, levels);
   const auto at_lod = [&](Filter filter, const char* lod) {
     return sample(id, {.filter = filter}, "textureLod(t, vec2(0.3), " + std::string(lod) + ").r");
   };

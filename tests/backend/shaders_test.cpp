@@ -9,9 +9,7 @@ using BackendShaders = BackendTest;
 LAMINA_ON_EVERY_BACKEND(BackendShaders);
 
 TEST_P(BackendShaders, UniformBlockIsReadAsStd140LaysItOut) {
-  struct Block {
-    float scalar, vector[3], matrix[8], last[4];  // float at 0, vec3 at 16, mat2 at 32 (columns 16 apart), vec4 at 64
-  };
+  // float at byte 0, vec3 at 16, mat2 at 32 with its columns 16 apart, vec4 at 64.
   std::vector<float> block(20, 0);
   block[0] = 1;
   block[4] = 2, block[5] = 3, block[6] = 4;
@@ -26,7 +24,8 @@ void main() { c = vec4(scalar, vector.z, matrix[1][0], last.x); })";
   draw.buffers = {{.binding = 4, .buffer = uniform, .kind = BindingKind::uniform_buffer}};
   EXPECT_EQ(draw_over(1, 1, fragment, draw).values, (std::vector<float>{1, 4, 7, 9}));
   backend().write_buffer(uniform, bytes_of(std::vector<float>{-1}));
-  EXPECT_EQ(draw_over(1, 1, fragment, draw).values, (std::vector<float>{-1, 4, 7, 9})) << "written from the start, the rest kept";
+  EXPECT_EQ(draw_over(1, 1, fragment, draw).values, (std::vector<float>{-1, 4, 7, 9}))
+      << "written from the start, the rest kept";
 }
 
 TEST_P(BackendShaders, DrawsOfOnePassReadTheirOwnBuffers) {
@@ -152,7 +151,8 @@ TEST_P(BackendShaders, StorageImagesOfSeveralFormats) {
     return backend().read_texture(image);
   };
   EXPECT_EQ(stored(Format::r32_float, "r32f) uniform writeonly image2D", "vec4(0.1)"), bytes_of<float>({0.1f}));
-  EXPECT_EQ(stored(Format::r32_uint, "r32ui) uniform writeonly uimage2D", "uvec4(4000000000u)"), bytes_of<uint32_t>({4000000000u}));
+  EXPECT_EQ(stored(Format::r32_uint, "r32ui) uniform writeonly uimage2D", "uvec4(4000000000u)"),
+            bytes_of<uint32_t>({4000000000u}));
   EXPECT_EQ(stored(Format::rgba8_unorm, "rgba8) uniform writeonly image2D", "vec4(0, 0.2, 0.4, 1)"),
             bytes_of<uint8_t>({0, 51, 102, 255}));
   EXPECT_EQ(stored(Format::rgba16_float, "rgba16f) uniform writeonly image2D", "vec4(0.5, 1, -2, 4)"),
@@ -283,7 +283,8 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 0) out vec3 n;
 void main() { gl_Position = vec4(position, 1); n = normal; })";
-  constexpr const char* fragment = "layout(location = 0) in vec3 n; layout(location = 0) out vec4 c; void main() { c = n.xxxx; }";
+  constexpr const char* fragment =
+      "layout(location = 0) in vec3 n; layout(location = 0) out vec4 c; void main() { c = n.xxxx; }";
   EXPECT_NEAR(draw(mesh, vertex, fragment).at(4, 2), 10, 1e-5);
   auto vertices = read<float>(mesh.vertices);
   for (size_t i = 3; i < vertices.size(); i += 12) vertices[i] = 11;

@@ -68,7 +68,8 @@ TEST_P(BackendTextures, ClearReachesEveryTexelInTheTargetsOwnFormat) {
   const float fifth = 51 / 255.0f, two_fifths = 102 / 255.0f, three_fifths = 153 / 255.0f;
   EXPECT_EQ(cleared(Format::r8_unorm, {fifth, 9, 9, 9}), times_15(std::array<uint8_t, 1>{51}));
   EXPECT_EQ(cleared(Format::rg8_unorm, {fifth, two_fifths, 9, 9}), times_15(std::array<uint8_t, 2>{51, 102}));
-  EXPECT_EQ(cleared(Format::rgba8_unorm, {fifth, two_fifths, three_fifths, 2}), times_15(std::array<uint8_t, 4>{51, 102, 153, 255}));
+  EXPECT_EQ(cleared(Format::rgba8_unorm, {fifth, two_fifths, three_fifths, 2}),
+            times_15(std::array<uint8_t, 4>{51, 102, 153, 255}));
   // Linear values in, encoded texels out; alpha stays as it is.
   const auto linear = [](int byte) { return static_cast<float>(srgb_decoded(byte / 255.0)); };
   EXPECT_EQ(cleared(Format::rgba8_srgb, {linear(5), linear(100), linear(200), three_fifths}),
@@ -101,7 +102,8 @@ void main() { c = vec4(0.2, 0.4, -0.6, 0.75); })";
   EXPECT_EQ(drawn(Format::rg32_float), bytes_of<float>({0.2f, 0.4f}));
   const auto halves = values_of<uint16_t>(drawn(Format::rgba16_float));
   const std::array<float, 4> written = {0.2f, 0.4f, -0.6f, 0.75f};
-  for (size_t i = 0; i < 4; ++i) EXPECT_LE(std::abs(halves[i] - half(written[i])), 1) << i;  // either way of rounding is allowed
+  for (size_t i = 0; i < 4; ++i)
+    EXPECT_LE(std::abs(halves[i] - half(written[i])), 1) << i;  // either way of rounding is allowed
   const auto srgb = values_of<uint8_t>(drawn(Format::rgba8_srgb));
   EXPECT_NEAR(srgb[0], encoded(0.2), 1);
   EXPECT_NEAR(srgb[1], encoded(0.4), 1);

@@ -85,18 +85,21 @@ TEST(MeasureError, RefusesAnyPixelThatIsNotFinite) {
   Mask covered = whole(8, 8);
   covered.on[5] = 0;
   for (const float value : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
-    Image bad = good;
-    bad.rgba[4 * 5 + 3] = value;  // an alpha outside the cover
-    EXPECT_NE(refusal([&] { measure_error(bad, good, covered); }).find("1 of 64 pixels of the test picture"),
-              std::string::npos);
-    EXPECT_NE(refusal([&] { measure_error(good, bad, covered); }).find("of the reference picture"), std::string::npos);
+    for (const size_t channel : {0, 1, 2, 3}) {
+      Image bad = good;
+      bad.rgba[4 * 5 + channel] = value;  // a pixel outside the cover
+      EXPECT_NE(refusal([&] { measure_error(bad, good, covered); }).find("comparison: 1 of 64 pixels of the test picture"),
+                std::string::npos);
+      EXPECT_NE(refusal([&] { measure_error(good, bad, covered); }).find("comparison: 1 of 64 pixels of the reference"),
+                std::string::npos);
+    }
   }
 }
 
 TEST(MeasureError, RefusesAnEmptyCoverAndTwoSizes) {
   const Image image = linear_noise(8, 8, 1);
   const Mask none{8, 8, std::vector<uint8_t>(64)};
-  EXPECT_NE(refusal([&] { measure_error(image, image, none); }).find("no pixel is counted"), std::string::npos);
+  EXPECT_NE(refusal([&] { measure_error(image, image, none); }).find("comparison: no pixel is counted"), std::string::npos);
   EXPECT_NE(refusal([&] { measure_error(image, image, whole(8, 7)); }).find("the mask is 8 x 7"), std::string::npos);
   EXPECT_NE(refusal([&] { measure_error(image, linear_noise(8, 7, 1), whole(8, 8)); }).find("reference 8 x 7"),
             std::string::npos);

@@ -45,7 +45,7 @@ inline Mask whole(int width, int height) {
   return {width, height, std::vector<uint8_t>(static_cast<size_t>(width * height), 1)};
 }
 
-// The message of the Error(failed) of stage "quality" that `call` throws; "" where it throws none.
+// The words of the Error(failed) of stage "quality" that `call` throws; "" where it throws none.
 template <class Call>
 std::string refusal(Call call) {
   try {
@@ -53,7 +53,7 @@ std::string refusal(Call call) {
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::failed);
     EXPECT_EQ(error.stage(), "quality");
-    return error.message();
+    return error.what();
   }
   return "";
 }

@@ -96,7 +96,8 @@ TEST_F(WritePng, SaysWhereItCannotWriteAndLeavesNothing) {
   std::filesystem::create_directories(folder_ / "b.png");  // a folder is in the way
   EXPECT_NE(refusal([&] { write_png(folder_ / "b.png", flat(2, 2, grey(1))); }), "");
   EXPECT_EQ(files(), 1);
-  EXPECT_NE(refusal([&] { write_png(folder_ / "c.png", {}); }), "");
+  EXPECT_NE(refusal([&] { write_png(folder_ / "c.png", {}); }).find("empty"), std::string::npos);
+  EXPECT_NE(refusal([&] { write_png(folder_ / "c.png", {2, 2, {1, 2, 3}}); }).find("3 values where 12"), std::string::npos);
   EXPECT_EQ(files(), 1);
 }
 

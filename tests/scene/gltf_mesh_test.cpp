@@ -12,8 +12,7 @@ namespace lamina {
 namespace {
 
 LoadedModel load(const Folder& folder, const GltfMaker& maker, bool binary = true) {
-  DefaultLayers defaults;
-  return load_gltf(folder.write(binary ? "model.glb" : "model.gltf", binary ? maker.glb() : maker.json(true)), defaults);
+  return load_gltf(folder.write(binary ? "model.glb" : "model.gltf", binary ? maker.glb() : maker.json(true)));
 }
 
 glm::vec3 world_position(const Object& object, size_t corner) {
@@ -60,8 +59,7 @@ TEST(LoadGltf, FindsBuffersAndPicturesBesideTheFile) {
   std::string json = maker.json(false);
   const std::string before = R"("buffers":[{)";
   json.insert(json.find(before) + before.size(), R"("uri":"all.bin",)");
-  DefaultLayers defaults;
-  const LoadedModel model = load_gltf(folder.write("model.gltf", json), defaults);
+  const LoadedModel model = load_gltf(folder.write("model.gltf", json));
   const Texels texels = base_texels(*model.objects.at(0).albedo);
   EXPECT_EQ(glm::vec3(texels.rgba.at(0)), glm::vec3(1, 0, 0));
 }

@@ -93,7 +93,18 @@ TEST(DecodeTexels, ReadsAnEncodedFileInMemoryWhateverItsName) {
   const Texels texels = decode_texels(std::as_bytes(std::span(bytes)), "material 'skin'", true);
   EXPECT_EQ(texels.rgba[0], glm::vec4(1, 0, 0, 1)) << "row 0 is the top row";
   EXPECT_EQ(texels.rgba[1], glm::vec4(0, 1, 0, 1));
+  const LeaksAllowed in_openimageio;
   expect_refused([&] { decode_texels(std::as_bytes(std::span(bytes)).first(40), "material 'skin'", true); }, {"material 'skin'"});
+}
+
+TEST(DecodeTexels, ReadsJpeg) {
+  const Folder folder;
+  auto output = OIIO::ImageOutput::create((folder / "a.jpg").string());
+  ASSERT_TRUE(output->open((folder / "a.jpg").string(), OIIO::ImageSpec(8, 8, 3, OIIO::TypeDesc::UINT8)));
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, std::vector<uint8_t>(8 * 8 * 3, 188).data()));
+  output->close();
+  const std::string bytes = bytes_of(folder / "a.jpg");
+  EXPECT_NEAR(decode_texels(std::as_bytes(std::span(bytes)), "grey", true).rgba.at(63).g, 0.503f, 0.02f);
 }
 
 TEST(MakeTexture, LevelZeroKeepsEveryCode) {

@@ -109,6 +109,24 @@ void main() {
   EXPECT_EQ(counts.fetches.at(2), all_pixels * 2 + (run_width_px - 16) * run_height_px * 2);
 }
 
+// What discards cannot be inlined into a loop's continuing part: the call stays, and counts all the same.
+TEST_P(CountingRun, AFunctionThatCannotBeInlinedCounts) {
+  const Counts counts = run({.fragment = R"(
+layout(binding = 3) uniform sampler2D t;
+layout(location = 0) out vec4 o;
+int advance() {
+  if (texelFetch(t, ivec2(1), 0).x > 2.0) discard;
+  return 1;
+}
+void main() {
+  o = vec4(0);
+  for (int i = 0; i < 4; i += advance()) o += vec4(i);
+}
+)"});
+  EXPECT_EQ(counts.invocations, all_pixels);
+  EXPECT_EQ(counts.fetches.at(3), all_pixels * 4);
+}
+
 TEST_P(CountingRun, EveryKindOfOperationCountsOnce) {
   const Counts counts = run({.fragment = R"(
 layout(binding = 0) uniform sampler2D a;

@@ -47,18 +47,28 @@ TEST_F(Counting, TheCounterBufferIsReflectedAtItsBinding) {
 }
 
 TEST_F(Counting, CoverageAddsFragCoordOnceWhetherTheShaderHasItOrNot) {
+  // How often variables are FragCoord, and how often one of those is in the entry point's interface.
   const auto frag_coords = [](const std::vector<uint32_t>& spirv) {
     const SpirvModule module(spirv);
-    return std::ranges::count_if(module.instructions(), [](const SpirvInstruction& i) {
-      return i.op() == spv::OpDecorate && i.words[2] == spv::DecorationBuiltIn && i.words[3] == spv::BuiltInFragCoord;
-    });
+    std::pair<int, int> counts;
+    uint32_t variable = 0;
+    for (const SpirvInstruction& i : module.instructions())
+      if (i.op() == spv::OpDecorate && i.words[2] == spv::DecorationBuiltIn && i.words[3] == spv::BuiltInFragCoord) {
+        ++counts.first;
+        variable = i.words[1];
+      }
+    const auto entry = std::ranges::find(module.instructions(), spv::OpEntryPoint, &SpirvInstruction::op);
+    constexpr size_t interface_word = 5;  // behind opcode, model, function and the two words of "main"
+    counts.second = static_cast<int>(std::ranges::count(entry->words.subspan(interface_word), variable));
+    return counts;
   };
   constexpr std::string_view uses_it = "layout(location = 0) out vec4 o;\nvoid main() { o = gl_FragCoord; }\n";
+  constexpr auto once = std::pair(1, 1), never = std::pair(0, 0);
   for (const Api api : both_apis)
     for (const std::string_view source : {three_taps, uses_it}) {
       const CompiledShader shader = compile(Stage::fragment, api, source);
-      EXPECT_EQ(frag_coords(add_counters(shader, api, {.binding = 9, .coverage_word = 8}).spirv), 1);
-      EXPECT_EQ(frag_coords(add_counters(shader, api, {.binding = 9}).spirv), source == uses_it ? 1 : 0);
+      EXPECT_EQ(frag_coords(add_counters(shader, api, {.binding = 9, .coverage_word = 8}).spirv), once);
+      EXPECT_EQ(frag_coords(add_counters(shader, api, {.binding = 9}).spirv), source == uses_it ? once : never);
     }
 }
 

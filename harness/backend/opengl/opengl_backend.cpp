@@ -85,16 +85,43 @@ bool contains_ignoring_case(std::string_view text, std::string_view part) {
   return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
-// Which of the devices that can be opened is meant: an index, or the first with `wanted` in its name; by default the first on
-// the CPU, whose pictures do not depend on the machine, and else the first.
-const size_t* choose(const std::vector<std::pair<size_t, DeviceInfo>>& devices, std::string_view wanted) {
+// The devices of a platform: those that can be opened, each with its index among all, and why the others cannot.
+struct Survey {
+  std::vector<std::pair<size_t, DeviceInfo>> usable;
+  std::string refusals;
+};
+
+Survey survey(std::string_view backend) {
+  Survey found;
+  for (size_t i = 0; i < platform_of(backend).device_count(); ++i) {
+    try {
+      found.usable.emplace_back(i, open_device(backend, i, false).info);
+    } catch (const Error& error) {
+      found.refusals += fmt::format("{}: {}; ", error.subject(), error.message());
+    }
+  }
+  return found;
+}
+
+// The index among all devices of the one that is meant: by its index in list_devices(), or the first with `wanted` in its name;
+// by default the first on the CPU, whose pictures do not depend on the machine, and else the first.
+size_t choose(std::string_view backend, std::string_view wanted) {
+  const auto [devices, refusals] = survey(backend);
+  if (devices.empty())
+    throw Error(ErrorKind::no_device, std::string(backend), "OpenGL 4.5 core with GL_ARB_gl_spirv",
+                fmt::format("no device offers it: {}{}", refusals.empty() ? "the platform names none; " : refusals,
+                            platform_of(backend).remedy));
   size_t index = 0;
   const char* end = wanted.data() + wanted.size();
   const auto parsed = std::from_chars(wanted.data(), end, index);
-  if (!wanted.empty() && parsed.ec == std::errc() && parsed.ptr == end && index < devices.size()) return &devices[index].first;
-  for (const auto& [candidate, info] : devices)
-    if (wanted.empty() ? info.software : contains_ignoring_case(info.device, wanted)) return &candidate;
-  return wanted.empty() && !devices.empty() ? &devices.front().first : nullptr;
+  if (!wanted.empty() && parsed.ec == std::errc() && parsed.ptr == end && index < devices.size()) return devices[index].first;
+  for (const auto& [device, info] : devices)
+    if (wanted.empty() ? info.software : contains_ignoring_case(info.device, wanted)) return device;
+  if (wanted.empty()) return devices.front().first;
+  std::string names;
+  for (size_t i = 0; i < devices.size(); ++i) names += fmt::format("{}{}: {}", i > 0 ? ", " : "", i, devices[i].second.device);
+  throw Error(ErrorKind::no_device, std::string(backend), std::string(wanted),
+              fmt::format("no device has this index or this in its name; there is {}", names));
 }
 
 }  // namespace
@@ -104,40 +131,15 @@ std::unique_ptr<Backend> open_opengl(std::string_view backend, const BackendOpti
     throw Error(ErrorKind::failed, std::string(backend), "context",
                 fmt::format("the {} backend is still open; close it first, as one process drives one OpenGL context at a time",
                             OpenGlBackend::alive->info().backend));
-
-  std::vector<std::pair<size_t, DeviceInfo>> devices;  // with its index among the platform's
-  std::string refusals, names;
-  for (size_t i = 0; i < platform_of(backend).device_count(); ++i) {
-    try {
-      devices.emplace_back(i, open_device(backend, i, false).info);
-      names += fmt::format("{}{}: {}", names.empty() ? "" : ", ", devices.size() - 1, devices.back().second.device);
-    } catch (const Error& error) {
-      refusals += fmt::format("{}: {}; ", error.subject(), error.message());
-    }
-  }
-  if (devices.empty())
-    throw Error(ErrorKind::no_device, std::string(backend), "OpenGL 4.5 core with GL_ARB_gl_spirv",
-                fmt::format("no device offers it: {}{}", refusals.empty() ? "the platform names none; " : refusals,
-                            platform_of(backend).remedy));
-  const size_t* chosen = choose(devices, options.device);
-  if (!chosen)
-    throw Error(ErrorKind::no_device, std::string(backend), options.device,
-                fmt::format("no device has this index or this in its name; there is {}", names));
-  return std::make_unique<OpenGlBackend>(open_device(backend, *chosen, options.validation), options.validation);
+  const size_t device = choose(backend, options.device);
+  return std::make_unique<OpenGlBackend>(open_device(backend, device, options.validation), options.validation);
 }
 
 std::vector<DeviceInfo> list_opengl_devices(std::string_view backend) {
   std::vector<DeviceInfo> devices;
   if (OpenGlBackend::alive) OpenGlBackend::alive->suspend();
-  try {
-    for (size_t i = 0; i < platform_of(backend).device_count(); ++i) {
-      try {
-        devices.push_back(open_device(backend, i, false).info);
-      } catch (const Error&) {  // not a device that could be opened
-      }
-    }
-  } catch (const std::exception&) {  // the platform itself is broken: what was found stands
-  }
+  Survey found = survey(backend);
+  for (auto& [index, info] : found.usable) devices.push_back(std::move(info));
   if (OpenGlBackend::alive) OpenGlBackend::alive->resume();
   return devices;
 }

@@ -56,8 +56,8 @@ Target buffer_target(const Pipeline& pipeline, const BindingSlot& slot, const Dr
   const BufferBinding& given = find_binding(draw.buffers, slot.binding, pipeline, what);
   const Buffer& buffer = resources.at(given.buffer, pipeline.desc.name);
   if (given.kind != slot.kind || buffer.use != (uniform ? BufferUse::uniform : BufferUse::storage))
-    throw_bad_input(pipeline.desc.name,
-                    fmt::format("binding {} takes a {}, buffer '{}' is bound or made as another kind", slot.binding, what, buffer.name));
+    throw_bad_input(pipeline.desc.name, fmt::format("binding {} takes a {}, buffer '{}' is bound or made as another kind",
+                                                    slot.binding, what, buffer.name));
   Target target;
   target.buffer = {buffer.buffer.get(), 0, VK_WHOLE_SIZE};
   return target;
@@ -82,8 +82,8 @@ Target storage_image_target(const Pipeline& pipeline, const BindingSlot& slot, c
   const ImageBinding& given = find_binding(draw.images, slot.binding, pipeline, "storage image");
   const Texture& texture = resources.at(given.texture, pipeline.desc.name);
   if (!texture.desc.storage || given.level >= texture.desc.levels)
-    throw_bad_input(pipeline.desc.name, fmt::format("binding {}: '{}' was not made for storage, or has no level {}", slot.binding,
-                                                    texture.desc.name, given.level));
+    throw_bad_input(pipeline.desc.name, fmt::format("binding {}: '{}' was not made for storage, or has no level {}",
+                                                    slot.binding, texture.desc.name, given.level));
   Target target;
   target.image = {VK_NULL_HANDLE, texture.levels[given.level].get(), layouts.at(given.texture)};
   return target;

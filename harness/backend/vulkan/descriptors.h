@@ -20,12 +20,12 @@ class Descriptors {
 
   // Empties the pool and makes room for these draws' pipelines. Sets of the frame before are gone.
   void start(std::span<const Pipeline* const> pipelines);
-  // A set with everything that the pipeline binds, found in `draw`. Throws Error(bad_input) where a binding is not given or is of
-  // another kind, Error(failed) where the device cannot filter a texture's format.
+  // A set with everything that the pipeline binds, found in `draw`. Throws Error(bad_input) where a binding is not given or is
+  // of another kind, Error(failed) where the device cannot filter a texture's format.
   VkDescriptorSet make_set(const Pipeline& pipeline, const Draw& draw, Resources& resources, const PassLayouts& layouts);
 
  private:
-  static constexpr size_t kinds = 4;  // of BindingKind
+  static constexpr size_t kinds = 4;     // of BindingKind
   static constexpr size_t samplers = 6;  // three filters, two wraps
 
   Device& device_;

@@ -44,6 +44,7 @@ Device::Device(const Instance& instance, const Candidate& candidate) : candidate
   VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
   features13.dynamicRendering = VK_TRUE;
   features13.synchronization2 = VK_TRUE;
+  features13.maintenance4 = VK_TRUE;  // every 1.3 device has it: a fragment shader may ignore what the vertex shader hands on
   VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13, {}};
   features.features.vertexPipelineStoresAndAtomics = VK_TRUE;
   features.features.fragmentStoresAndAtomics = VK_TRUE;

@@ -54,7 +54,8 @@ RunTimes FrameRunner::run(std::span<const Pass> passes, Timing timing) {
   if (timed) timestamps_.start(commands, count + 1);
   for (uint32_t i = 0; i < count; ++i) {
     std::vector<VkImageMemoryBarrier2> transitions;
-    for (const auto& [id, layout] : prepared[i].layouts) transitions.push_back(transition(resources_.at(id, passes[i].name), layout));
+    for (const auto& [id, layout] : prepared[i].layouts)
+      transitions.push_back(transition(resources_.at(id, passes[i].name), layout));
     if (timed) timestamps_.mark(commands, i);
     full_barrier(commands, transitions);
     device_.begin_label(commands, passes[i].name);
@@ -95,8 +96,7 @@ void FrameRunner::record_raster(VkCommandBuffer commands, const Pass& pass, cons
   info.pDepthAttachment = pass.depth ? &depth : nullptr;
   vkCmdBeginRendering(commands, &info);
 
-  const VkViewport viewport{
-      0, 0, static_cast<float>(prepared.extent.width), static_cast<float>(prepared.extent.height), 0, 1};
+  const VkViewport viewport{0, 0, static_cast<float>(prepared.extent.width), static_cast<float>(prepared.extent.height), 0, 1};
   vkCmdSetViewport(commands, 0, 1, &viewport);
   vkCmdSetScissor(commands, 0, 1, &info.renderArea);
   for (size_t i = 0; i < pass.draws.size(); ++i) {
@@ -128,17 +128,25 @@ void FrameRunner::record_compute(VkCommandBuffer commands, const Pass& pass, con
   }
 }
 
+// The whole image is a source on entry and on return; each level is a destination while it is filled.
 void FrameRunner::record_mips(VkCommandBuffer commands, const Pass& pass) {
   const Texture& texture = resources_.at(pass.mips_of, pass.name);
+  const VkImageAspectFlags aspect = aspect_of(texture.desc.format);
   for (uint32_t level = 1; level < texture.desc.levels; ++level) {
-    if (level > 1) full_barrier(commands);
+    const VkImageMemoryBarrier2 to_destination =
+        transition(texture, level, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    full_barrier(commands, {&to_destination, 1});
     const VkExtent2D from = level_extent(texture.desc, level - 1), to = level_extent(texture.desc, level);
     VkImageBlit blit{};
-    blit.srcSubresource = {aspect_of(texture.desc.format), level - 1, 0, 1};
+    blit.srcSubresource = {aspect, level - 1, 0, 1};
     blit.srcOffsets[1] = {static_cast<int32_t>(from.width), static_cast<int32_t>(from.height), 1};
-    blit.dstSubresource = {aspect_of(texture.desc.format), level, 0, 1};
+    blit.dstSubresource = {aspect, level, 0, 1};
     blit.dstOffsets[1] = {static_cast<int32_t>(to.width), static_cast<int32_t>(to.height), 1};
-    vkCmdBlitImage(commands, texture.image.get(), texture.layout, texture.image.get(), texture.layout, 1, &blit, VK_FILTER_LINEAR);
+    vkCmdBlitImage(commands, texture.image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, texture.image.get(),
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit, VK_FILTER_LINEAR);
+    const VkImageMemoryBarrier2 to_source =
+        transition(texture, level, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    full_barrier(commands, {&to_source, 1});
   }
 }
 

@@ -2,6 +2,7 @@
 #include "harness/backend/vulkan/instance.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cstring>
@@ -104,6 +105,14 @@ bool same_ignoring_case(char a, char b) {
   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
+// The loader unloads drivers and layers with the last instance that uses them, and they leave their threads' data behind. So
+// one idle instance of each kind stays until the process ends, which also makes the next one quick to open.
+void keep_loaded(const VkInstanceCreateInfo& info, bool validation) {
+  static std::array<VkInstance, 2> kept{};
+  VkInstance& instance = kept[validation ? 1 : 0];
+  if (instance == VK_NULL_HANDLE && vkCreateInstance(&info, nullptr, &instance) != VK_SUCCESS) instance = VK_NULL_HANDLE;
+}
+
 }  // namespace
 
 void MessageList::add(std::string message) {
@@ -140,19 +149,18 @@ Instance::Instance(bool validation) {
   info.pApplicationInfo = &application;
   info.enabledExtensionCount = debug_utils_ ? 1 : 0;
   info.ppEnabledExtensionNames = &debug_extension;
-  if (validation) {
-    info.pNext = &checks;
-    info.enabledLayerCount = 1;
-    info.ppEnabledLayerNames = &validation_layer;
-  }
+  info.enabledLayerCount = validation ? 1 : 0;
+  info.ppEnabledLayerNames = &validation_layer;
+  keep_loaded(info, validation);
+  if (validation) info.pNext = &checks;
   const VkResult created = vkCreateInstance(&info, nullptr, &instance_);
-  if (created != VK_SUCCESS) throw_no_device("vkCreateInstance", describe(created));
+  if (created != VK_SUCCESS)
+    throw_no_device("vkCreateInstance", describe(created) + "; the package mesa-vulkan-drivers brings a software rasterizer");
 
   if (!validation) return;
-  const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
-      vkGetInstanceProcAddr(instance_, "vkCreateDebugUtilsMessengerEXT"));
-  const VkResult listening =
-      create ? create(instance_, &messenger, nullptr, &messenger_) : VK_ERROR_EXTENSION_NOT_PRESENT;
+  const auto create =
+      reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(vkGetInstanceProcAddr(instance_, "vkCreateDebugUtilsMessengerEXT"));
+  const VkResult listening = create ? create(instance_, &messenger, nullptr, &messenger_) : VK_ERROR_EXTENSION_NOT_PRESENT;
   if (listening != VK_SUCCESS) {
     vkDestroyInstance(instance_, nullptr);
     throw_no_device("vkCreateDebugUtilsMessengerEXT", describe(listening));
@@ -178,7 +186,8 @@ std::vector<Candidate> find_candidates(const Instance& instance) {
     Candidate candidate;
     candidate.handle = device;
     vkGetPhysicalDeviceProperties(device, &candidate.properties);
-    if (candidate.properties.apiVersion < VK_API_VERSION_1_3 || !has_features(device) || !find_queue_family(candidate)) continue;
+    if (candidate.properties.apiVersion < VK_API_VERSION_1_3 || !has_features(device) || !find_queue_family(candidate))
+      continue;
     describe_device(candidate);
     candidates.push_back(std::move(candidate));
   }
@@ -191,7 +200,8 @@ const Candidate& choose(std::span<const Candidate> candidates, std::string_view 
                     "no device with Vulkan 1.3, dynamic rendering and storage writes from all stages; the package "
                     "mesa-vulkan-drivers brings a software one");
   if (wanted.empty()) {
-    const auto software = std::find_if(candidates.begin(), candidates.end(), [](const Candidate& c) { return c.info.software; });
+    const auto software =
+        std::find_if(candidates.begin(), candidates.end(), [](const Candidate& c) { return c.info.software; });
     return software != candidates.end() ? *software : candidates.front();
   }
   size_t index = 0;

@@ -56,8 +56,7 @@ void check_targets(const Device& device, const PipelineDesc& desc) {
   }
   if (desc.depth_format && !is_depth(*desc.depth_format))
     throw_bad_input(desc.name, fmt::format("{} is not a depth format", name_of(*desc.depth_format)));
-  if (desc.depth != Depth::none && !desc.depth_format)
-    throw_bad_input(desc.name, "it tests depth and has no depth format");
+  if (desc.depth != Depth::none && !desc.depth_format) throw_bad_input(desc.name, "it tests depth and has no depth format");
   for (const uint32_t location : desc.vertex_locations)
     if (location >= vertex_offset_bytes.size())
       throw_bad_input(desc.name, fmt::format("the mesh has no vertex attribute at location {}; its locations are 0 to {}",

@@ -33,9 +33,9 @@ void FrameRunner::prepare_targets(const Pass& pass, PreparedPass& prepared) {
                                              texture.desc.target, texture.desc.levels, name_of(texture.desc.format)));
     const VkExtent2D extent = level_extent(texture.desc, attachment->level);
     if (attachment != attachments.front() && (extent.width != prepared.extent.width || extent.height != prepared.extent.height))
-      throw_bad_input(pass.name, fmt::format("'{}' is {}x{} and the targets before it {}x{}; they must be of one size",
-                                             texture.desc.name, extent.width, extent.height, prepared.extent.width,
-                                             prepared.extent.height));
+      throw_bad_input(pass.name,
+                      fmt::format("'{}' is {}x{} and the targets before it {}x{}; they must be of one size", texture.desc.name,
+                                  extent.width, extent.height, prepared.extent.width, prepared.extent.height));
     prepared.extent = extent;
     use(attachment->texture,
         as_depth ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, pass, prepared);
@@ -56,9 +56,11 @@ void FrameRunner::prepare_draw(const Pass& pass, const Draw& draw, PreparedPass&
   } else {
     check_targets_match(pass, pipeline);
     if (!pipeline.desc.vertex_locations.empty() && resources_.at(draw.vertices, pass.name).use != BufferUse::vertex)
-      throw_bad_input(pass.name, fmt::format("pipeline '{}' draws from a buffer that was not made for vertices", pipeline.desc.name));
+      throw_bad_input(pass.name,
+                      fmt::format("pipeline '{}' draws from a buffer that was not made for vertices", pipeline.desc.name));
     if (draw.indices && resources_.at(draw.indices, pass.name).use != BufferUse::index)
-      throw_bad_input(pass.name, fmt::format("pipeline '{}' draws by a buffer that was not made for indices", pipeline.desc.name));
+      throw_bad_input(pass.name,
+                      fmt::format("pipeline '{}' draws by a buffer that was not made for indices", pipeline.desc.name));
   }
   for (const TextureBinding& binding : draw.textures)
     use(binding.texture, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, pass, prepared);
@@ -73,7 +75,7 @@ void FrameRunner::prepare_mips(const Pass& pass, PreparedPass& prepared) {
   if (!device_.supports(vk_format(texture.desc.format), needed))
     throw_failed(pass.name, fmt::format("{} cannot make mip levels of '{}' ({})", device_.info().device, texture.desc.name,
                                         name_of(texture.desc.format)));
-  use(pass.mips_of, VK_IMAGE_LAYOUT_GENERAL, pass, prepared);
+  use(pass.mips_of, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pass, prepared);
 }
 
 void FrameRunner::check_targets_match(const Pass& pass, const Pipeline& pipeline) {
@@ -83,7 +85,8 @@ void FrameRunner::check_targets_match(const Pass& pass, const Pipeline& pipeline
   std::optional<Format> depth;
   if (pass.depth) depth = format_of(*pass.depth);
   if (colors != pipeline.desc.colors || depth != pipeline.desc.depth_format)
-    throw_bad_input(pass.name, fmt::format("pipeline '{}' was made for other target formats than the pass has", pipeline.desc.name));
+    throw_bad_input(pass.name,
+                    fmt::format("pipeline '{}' was made for other target formats than the pass has", pipeline.desc.name));
 }
 
 // A texture used in two ways in one pass (one level drawn into, another read) is in the layout that allows both.

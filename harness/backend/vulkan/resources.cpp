@@ -83,6 +83,15 @@ void check_desc(const Device& device, const TextureDesc& desc, std::span<const s
                                         desc.storage  ? "a storage image"
                                         : desc.target ? "a target"
                                                       : "a texture"));
+  VkImageFormatProperties most_of_format{};
+  check(vkGetPhysicalDeviceImageFormatProperties(device.physical(), vk_format(desc.format), VK_IMAGE_TYPE_2D,
+                                                 VK_IMAGE_TILING_OPTIMAL, usage_of(desc), 0, &most_of_format),
+        desc.name, "vkGetPhysicalDeviceImageFormatProperties");
+  size_t size_bytes = 0;
+  for (uint32_t level = 0; level < desc.levels; ++level) size_bytes += level_bytes(desc, level);
+  if (size_bytes > most_of_format.maxResourceSize)
+    throw_failed(desc.name, fmt::format("it takes {} bytes and {} makes textures of at most {}; use a smaller size", size_bytes,
+                                        device.info().device, most_of_format.maxResourceSize));
 }
 
 }  // namespace
@@ -91,18 +100,24 @@ VkExtent2D level_extent(const TextureDesc& desc, uint32_t level) {
   return {std::max(1u, desc.width >> level), std::max(1u, desc.height >> level)};
 }
 
-VkImageMemoryBarrier2 transition(Texture& texture, VkImageLayout layout) {
+VkImageMemoryBarrier2 transition(const Texture& texture, uint32_t level, VkImageLayout from, VkImageLayout to) {
   VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
   barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
   barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
   barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
   barrier.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
-  barrier.oldLayout = texture.layout;
-  barrier.newLayout = layout;
+  barrier.oldLayout = from;
+  barrier.newLayout = to;
   barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.image = texture.image.get();
-  barrier.subresourceRange = {aspect_of(texture.desc.format), 0, VK_REMAINING_MIP_LEVELS, 0, 1};
+  barrier.subresourceRange = {aspect_of(texture.desc.format), level, 1, 0, 1};
+  return barrier;
+}
+
+VkImageMemoryBarrier2 transition(Texture& texture, VkImageLayout layout) {
+  VkImageMemoryBarrier2 barrier = transition(texture, 0, texture.layout, layout);
+  barrier.subresourceRange.levelCount = VK_REMAINING_MIP_LEVELS;
   texture.layout = layout;
   return barrier;
 }
@@ -121,10 +136,10 @@ BufferId Resources::create_buffer(std::string name, BufferUse use, size_t size_b
   const size_t most = use == BufferUse::uniform   ? limits.maxUniformBufferRange
                       : use == BufferUse::storage ? limits.maxStorageBufferRange
                                                   : size_bytes;
-  if (size_bytes > most) throw_failed(name, fmt::format("{} bytes; {} binds at most {}", size_bytes, device_.info().device, most));
+  if (size_bytes > most)
+    throw_failed(name, fmt::format("{} bytes; {} binds at most {}", size_bytes, device_.info().device, most));
   check_room(name);
-  Buffer buffer =
-      make_buffer(name, size_bytes, usage_of(use), use == BufferUse::uniform ? MemoryUse::host : MemoryUse::device);
+  Buffer buffer = make_buffer(name, size_bytes, usage_of(use), use == BufferUse::uniform ? MemoryUse::host : MemoryUse::device);
   buffer.use = use;
   write(buffer, data);
   return buffers_.add(std::move(buffer));

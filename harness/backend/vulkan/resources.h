@@ -18,8 +18,8 @@ struct Texture {
   TextureDesc desc;
   MemoryHandle memory;  // before the image: freed after it
   ImageHandle image;
-  ImageViewHandle whole;                // every level, for sampling
-  std::vector<ImageViewHandle> levels;  // one level each, for drawing and storing; empty where it is only sampled
+  ImageViewHandle whole;                             // every level, for sampling
+  std::vector<ImageViewHandle> levels;               // one level each, for drawing and storing; empty where it is only sampled
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  // of the whole image, after all that was submitted
 };
 
@@ -37,6 +37,8 @@ VkExtent2D level_extent(const TextureDesc& desc, uint32_t level);
 
 // The barrier that brings a whole image from its layout to `layout`, and notes it there.
 VkImageMemoryBarrier2 transition(Texture& texture, VkImageLayout layout);
+// The same for one level, for a while: the texture's own note of its layout stays.
+VkImageMemoryBarrier2 transition(const Texture& texture, uint32_t level, VkImageLayout from, VkImageLayout to);
 
 class Resources {
  public:

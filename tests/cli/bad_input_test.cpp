@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bad input gets one clear message and the right exit status: 2 for what the user gave, 4 where there is no device.
+#include "tests/cli/program.h"
+
+namespace lamina {
+namespace {
+
+using BadInput = ProgramTest;
+
+TEST_F(BadInput, MissingScene) {
+  const Outcome outcome = lamina_program("compare /no/such/model.glb");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_SAYS(outcome.output, "/no/such/model.glb");
+}
+
+TEST_F(BadInput, UnknownBuiltinScene) {
+  const Outcome outcome = lamina_program("plan haert");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_SAYS(outcome.output, "heart");
+}
+
+TEST_F(BadInput, TruncatedModel) {
+  const auto file = write("cut.glb", std::string("glTF\x02\x00\x00\x00\xff\x00\x00\x00", 12));
+  const Outcome outcome = lamina_program("compare " + file.string());
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_SAYS(outcome.output, "cut.glb");
+}
+
+TEST_F(BadInput, UnknownKeyInScene) {
+  const auto file = write("scene.toml", "[scene]\nbuiltin = \"heart\"\n[objects.heart]\ntickness = 3\n");
+  const Outcome outcome = lamina_program("compare " + file.string());
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_SAYS(outcome.output, "scene.toml:4");
+  EXPECT_SAYS(outcome.output, "did you mean 'thickness'?");
+}
+
+TEST_F(BadInput, Sizes) {
+  for (const std::string size : {"0x0", "512x0", "100000x100000", "-1x5", "512", "512x512x3", "axb"}) {
+    const Outcome outcome = lamina_program("compare heart --size=" + size);
+    EXPECT_EQ(outcome.status, 2) << size;
+    EXPECT_SAYS(outcome.output, "--size");
+  }
+}
+
+TEST_F(BadInput, SizeBeyondTheDevice) {
+  const Outcome outcome = lamina_program("compare heart --size 60000x8 --out " + (folder_ / "out").string());
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_SAYS(outcome.output, "60000x8 is larger than");
+}
+
+TEST_F(BadInput, NoSuchDevice) {
+  const Outcome outcome = lamina_program("compare heart --backend vulkan --device nonesuch --out " + (folder_ / "out").string());
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_SAYS(outcome.output, "nonesuch");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+TEST_F(BadInput, UnknownBackendVariantAndOption) {
+  EXPECT_EQ(lamina_program("compare heart --backend vulcan").status, 2);
+  const Outcome outcome = lamina_program("compare heart --variant vertex_norml");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_SAYS(outcome.output, "did you mean 'vertex_normal'?");
+  EXPECT_EQ(lamina_program("compare heart --nonsense").status, 2);
+  EXPECT_EQ(lamina_program("").status, 2);
+}
+
+TEST_F(BadInput, UnwritableFolder) {
+  write("file", "in the way");
+  const Outcome outcome = lamina_program("compare heart --out " + (folder_ / "file" / "out").string());
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_SAYS(outcome.output, "--out");
+}
+
+TEST_F(BadInput, NotARecord) {
+  write("record.jsonl", "{\"kind\":\"cell\"}\n");
+  const Outcome outcome = lamina_program("report " + folder_.string());
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_SAYS(outcome.output, "record.jsonl:1");
+}
+
+TEST_F(BadInput, HelpAndVersionAreNotErrors) {
+  EXPECT_EQ(lamina_program("--help").status, 0);
+  EXPECT_EQ(lamina_program("compare --help").status, 0);
+  EXPECT_EQ(lamina_program("--version").status, 0);
+}
+
+}  // namespace
+}  // namespace lamina

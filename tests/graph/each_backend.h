@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// A test on every backend that opens here, with API checking on and silent at the end; a backend that does not open is skipped with
+// its reason.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "harness/graph/frame.h"
+
+namespace lamina {
+
+class EachBackend : public testing::TestWithParam<std::string_view> {
+ protected:
+  void SetUp() override {
+    try {
+      backend_ = open_backend(GetParam(), {"", true});
+    } catch (const Error& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+  void TearDown() override {
+    if (!backend_) return;
+    for (const std::string& message : backend_->take_messages()) ADD_FAILURE() << message;
+  }
+
+  const Library& library() {
+    static const Library loaded = load_library(LAMINA_SOURCE_DIR);
+    return loaded;
+  }
+  const VariantManifest& variant(std::string_view name) {
+    for (const EffectManifest& effect : library().effects)
+      for (const VariantManifest& candidate : effect.variants)
+        if (candidate.name == name) return candidate;
+    throw std::runtime_error("no such variant");
+  }
+  // The picture of view 0 by a variant.
+  Image picture(const Scene& scene, std::string_view name, uint32_t size = 64, Build build = Build::timed) {
+    const Plan plan = make_plan(library(), scene);
+    ShaderCache shaders(backend_->info().api, library().shaders);
+    SceneResources resources(*backend_, scene, size, size);
+    const Graph graph = make_graph(plan, configuration_with(plan, variant(name)), scene, shaders);
+    Frame frame(resources, graph, build);
+    frame.run_once(Timing::off);
+    frame.run(0, Timing::off);
+    return frame.picture();
+  }
+  static glm::vec3 pixel(const Image& image, int x, int y) {
+    const size_t at = (size_t(y) * size_t(image.width) + size_t(x)) * 4;
+    return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2]};
+  }
+
+  std::unique_ptr<Backend> backend_;
+};
+
+inline const auto backend_parameters = testing::ValuesIn(std::vector<std::string_view>(backend_names().begin(), backend_names().end()));
+inline std::string backend_test_name(const testing::TestParamInfo<std::string_view>& info) { return std::string(info.param); }
+
+}  // namespace lamina

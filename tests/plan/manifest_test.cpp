@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Manifests: what the built-in ones say, and that every mistake in a user's own is one message with file, line and what to do.
+#include "harness/plan/manifest.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace lamina {
+namespace {
+
+namespace fs = std::filesystem;
+
+class UserVariant : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("lamina_manifest_" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
+  // What loading with this manifest says; "" when it loads.
+  std::string refusal(const std::string& text) {
+    write("mine.toml", text);
+    try {
+      load_library(LAMINA_SOURCE_DIR, {folder_});
+      return "";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+      return error.what();
+    }
+  }
+  fs::path folder_;
+};
+
+const std::string head = "[variant]\nname = \"mine\"\neffect = \"layered_material\"\n";
+const std::string pass =
+    "[[pass]]\nname = \"composite\"\ndraw = \"objects\"\nvertex = \"common/object.vert\"\nfragment = \"surface/lambert.frag\"\nwrite = [\"frame\"]\n";
+
+#define EXPECT_SAYS(text, words) EXPECT_NE((text).find(words), std::string::npos) << (text)
+
+TEST(BuiltinVariants, BaselineComesFirst) {
+  const Library library = load_library(LAMINA_SOURCE_DIR);
+  const EffectManifest& effect = library.effect("layered_material");
+  ASSERT_EQ(effect.variants.size(), 3u);
+  EXPECT_EQ(effect.baseline().name, "light_map");
+  EXPECT_EQ(effect.variants[1].name, "normal_map_taps");
+  EXPECT_EQ(effect.variants[2].name, "vertex_normal");
+  EXPECT_EQ(effect.variants[1].targets.size(), 0u) << "the first optimization has no off-screen target";
+}
+
+TEST(BuiltinVariants, UnknownEffectNamesTheNearest) {
+  try {
+    load_library(LAMINA_SOURCE_DIR).effect("layered_materia");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_SAYS(std::string(error.what()), "did you mean 'layered_material'?");
+  }
+}
+
+TEST_F(UserVariant, LoadsBesideTheBuiltInOnes) {
+  write("mine.toml", head + pass);
+  const Library library = load_library(LAMINA_SOURCE_DIR, {folder_});
+  EXPECT_EQ(library.effect("layered_material").variants.back().name, "mine");
+}
+
+TEST_F(UserVariant, ShaderBesideTheManifestComesFirst) {
+  fs::create_directories(folder_ / "surface");
+  write("surface/lambert.frag", "void main() {}");
+  write("mine.toml", head + pass);
+  const Library library = load_library(LAMINA_SOURCE_DIR, {folder_});
+  EXPECT_EQ(library.effect("layered_material").variants.back().passes[0].fragment, fs::weakly_canonical(folder_ / "surface/lambert.frag"));
+}
+
+TEST_F(UserVariant, MistakesAreNamedWithFileAndLine) {
+  EXPECT_SAYS(refusal(head + "titel = \"x\"\n" + pass), "mine.toml:4: unknown key 'titel' (did you mean 'title'?)");
+  EXPECT_SAYS(refusal(head + pass + "blend = \"aditive\"\n"), "mine.toml:10: unknown blend 'aditive' (did you mean 'additive'?)");
+  EXPECT_SAYS(refusal(head + pass + "fetches = 3\n"), "mine.toml:10: unknown key 'fetches'");
+  EXPECT_SAYS(refusal(head + "[targets.a]\nformat = \"rgba16\"\n" + pass), "mine.toml:5: unknown format 'rgba16' (did you mean 'rgba");
+  EXPECT_SAYS(refusal("[variant]\nname = \"mine\"\n" + pass), "'effect' is missing");
+  EXPECT_SAYS(refusal("[variant]\nname = \"mine\"\neffect = \"skinn\"\n" + pass), "unknown effect 'skinn'");
+  EXPECT_SAYS(refusal(head), "at least one [[pass]]");
+  EXPECT_SAYS(refusal(head + "[[pass]]\nname = 3\n"), "mine.toml:5: 'name' must be a string");
+  EXPECT_SAYS(refusal(head + "[[pass]\n"), "mine.toml:4");
+  EXPECT_SAYS(refusal("[variant]\nname = \"light_map\"\neffect = \"layered_material\"\n" + pass), "already defined");
+  EXPECT_SAYS(refusal(head + "baseline = true\n" + pass), "already has the baseline 'light_map'");
+}
+
+TEST_F(UserVariant, PassesAreHeldToWhatTheyCanDo) {
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = head + pass;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  EXPECT_SAYS(refusal(with("surface/lambert.frag", "surface/lambrt.frag")), "mine.toml:8: shader 'surface/lambrt.frag' is neither in");
+  EXPECT_SAYS(refusal(with("\"frame\"", "\"fram\"")), "unknown target 'fram' (did you mean 'frame'?)");
+  EXPECT_SAYS(refusal(with("\"objects\"", "\"unwrapped\"")), "scope = \"object\"");
+  EXPECT_SAYS(refusal(with("write = [\"frame\"]\n", "")), "'write' is missing");
+  EXPECT_SAYS(refusal(with("fragment = \"surface/lambert.frag\"\n", "")), "needs 'vertex' and 'fragment'");
+  EXPECT_SAYS(refusal(with("\"objects\"", "\"mips\"")), "'frame' has no mips");
+}
+
+TEST_F(UserVariant, AnEmptyOrMissingFolderIsSaid) {
+  EXPECT_THROW(load_library(LAMINA_SOURCE_DIR, {folder_}), Error);
+  EXPECT_THROW(load_library(LAMINA_SOURCE_DIR, {folder_ / "no"}), Error);
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/plan/plan.h"
+
+#include <gtest/gtest.h>
+
+namespace lamina {
+namespace {
+
+Library builtin() { return load_library(LAMINA_SOURCE_DIR); }
+
+Object layered(float thickness, float transparency) {
+  Object object;
+  object.name = "object";
+  object.layers.emplace();
+  object.layers->thickness_texels = thickness;
+  object.layers->max_transparency = transparency;
+  return object;
+}
+
+TEST(Plan, CallsForTheLayeredMaterialWhereAnObjectHasLayers) {
+  Scene scene;
+  scene.objects = {layered(8, 1)};
+  const Library library = builtin();
+  const Plan plan = make_plan(library, scene);
+  EXPECT_TRUE(plan.of("layered_material")->called_for);
+  EXPECT_FALSE(plan.of("surface")->called_for);
+  EXPECT_EQ(plan.of("surface")->reason, "every object is drawn by another effect");
+}
+
+TEST(Plan, CallsForNothingButTheSurfaceWithoutLayers) {
+  Scene scene;
+  scene.objects = {Object{}};
+  const Library library = builtin();
+  const Plan plan = make_plan(library, scene);
+  EXPECT_FALSE(plan.of("layered_material")->called_for);
+  EXPECT_EQ(plan.of("layered_material")->reason, "no object has layers");
+  EXPECT_TRUE(plan.of("surface")->called_for);
+}
+
+TEST(Plan, EachObjectGetsTheFeaturesThatItsFactsCallFor) {
+  const Library library = builtin();
+  const EffectManifest& effect = library.effect("layered_material");
+  using Defines = std::map<std::string, std::string>;
+  EXPECT_EQ(feature_defines(effect, layered(8, 1)), (Defines{{"INNER_LAYER", "1"}, {"LAYER_DEPTH", "1"}}));
+  EXPECT_EQ(feature_defines(effect, layered(0, 1)), (Defines{{"INNER_LAYER", "1"}}));
+  EXPECT_EQ(feature_defines(effect, layered(8, 0)), (Defines{{"LAYER_DEPTH", "1"}}));
+}
+
+TEST(Plan, SaysWhyAFeatureIsOffAndOnHowManyObjectsItIsOn) {
+  Scene scene;
+  scene.objects = {layered(8, 1), layered(0, 1)};
+  const Library library = builtin();
+  const EffectPlan effect = *make_plan(library, scene).of("layered_material");
+  EXPECT_EQ(effect.features[1].define, "LAYER_DEPTH");
+  EXPECT_EQ(effect.features[1].reason, "the layers are apart (on 1 of 2 objects)");
+  scene.objects = {layered(0, 1)};
+  EXPECT_EQ(make_plan(library, scene).of("layered_material")->features[1].reason, "the thickness is 0");
+}
+
+TEST(Plan, ConfigurationIsBaselinesButForTheVariant) {
+  Scene scene;
+  scene.objects = {layered(8, 1), Object{}};
+  const Library library = builtin();
+  const Plan plan = make_plan(library, scene);
+  const Configuration configuration = configuration_with(plan, library.effect("layered_material").variants.back());
+  ASSERT_EQ(configuration.size(), 2u);
+  EXPECT_EQ(configuration[0]->name, "lambert") << "plain surfaces are drawn first";
+  EXPECT_EQ(configuration[1]->name, "vertex_normal");
+}
+
+}  // namespace
+}  // namespace lamina

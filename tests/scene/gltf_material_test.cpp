@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// Materials of glTF models as layered ones.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "harness/scene/gltf.h"
+#include "tests/scene/made_files.h"
+
+namespace lamina {
+namespace {
+
+// A quad of one metre with one material, `material` its JSON; pictures beside the model are textures in the order given.
+LoadedModel load(const Folder& folder, const std::string& material, const std::vector<std::string>& pictures = {}) {
+  GltfMaker maker;
+  maker.add_mesh("square", {maker.quad(R"(,"material":0)")});
+  maker.add_node(R"({"mesh":0,"name":"wall"})");
+  std::vector<std::string> textures, images;
+  for (size_t i = 0; i < pictures.size(); ++i) {
+    textures.push_back(fmt::format(R"({{"source":{}}})", i));
+    images.push_back(fmt::format(R"({{"bufferView":{},"mimeType":"image/png"}})", maker.add_view(bytes_of(folder / pictures[i]))));
+  }
+  maker.more = fmt::format(R"(,"materials":[{}],"textures":[{}],"images":[{}])", material, fmt::join(textures, ","), fmt::join(images, ","));
+  return load_gltf(folder.write("model.glb", maker.glb()));
+}
+
+const LayeredMaterial& layers(const LoadedModel& model) { return model.objects.at(0).layers.value(); }
+glm::vec4 first_texel(const TextureImage& texture) { return base_texels(texture).rgba.at(0); }
+
+TEST(GltfMaterial, AModelThatSaysNothingGetsSensibleLayers) {
+  const Folder folder;
+  const LoadedModel model = load(folder, R"({"name":"plain"})");
+  const LayeredMaterial& plain = layers(model);
+  EXPECT_EQ(glm::vec3(first_texel(*plain.outer_albedo)), glm::vec3(1));
+  EXPECT_NEAR(first_texel(*plain.outer_albedo).a, 0.55f, 0.5f / 255);
+  EXPECT_LT(glm::distance(glm::vec3(first_texel(*plain.outer_normal)) * 2.0f - 1.0f, glm::vec3(0, 0, 1)), 0.01f);
+  EXPECT_EQ(plain.inner_albedo->width, 512u);
+  EXPECT_FLOAT_EQ(plain.thickness_texels, 5.12f) << "a hundredth of the inner layer's width";
+  EXPECT_FLOAT_EQ(plain.scattering, 1);
+  EXPECT_EQ(model.objects[0].albedo, plain.outer_albedo);
+}
+
+TEST(GltfMaterial, FactorAndTextureMultiplyInLinearLight) {
+  const Folder folder;
+  write_png(folder / "a.png", 1, 1, 3, {188, 255, 0});
+  const LoadedModel model = load(
+      folder, R"({"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,1,1],"baseColorTexture":{"index":0}}})", {"a.png"});
+  // 188 is linear 0.503; half of it is linear 0.251, code 137.
+  const glm::vec4 texel = first_texel(*layers(model).outer_albedo);
+  EXPECT_NEAR(texel.r, 0.2514f, 0.002f);
+  EXPECT_NEAR(texel.g, 0.25f, 0.002f);
+  EXPECT_EQ(texel.b, 0.0f);
+}
+
+TEST(GltfMaterial, AlphaIsOpacityWhereItCounts) {
+  const Folder folder;
+  write_png(folder / "a.png", 2, 1, 4, {255, 255, 255, 51, 255, 255, 255, 204});
+  const auto alphas = [&](const std::string& mode) {
+    const LoadedModel model = load(folder, R"({"alphaMode":")" + mode + R"(","alphaCutoff":0.6,)"
+                             R"("pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.9],"baseColorTexture":{"index":0}}})", {"a.png"});
+    const Texels texels = base_texels(*layers(model).outer_albedo);
+    return glm::vec2(texels.rgba.at(0).a, texels.rgba.at(1).a);
+  };
+  const float code = 0.51f / 255;
+  EXPECT_LT(glm::distance(alphas("BLEND"), glm::vec2(1 - 0.9f * 0.2f, 1 - 0.9f * 0.8f)), 1.5f * code);
+  EXPECT_EQ(alphas("MASK"), glm::vec2(1, 0)) << "0.18 lies below the cutoff, 0.72 above";
+  EXPECT_LT(glm::distance(alphas("OPAQUE"), glm::vec2(0.55f)), 1.5f * code);
+}
+
+// glTF: green is up the picture; scene.h: down. (0.6, 0.48, 0.64) points right and up.
+TEST(GltfMaterial, NormalMapsAreTurnedGreenDownAndScaled) {
+  const Folder folder;
+  const auto code = [](double v) { return uint8_t(std::lround((v * 0.5 + 0.5) * 255)); };
+  write_png(folder / "n.png", 1, 1, 3, {code(0.6), code(0.48), code(0.64)});
+  const auto normal = [&](const std::string& scale) {
+    const LoadedModel model = load(folder, R"({"normalTexture":{"index":0)" + scale + "}}", {"n.png"});
+    return glm::vec3(first_texel(*layers(model).outer_normal)) * 2.0f - 1.0f;
+  };
+  EXPECT_LT(glm::distance(normal(""), glm::vec3(0.6f, -0.48f, 0.64f)), 0.01f);
+  EXPECT_LT(glm::distance(normal(R"(,"scale":3)"), glm::normalize(glm::vec3(1.8f, -1.44f, 0.64f))), 0.01f);
+  EXPECT_LT(glm::distance(normal(R"(,"scale":0)"), glm::vec3(0, 0, 1)), 0.01f);
+}
+
+// One square metre covers the whole texture of 512 x 512: 0.01 m are 5.12 texels.
+TEST(GltfMaterial, VolumeThicknessBecomesTexels) {
+  const Folder folder;
+  const LoadedModel thick = load(folder, R"({"extensions":{"KHR_materials_volume":{"thicknessFactor":0.01}}})");
+  EXPECT_NEAR(layers(thick).thickness_texels, 5.12f, 1e-4f);
+  const LoadedModel whole = load(folder, R"({"extensions":{"KHR_materials_volume":{"thicknessFactor":2}}})");
+  EXPECT_NEAR(layers(whole).thickness_texels, 1024.0f, 1e-2f);
+  const LoadedModel thin = load(folder, R"({"extensions":{"KHR_materials_volume":{}}})");
+  EXPECT_FLOAT_EQ(layers(thin).thickness_texels, 5.12f) << "says nothing: the default";
+  expect_refused([&] { load(folder, R"({"extensions":{"KHR_materials_volume":{"thicknessFactor":-1}}})"); }, {"thicknessFactor"});
+}
+
+// Density is the mesh's mean: a quad stretched to 2 m x 8 m over the same texture has sqrt(1 / 16) of the density.
+TEST(ThicknessInTexels, IsTheMeanDensityOfTheMesh) {
+  Mesh mesh;
+  for (const glm::vec2 p : {glm::vec2(0, 0), {1, 0}, {1, 1}, {0, 1}})
+    mesh.vertices.push_back({glm::vec3(2 * p.x, 0, 8 * p.y), {0, 1, 0}, {1, 0, 0, 1}, p});
+  mesh.indices = {0, 1, 2, 0, 2, 3};
+  TextureImage texture;
+  texture.width = 64, texture.height = 256;
+  EXPECT_NEAR(thickness_in_texels(0.5f, mesh, texture, "quad"), 0.5f * 128 / 4, 1e-4f);
+  for (Vertex& vertex : mesh.vertices) vertex.uv.x = 0;
+  expect_refused([&] { thickness_in_texels(0.5f, mesh, texture, "quad"); }, {"quad", "no area"});
+}
+
+TEST(GltfMaterial, WarnsOfWhatItLeavesOut) {
+  const Folder folder;
+  write_png(folder / "a.png", 1, 1, 3, {9, 9, 9});
+  const LoadedModel model =
+      load(folder, R"({"name":"m","pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":1,)"
+                   R"("extensions":{"KHR_texture_transform":{"offset":[0.5,0]}}}}})", {"a.png"});
+  ASSERT_EQ(model.warnings.size(), 2u);
+  EXPECT_NE(model.warnings[0].find("texture coordinates 1"), std::string::npos);
+  EXPECT_NE(model.warnings[1].find("KHR_texture_transform"), std::string::npos);
+}
+
+TEST(GltfMaterial, RefusesPicturesThatCannotBeHad) {
+  const Folder folder;
+  folder.write("broken.png", "no picture at all");
+  const std::string material = R"({"name":"skin","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})";
+  expect_refused([&] { load(folder, material, {"broken.png"}); }, {"material 'skin'", "base colour texture"});
+  expect_refused([&] { load(folder, material); }, {"material 'skin'", "texture 0"});
+  expect_refused([&] { load(folder, R"({"name":"skin","alphaMode":"FOG"})"); }, {"material 'skin'", "FOG", "BLEND"});
+  expect_refused([&] { load(folder, R"({"pbrMetallicRoughness":{"baseColorFactor":[1,1]}})"); }, {"baseColorFactor"});
+}
+
+// Pictures that nothing shows are not decoded: a model with a damaged emissive texture loads.
+TEST(GltfMaterial, DecodesOnlyWhatLayersUse) {
+  const Folder folder;
+  folder.write("broken.png", "no picture at all");
+  EXPECT_NO_THROW(load(folder, R"({"emissiveTexture":{"index":0},"occlusionTexture":{"index":0}})", {"broken.png"}));
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole scenes by name, as commands take them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "harness/scene/default_views.h"
+#include "harness/scene/scene.h"
+#include "tests/scene/made_files.h"
+
+namespace lamina {
+namespace {
+
+TEST(LoadScene, RefusesWhatIsNoScene) {
+  const Folder folder;
+  expect_refused([] { load_scene("hart"); }, {"hart", "did you mean 'heart'?"});
+  expect_refused([] { load_scene(""); }, {"built-in scene"});
+  expect_refused([&] { load_scene(folder.write("a.obj", "v 0 0 0").string()); }, {"a.obj", ".glb"});
+  expect_refused([&] { load_scene((folder / "none.glb").string()); }, {"none.glb", "cannot be read"});
+}
+
+TEST(LoadScene, AModelByItsNameAloneIsComplete) {
+  const Folder folder;
+  GltfMaker maker;
+  maker.add_mesh("square", {maker.quad()});
+  maker.add_node(R"({"mesh":0,"name":"wall"})");
+  const std::string file = folder.write("Square.GLB", maker.glb()).string();
+  const Scene scene = load_scene(file, 2.0f);
+  EXPECT_EQ(scene.name, "Square");
+  EXPECT_EQ(scene.source, file);
+  EXPECT_EQ(scene.time_s, 2.0f);
+  EXPECT_EQ(scene.views.size(), 3u);
+  EXPECT_EQ(scene.lights.size(), 3u);
+  EXPECT_FALSE(scene.mesh_moves || scene.lights_move);
+  EXPECT_NEAR(scene.objects.at(0).layers.value().max_transparency, 0.55f, 0.5f / 255);
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
+// Khronos's Damaged Helmet: 46356 indices, texture coordinates a tile below the first, one material with both maps.
+TEST(LoadScene, DamagedHelmet) {
+  const std::string file = LAMINA_DATA_DIR "/models/DamagedHelmet.glb";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "there is no " << file;
+  const Scene scene = load_scene(file);
+  ASSERT_EQ(scene.objects.size(), 1u);
+  const Object& helmet = scene.objects[0];
+  EXPECT_EQ(helmet.name, "node_damagedHelmet_-6514");
+  EXPECT_EQ(helmet.unwrap_problem, "");
+  const LayeredMaterial& layers = helmet.layers.value();
+  EXPECT_EQ(layers.outer_albedo->width, 2048u);
+  EXPECT_EQ(layers.outer_normal->width, 2048u);
+  EXPECT_EQ(layers.inner_albedo->width, 2048u);
+  EXPECT_FLOAT_EQ(layers.thickness_texels, 20.48f);
+  EXPECT_LE(helmet.mesh.indices.size(), 46356u);
+  EXPECT_GE(helmet.mesh.indices.size(), 46000u);
+  double volume = 0;  // by the divergence theorem: positive where triangles face outward
+  for (size_t i = 0; i < helmet.mesh.indices.size(); i += 3) {
+    const auto p = [&](size_t corner) { return glm::dvec3(helmet.mesh.vertices[helmet.mesh.indices[i + corner]].position); };
+    volume += glm::dot(p(0), glm::cross(p(1), p(2))) / 6;
+  }
+  EXPECT_GT(volume, 0.5);
+  size_t leaning = 0;
+  for (const Vertex& vertex : helmet.mesh.vertices) {
+    EXPECT_TRUE(glm::all(glm::greaterThanEqual(vertex.uv, glm::vec2(-0.001f))) && glm::all(glm::lessThanEqual(vertex.uv, glm::vec2(1.001f))));
+    EXPECT_NEAR(glm::length(vertex.normal), 1.0f, 1e-4f);
+    EXPECT_NEAR(glm::length(glm::vec3(vertex.tangent)), 1.0f, 1e-4f);
+    leaning += std::abs(glm::dot(vertex.normal, glm::vec3(vertex.tangent))) > 1e-4f;
+  }
+  EXPECT_EQ(leaning, 0u);
+  const BoundingSphere bounds = bounding_sphere(scene.objects);
+  EXPECT_NEAR(bounds.radius, 1.2f, 0.3f);
+}
+
+TEST(LoadScene, TheHeartWithAndWithoutAnExampleFile) {
+  const Scene heart = load_scene("heart");
+  EXPECT_EQ(heart.name, "heart");
+  EXPECT_EQ(heart.source, "heart");
+  EXPECT_FALSE(heart.objects.empty() || heart.views.empty() || heart.lights.empty());
+
+  const Scene thick = load_scene(LAMINA_SOURCE_DIR "/variants/layered_material/scenes/heart_thick.toml");
+  ASSERT_EQ(thick.objects.size(), heart.objects.size());
+  EXPECT_EQ(thick.views.size(), 2u);
+  const BoundingSphere bounds = bounding_sphere(thick.objects);
+  for (const View& view : thick.views) EXPECT_GT(glm::distance(view.eye, bounds.centre), 0.5f * bounds.radius);
+  bool any = false;
+  for (const Object& object : thick.objects) {
+    EXPECT_EQ(object.layers ? object.layers->thickness_texels : 24.0f, 24.0f);
+    any |= object.layers && object.layers->max_transparency > 0;
+  }
+  EXPECT_TRUE(any);
+
+  const Scene opaque = load_scene(LAMINA_SOURCE_DIR "/variants/layered_material/scenes/opaque.toml");
+  for (const Object& object : opaque.objects)
+    EXPECT_EQ(object.layers ? object.layers->max_transparency : 0.0f, 0.0f);
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/scene/unwrap_check.h"
+
+#include <gtest/gtest.h>
+
+namespace lamina {
+namespace {
+
+// Adds a rectangle of the texture as two triangles that share a diagonal.
+void add_rectangle(Mesh& mesh, glm::vec2 low, glm::vec2 high, bool mirrored = false) {
+  const auto first = static_cast<uint32_t>(mesh.vertices.size());
+  for (const glm::vec2 uv : {low, glm::vec2(high.x, low.y), high, glm::vec2(low.x, high.y)})
+    mesh.vertices.push_back({{uv, 0}, {0, 0, 1}, {1, 0, 0, 1}, uv});
+  for (const uint32_t i : mirrored ? std::vector<uint32_t>{0, 2, 1, 0, 3, 2} : std::vector<uint32_t>{0, 1, 2, 0, 2, 3})
+    mesh.indices.push_back(first + i);
+}
+Mesh rectangle(glm::vec2 low, glm::vec2 high) {
+  Mesh mesh;
+  add_rectangle(mesh, low, high);
+  return mesh;
+}
+
+TEST(MoveToUnitTile, ShiftsByWholeTilesOnly) {
+  Mesh mesh = rectangle({-3 + 0.25f, 7 + 0.5f}, {-3 + 0.75f, 7 + 1});
+  move_to_unit_tile(mesh);
+  EXPECT_EQ(mesh.vertices[0].uv, glm::vec2(0.25f, 0.5f));
+  EXPECT_EQ(mesh.vertices[2].uv, glm::vec2(0.75f, 1));
+  EXPECT_EQ(unwrap_problem(mesh), "");
+}
+
+TEST(MoveToUnitTile, LeavesWhatFitsAndBearsRounding) {
+  for (const auto& [low, high] : {std::pair{glm::vec2(0), glm::vec2(1)}, {glm::vec2(-0.0005f), glm::vec2(1.0005f)},
+                                  {glm::vec2(0.9995f), glm::vec2(1)}}) {
+    Mesh mesh = rectangle(low, high);
+    move_to_unit_tile(mesh);
+    EXPECT_EQ(mesh.vertices[0].uv, low);
+    EXPECT_EQ(unwrap_problem(mesh), "");
+  }
+  Mesh above = rectangle({0.9995f, 1.9996f}, {1.9f, 2.5f});
+  move_to_unit_tile(above);
+  EXPECT_NEAR(above.vertices[0].uv.x, -0.0005f, 1e-6f);
+  EXPECT_NEAR(above.vertices[0].uv.y, -0.0004f, 1e-6f);
+  EXPECT_EQ(unwrap_problem(above), "");
+}
+
+TEST(UnwrapProblem, NamesTheTilesThatAreSpanned) {
+  Object object;
+  object.mesh = rectangle({0, 0}, {3, 1});
+  std::vector<std::string> warnings;
+  settle_unwrap(object, warnings);
+  EXPECT_NE(object.unwrap_problem.find("span 3 x 1 tiles"), std::string::npos) << object.unwrap_problem;
+  object.mesh = rectangle({0.5f, 0}, {1.25f, 1});
+  settle_unwrap(object, warnings);
+  EXPECT_NE(object.unwrap_problem.find("cross the border"), std::string::npos) << object.unwrap_problem;
+  object.mesh = rectangle({4.5f, 0}, {5, 1});
+  settle_unwrap(object, warnings);
+  EXPECT_EQ(object.unwrap_problem, "") << "problems of an earlier mesh are gone";
+  EXPECT_TRUE(warnings.empty());
+}
+
+// Neighbours that share an edge or a corner, of either winding, share no texel: the edges run through texels' centres.
+TEST(OverlapFraction, NeighboursDoNotOverlap) {
+  Mesh mesh;
+  const float a = 100.5f / 512, b = 200.5f / 512, c = 300.5f / 512;
+  add_rectangle(mesh, {a, a}, {b, b});
+  add_rectangle(mesh, {b, a}, {c, b}, true);
+  add_rectangle(mesh, {a, b}, {b, c});
+  add_rectangle(mesh, {b, b}, {c, c}, true);
+  EXPECT_EQ(overlap_fraction(mesh), 0.0);
+}
+
+TEST(OverlapFraction, CountsTheShareThatIsUsedTwice) {
+  Mesh mesh;
+  add_rectangle(mesh, {0, 0}, {0.5f, 1});
+  EXPECT_EQ(overlap_fraction(mesh), 0.0);
+  add_rectangle(mesh, {0.25f, 0}, {0.75f, 1}, true);
+  EXPECT_DOUBLE_EQ(overlap_fraction(mesh), 1.0 / 3);
+  add_rectangle(mesh, {0.25f, 0}, {0.5f, 1});
+  EXPECT_DOUBLE_EQ(overlap_fraction(mesh), 1.0 / 3) << "three times is still once";
+  EXPECT_EQ(overlap_fraction(Mesh{}), 0.0);
+}
+
+TEST(SettleUnwrap, WarnsAboveTwoPercent) {
+  Object object;
+  object.name = "shell";
+  add_rectangle(object.mesh, {0, 0}, {1, 1});
+  add_rectangle(object.mesh, {0, 0}, {0.125f, 0.125f});  // 1 / 64
+  std::vector<std::string> warnings;
+  settle_unwrap(object, warnings);
+  EXPECT_TRUE(warnings.empty());
+  add_rectangle(object.mesh, {0.5f, 0.5f}, {0.75f, 0.75f});  // and 1 / 16: 7.8% together
+  settle_unwrap(object, warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0], "7.8% of shell's texture is used twice; the light map shows one of the lights there.");
+  EXPECT_EQ(object.unwrap_problem, "") << "it can still be drawn";
+}
+
+}  // namespace
+}  // namespace lamina
