@@ -98,15 +98,14 @@ class Tube {
 };
 
 enum class Kind : uint8_t { aorta, pulmonary, cava };
+float branch_growth(float whole) { return std::clamp((whole - trunks_grown) / (branches_grown - trunks_grown), 0.0f, 1.0f); }
+
 struct Vessel {
   Kind kind;
   bool branch;  // of the aorta: it can only grow once that is there
   Tube tube;
   // Trunks grow first, then branches, then the ends open.
-  float growth(float whole) const {
-    return branch ? std::clamp((whole - trunks_grown) / (branches_grown - trunks_grown), 0.0f, 1.0f)
-                  : std::min(whole / trunks_grown, 1.0f);
-  }
+  float growth(float whole) const { return branch ? branch_growth(whole) : std::min(whole / trunks_grown, 1.0f); }
 };
 
 struct Anatomy {
@@ -118,7 +117,7 @@ struct Anatomy {
                             {{0.20f, 0.44f, -0.40f}, {1, 0.1f, 0}, {0, 0, 1}, {0.30f, 0.32f, 0.52f}, 0.0f}}};
   std::array<Tube, 2> auricles{
       {Tube({{{-0.54f, 0.36f, 0.00f}, 0.19f}, {{-0.43f, 0.47f, 0.25f}, 0.16f}, {{-0.25f, 0.42f, 0.38f}, 0.10f}}),
-       Tube({{{0.42f, 0.46f, -0.20f}, 0.19f}, {{0.61f, 0.40f, 0.02f}, 0.17f}, {{0.50f, 0.20f, 0.25f}, 0.11f}})}};
+       Tube({{{0.42f, 0.46f, -0.20f}, 0.19f}, {{0.61f, 0.40f, 0.02f}, 0.17f}, {{0.52f, 0.22f, 0.27f}, 0.10f}})}};
   std::array<Vessel, 6> vessels{
       {{Kind::aorta, false,
         Tube({{{-0.06f, 0.25f, 0.06f}, 0.18f}, {{-0.17f, 0.72f, 0.12f}, 0.185f}, {{-0.09f, 1.10f, 0.04f}, 0.18f},
@@ -150,8 +149,8 @@ float atria(const Anatomy& a, glm::vec3 p, float growth) {
   d = smooth_min(d, a.atria[1].distance(p), atrium_blend);
   d = smooth_min(d, a.atria[2].distance(p), atrium_blend);
   for (const Tube& auricle : a.auricles)
-    if (auricle.lower_bound(p) < d + auricle_blend)
-      d = smooth_min(d, auricle.distance(p, std::min(growth / trunks_grown, 1.0f)), auricle_blend);
+    if (auricle.lower_bound(p) < d + auricle_blend && growth > trunks_grown)
+      d = smooth_min(d, auricle.distance(p, branch_growth(growth)), auricle_blend);
   return d;
 }
 
@@ -200,8 +199,6 @@ float vessel_distance(glm::vec3 p) {
   float d = 1e9f;
   for (const Vessel& vessel : anatomy().vessels)
     if (vessel.tube.lower_bound(p) < d) d = std::min(d, vessel.tube.distance(p, 1));
-  for (const Tube& auricle : anatomy().auricles)
-    if (auricle.lower_bound(p) < d) d = std::min(d, auricle.distance(p, 1));
   return d;
 }
 

@@ -23,14 +23,14 @@ struct HeartRegions {
   float lumen = 0;   // depth inside a cut vessel's end; <= 0 outside of it
 };
 
-// `growth` in [0, 1] lets auricles and vessels grow out of a star-shaped body, so that a mesh can follow: 0 is the body,
-// from trunks_grown on the vessels have their length, from branches_grown on their branches too; at 1 their ends are open.
+// `growth` in [0, 1] lets vessels and auricles grow out of a star-shaped body, so that a mesh can follow: 0 is the body,
+// from trunks_grown on the trunks have their length, from branches_grown on the branches and auricles too; at 1 their ends are open.
 inline constexpr float trunks_grown = 0.5f, branches_grown = 0.8f;
 // Negative inside.
 float heart_distance(glm::vec3 p, float growth);
 // Moves a point near the surface onto it (Newton's steps along the gradient).
 glm::vec3 onto_heart(glm::vec3 p, float growth, int steps);
-// To the nearest of the fully grown vessels and auricles; negative inside them.
+// To the nearest of the fully grown vessels; negative inside them.
 float vessel_distance(glm::vec3 p);
 HeartRegions heart_regions(glm::vec3 p);
 

@@ -9,6 +9,7 @@
 #include "harness/scene/scene.h"
 #include "harness/scene/scene_file.h"
 #include "harness/scene/seen_transparency.h"
+#include "harness/scene/split_overlaps.h"
 #include "harness/scene/unwrap_check.h"
 
 namespace lamina {
@@ -38,6 +39,8 @@ Scene load_scene(const std::string& source, std::optional<float> time_s) {
   scene.source = source;
   if (scene.lights.empty()) scene.lights = default_lights(bounding_sphere(scene.objects));
   if (scene.views.empty()) scene.views = default_views(scene.objects);
+  for (Object& object : scene.objects) move_to_unit_tile(object.mesh);
+  split_overlapping_objects(scene.objects, scene.warnings);
   for (Object& object : scene.objects) {
     settle_unwrap(object, scene.warnings);
     if (object.layers) settle_transparency(*object.layers, object.mesh);

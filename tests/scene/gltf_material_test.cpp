@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "harness/scene/default_layers.h"
 #include "harness/scene/gltf.h"
 #include "tests/scene/made_files.h"
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "harness/scene/gltf.h"
+#include "harness/scene/textures.h"
 #include "tests/scene/made_files.h"
 
 namespace lamina {

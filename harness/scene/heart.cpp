@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// See heart.h.
+#include "harness/scene/heart.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "harness/core/error.h"
+#include "harness/scene/heart_mesh.h"
+#include "harness/scene/heart_textures.h"
+#include "harness/scene/seen_transparency.h"
+
+namespace lamina {
+namespace {
+
+// A resting adult's heart: 67 beats a minute.
+constexpr double beat_period_s = 0.9;
+
+// Thickness in texels at 1024, expanded and contracted, as Oat's figure 11 shows it: expanded, the layers lie far apart.
+constexpr float thick_texels = 16, thin_texels = 5;
+
+double smooth(double from, double to, double x) {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+// 0 expanded .. 1 contracted. Systole takes about a third of a beat: a quick squeeze, a short hold, a slower release, then rest
+// (after Wiggers' diagram of the cardiac cycle, 1915).
+float contraction(double time_s) {
+  const double beats = time_s / beat_period_s, phase = beats - std::floor(beats);
+  return static_cast<float>(smooth(0.10, 0.28, phase) - smooth(0.40, 0.70, phase));
+}
+
+Light directional(std::string name, glm::vec3 from, glm::vec3 radiance) {
+  Light light;
+  light.name = std::move(name);
+  light.direction = -glm::normalize(from);
+  light.radiance = radiance;
+  return light;
+}
+
+}  // namespace
+
+Scene make_heart(const HeartOptions& options) {
+  if (!std::isfinite(options.time_s))
+    throw Error(ErrorKind::bad_input, "scene", "heart", "time is not a finite number; give seconds");
+  if (!std::has_single_bit(options.texture_size) || options.texture_size < 64 || options.texture_size > 4096)
+    throw Error(ErrorKind::bad_input, "scene", "heart",
+                fmt::format("textures of {} texels on a side; take a power of two from 64 to 4096", options.texture_size));
+
+  const float squeeze = contraction(options.time_s);
+  const HeartTextures textures = heart_textures(options.texture_size);
+  Object object;
+  object.name = "heart";
+  object.mesh = heart_mesh(squeeze);
+  object.albedo = textures.outer_albedo;
+  LayeredMaterial layers;
+  layers.outer_albedo = textures.outer_albedo;
+  layers.outer_normal = textures.outer_normal;
+  layers.inner_albedo = textures.inner_albedo;
+  layers.thickness_texels =
+      (thick_texels + squeeze * (thin_texels - thick_texels)) * static_cast<float>(options.texture_size) / 1024;
+  settle_transparency(layers, object.mesh);
+  object.layers = std::move(layers);
+
+  Scene scene;
+  scene.name = scene.source = "heart";
+  scene.time_s = options.time_s;
+  scene.objects.push_back(std::move(object));
+  scene.lights.push_back(directional("key", {-0.55f, 0.75f, 0.85f}, {1.55f, 1.42f, 1.28f}));
+  scene.lights.push_back(directional("fill", {0.95f, -0.10f, 0.55f}, {0.26f, 0.33f, 0.44f}));
+  Light rim;
+  rim.name = "rim";
+  rim.kind = Light::Kind::point;
+  rim.position = {1.5f, 1.3f, -1.7f};
+  rim.radiance = {4.2f, 3.6f, 3.2f};
+  scene.lights.push_back(rim);
+  scene.ambient = {0.075f, 0.07f, 0.08f};
+  scene.background = {0.018f, 0.019f, 0.022f};
+  scene.views = {{"front", {0.15f, 0.40f, 4.6f}, {0.06f, 0.26f, 0}, {0, 1, 0}, 38, 0.05f, 20},
+                 {"three_quarter", {-2.7f, 1.0f, 3.2f}, {0.02f, 0.24f, 0}, {0, 1, 0}, 38, 0.05f, 20},
+                 {"grazing", {-1.35f, -0.75f, 1.15f}, {0.30f, -0.15f, 0.42f}, {0, 1, 0}, 42, 0.02f, 20}};
+  scene.mesh_moves = true;
+  return scene;
+}
+
+}  // namespace lamina

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which texels of the unwrap a triangle covers.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "harness/scene/scene.h"
+
+namespace lamina {
+
+inline constexpr uint32_t uv_raster_size = 512;  // texels on a side
+
+// Row * uv_raster_size + column of every texel whose centre the triangle covers, by the top-left rule: neighbours in the unwrap share
+// none. Parts outside the unit square are left out.
+std::vector<uint32_t> covered_texels(const Mesh& mesh, size_t triangle);
+
+}  // namespace lamina
