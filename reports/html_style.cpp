@@ -35,7 +35,10 @@ p { max-width: 75ch; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .93rem; }
 caption { text-align: left; color: var(--soft); font-size: .9rem; padding-bottom: .35rem; }
-th, td { text-align: left; padding: .32rem .9rem .32rem 0; border-bottom: 1px solid var(--line); vertical-align: top; white-space: nowrap; }
+th, td {
+  text-align: left; padding: .32rem .9rem .32rem 0; border-bottom: 1px solid var(--line); vertical-align: top;
+  white-space: nowrap;
+}
 thead th { color: var(--soft); font-weight: 600; }
 .num { text-align: right; }
 .wrap { white-space: normal; min-width: 16rem; overflow-wrap: anywhere; }

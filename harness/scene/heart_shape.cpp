@@ -78,7 +78,12 @@ class Tube {
       const Knot &a = path_[i], &b = path_[i + 1];
       const glm::vec3 ab = share * (b.at - a.at), ap = p - a.at;
       const float t = std::clamp(glm::dot(ap, ab) / std::max(glm::dot(ab, ab), 1e-9f), 0.0f, 1.0f);
-      nearest = std::min(nearest, glm::length(ap - t * ab) - (a.radius + t * share * (b.radius - a.radius)));
+      const glm::vec3 off = ap - t * ab;
+      const float away2 = glm::dot(off, off), radius = a.radius + t * share * (b.radius - a.radius);
+      // Most pieces are farther than the nearest so far, which the square tells without a root.
+      const float bound = nearest + radius;
+      if (bound > 0 && away2 >= bound * bound) continue;
+      nearest = std::min(nearest, std::sqrt(away2) - radius);
     }
     return nearest;
   }

@@ -91,13 +91,13 @@ struct Networks {
   VesselMap coronary_arteries, coronary_veins, inner_arteries, inner_veins;
 };
 
-// Points of the heart itself, not of the great vessels, evenly enough since the grid is.
+// Points of the heart itself and the roots of the great vessels, evenly enough since the grid is.
 std::vector<glm::vec3> scattered(const HeartGrid& grid, size_t count, uint32_t seed) {
   Random random(seed);
   std::vector<glm::vec3> points;
   while (points.size() < count) {
     const glm::vec3 p = grid.points[random.below(static_cast<uint32_t>(grid.points.size()))];
-    if (heart_regions(p).tube < -0.02f) points.push_back(p);
+    if (heart_regions(p).tube < 0.12f) points.push_back(p);
   }
   return points;
 }
@@ -121,8 +121,8 @@ Networks make_networks() {
   constexpr float reach = 0.03f;  // of the shade around a vessel
   return {VesselMap(plan(arteries, 110, 0.07f, 0.0062f, 0.35f, 11), reach),
           VesselMap(plan(veins, 70, 0.07f, 0.0066f, 0.35f, 23), reach),
-          VesselMap(plan(arteries, 420, 0.03f, 0.0070f, 0.45f, 37), reach),
-          VesselMap(plan(veins, 360, 0.03f, 0.0075f, 0.45f, 51), reach)};
+          VesselMap(plan(arteries, 300, 0.04f, 0.0088f, 0.45f, 37), reach),
+          VesselMap(plan(veins, 240, 0.04f, 0.0100f, 0.45f, 51), reach)};
 }
 
 const Networks& networks() {
@@ -163,24 +163,29 @@ Tissue tissue_at(const Site& s) {
   t.tube = smooth(-0.03f, 0.05f, s.r.tube);
   t.lumen = t.tube * smooth(-0.01f, 0.02f, s.r.lumen);
   const float groove = std::max(bell(s.r.base, 0.09f), s.r.base < 0 ? 0.85f * bell(s.r.sulcus, 0.11f) : 0.0f);
+  const float root = bell(s.r.tube - 0.01f, 0.05f);
   const float atrium = smooth(0.0f, 0.12f, s.r.base);
   const float patches = fractal_noise(glm::vec3(s.p) * 2.3f, 4, 17);
-  t.fat = (1 - t.tube) * smooth(0.45f, 0.95f, groove + 0.9f * patches);
+  t.fat = (1 - smooth(0.03f, 0.10f, s.r.tube)) * smooth(0.45f, 1.0f, std::max(groove, 0.85f * root) + 0.9f * patches);
   // Windows stretch along the fibres.
   const float windows = fibre(4.0f, 1.3f, 19) + 0.55f * fibre(9.0f, 2.4f, 20) + 0.4f * patches;
-  t.membrane = (1 - t.tube) * smooth(-0.10f, 0.30f, windows + 0.25f * groove + 0.12f * atrium);
-  if (t.fat > 0 || t.tube > 0) t.lobule = cell_noise(s.p * 24.0f + 0.6f * glm::vec3(patches), 29);
+  t.membrane = (1 - t.tube) * smooth(-0.22f, 0.20f, windows + 0.25f * groove + 0.12f * atrium);
+  if (t.fat > 0) {
+    const glm::vec3 q = s.p * 9.0f;
+    const glm::vec3 warp(gradient_noise(q, 31), gradient_noise(q, 32), gradient_noise(q, 33));
+    t.lobule = cell_noise(s.p * 21.0f + 0.8f * warp, 29);
+  }
   return t;
 }
 
 // Height of the outer surface over the mesh, metres.
 float relief(const Site& s, const Tissue& t, const VesselMap::Hit& artery, const VesselMap::Hit& vein) {
   const float muscle = (1 - t.tube) * (1 - t.membrane) * (1 - t.fat);
-  float height = muscle * (0.0060f * t.bundles + 0.0030f * t.strands + 0.0010f * t.threads);
+  float height = muscle * (0.0120f * t.bundles + 0.0062f * t.strands + 0.0022f * t.threads);
   // Membrane lies lower, taut over strands, and wrinkles.
-  height += t.membrane * (1 - t.fat) * (-0.004f + 0.0016f * t.strands + 0.0040f * fractal_noise(s.p * 11.0f, 2, 41));
-  height += t.fat * 0.010f * (1 - t.lobule.nearest * t.lobule.nearest);
-  height += t.tube * (1 - t.lumen) * 0.0030f * fractal_noise(s.p * 14.0f, 3, 43);
+  height += t.membrane * (1 - t.fat) * (-0.006f + 0.0030f * t.strands + 0.0075f * fractal_noise(s.p * 10.0f, 3, 41));
+  height += t.fat * 0.012f * (1 - t.lobule.nearest * t.lobule.nearest);
+  height += t.tube * (1 - t.lumen) * 0.0045f * fractal_noise(s.p * 14.0f, 3, 43);
   for (const VesselMap::Hit& hit : {artery, vein}) {
     const float d = std::max(1 + hit.gap / hit.radius, 0.0f);  // 0 on the axis, 1 at the wall
     if (d < 1.6f) height += 0.75f * hit.radius * (1 - smooth(0.0f, 1.6f, d));
@@ -202,7 +207,7 @@ glm::vec4 outer_color(const Site& s, const Tissue& t, const VesselMap::Hit& arte
   color = glm::mix(color, glm::mix(film, cream, 0.5f * strand), t.membrane);
   clear = glm::mix(clear, 0.96f - 0.50f * strand, t.membrane);
 
-  const glm::vec3 lobule = glm::mix(yellow, cream, t.lobule.shade) * (0.55f + 0.45f * smooth(0.0f, 0.35f, t.lobule.second - t.lobule.nearest));
+  const glm::vec3 lobule = glm::mix(yellow, cream, t.lobule.shade) * (0.70f + 0.30f * smooth(0.0f, 0.45f, t.lobule.second - t.lobule.nearest));
   color = glm::mix(color, lobule, 0.9f * t.fat);
   clear = glm::mix(clear, 0.34f, t.fat);
 
@@ -215,10 +220,11 @@ glm::vec4 outer_color(const Site& s, const Tissue& t, const VesselMap::Hit& arte
 
   // Coronary vessels lie on top, in a shade of their own.
   const auto lay = [&](const VesselMap::Hit& hit, glm::vec3 blood) {
-    const float shade = (1 - t.tube) * (1 - smooth(0.0f, 0.022f, hit.gap));
+    const float bare = 1 - smooth(0.06f, 0.20f, s.r.tube);  // they fade into the great vessels' walls
+    const float shade = bare * (1 - smooth(0.0f, 0.022f, hit.gap));
     color *= 1 - 0.45f * shade;
     clear *= 1 - 0.5f * shade;
-    const float inside = (1 - t.tube) * (1 - smooth(-0.002f, 0.003f, hit.gap));
+    const float inside = bare * (1 - smooth(-0.002f, 0.003f, hit.gap));
     const float middle = smooth(0.0f, 1.0f, -hit.gap / hit.radius);
     color = glm::mix(color, blood * (0.65f + 0.75f * middle), 0.92f * inside);
     clear = glm::mix(clear, 0.05f, inside);
@@ -229,8 +235,8 @@ glm::vec4 outer_color(const Site& s, const Tissue& t, const VesselMap::Hit& arte
 }
 
 glm::vec4 inner_color(const Site& s) {
-  static const glm::vec3 dark = linear(0x420a0e), flesh = linear(0x8f201d), warm = linear(0xc0503a), arterial = linear(0xe8261c),
-                         venous = linear(0x3a4fb4);
+  static const glm::vec3 dark = linear(0x34080c), flesh = linear(0x7a1c1a), warm = linear(0xb8523c), arterial = linear(0xf03020),
+                         venous = linear(0x4463d0);
   const float cloud = fractal_noise(s.p * 4.0f, 4, 71), grain = fractal_noise(s.p * 26.0f, 2, 73);
   glm::vec3 color = glm::mix(dark, flesh, smooth(-0.45f, 0.45f, cloud + 0.35f * grain));
   color = glm::mix(color, warm, 0.5f * smooth(0.15f, 0.6f, fractal_noise(s.p * 2.6f, 2, 79) + 0.2f * grain));
