@@ -71,9 +71,25 @@ std::vector<OpenedBackend> probe_backends(const CompareOptions& options) {
   return probed;
 }
 
-// One backend: certificate, then each effect. Appends every row as it is finished. Returns how many messages the API's checker had.
+// A row that cannot be written as measured (a number that is none) becomes a failed one; the others go on.
+void append_row(RecordWriter& record, const CellRow& row) {
+  nlohmann::ordered_json line;
+  try {
+    line = to_json(row);
+  } catch (const Error& error) {
+    CellRow failed;
+    failed.scene = row.scene, failed.effect = row.effect, failed.variant = row.variant, failed.baseline = row.baseline;
+    failed.backend = row.backend, failed.device = row.device, failed.view = row.view;
+    failed.width = row.width, failed.height = row.height, failed.params = row.params;
+    failed.failed = true, failed.reason = error.what();
+    line = to_json(failed);
+  }
+  record.append(line);
+}
+
+// One backend: certificate, then each effect, which is taken off `effects` when its rows are in the record. Appends every row as it is finished. Returns how many messages the API's checker had.
 size_t run_backend(const OpenedBackend& opened, const Scene& scene, const Library& library, const Plan& plan,
-                 const std::vector<const EffectManifest*>& effects, const CompareOptions& options, RecordWriter& record) {
+                   std::vector<const EffectManifest*>& effects, const CompareOptions& options, RecordWriter& record) {
   const std::filesystem::path images = options.out / "images";
   const std::unique_ptr<Backend> backend = open_backend(opened.name, {options.device, options.validation});
   Progress progress(opened.name);
@@ -82,13 +98,15 @@ size_t run_backend(const OpenedBackend& opened, const Scene& scene, const Librar
   record.append(to_json(timer));
   SceneResources resources(*backend, scene, options.width_px, options.height_px);
   ShaderCache shaders(backend->info().api, library.shaders);
-  for (const EffectManifest* effect : effects) {
+  while (!effects.empty()) {
+    const EffectManifest* effect = effects.front();
     BackendRun run(*backend, resources, plan, *effect, shaders, options, images);
     run.prepare(progress);
     run.count(progress);
     run.score(progress);
     const RoundsResult rounds = run.time(progress, timer.ok);
-    for (const CellRow& row : run.rows()) record.append(to_json(row));
+    for (const CellRow& row : run.rows()) append_row(record, row);
+    effects.erase(effects.begin());
     if (rounds.rounds == 0) continue;
     record.append({{"kind", "phase"}, {"backend", opened.name}, {"effect", effect->name}, {"rounds", rounds.rounds},
                    {"wall_ms", rounds.wall_ms}, {"device_ms", rounds.device_ms}});
@@ -123,13 +141,14 @@ int run_compare(const CompareOptions& options) {
   size_t messages = 0;
   for (const OpenedBackend& backend : backends) {
     std::string failure = backend.failure;
+    std::vector<const EffectManifest*> left = effects;
     try {
-      if (failure.empty()) messages += run_backend(backend, scene, library, plan, effects, options, record);
+      if (failure.empty()) messages += run_backend(backend, scene, library, plan, left, options, record);
     } catch (const Error& error) {
       failure = error.what();
     }
     if (failure.empty()) continue;
-    for (const EffectManifest* effect : effects)
+    for (const EffectManifest* effect : left)
       for (const CellRow& row : failed_rows(backend.name, scene, *effect, options, failure)) record.append(to_json(row));
   }
 

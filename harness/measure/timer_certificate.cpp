@@ -15,9 +15,9 @@ namespace {
 
 constexpr size_t multiples = 4;      // 1x, 2x, 4x, 8x
 constexpr uint32_t size_px = 256;
-constexpr double least_ms = 8;       // of the 1x pass: fixed costs (a tenth of a millisecond a bracket) stay well below the tolerance
+constexpr double least_ms = 4;       // of the 1x pass: fixed costs (a tenth of a millisecond a bracket) stay well below the tolerance
 constexpr int first_taps = 16, most_taps = 1 << 20;
-constexpr size_t least_rounds = 5, most_rounds = 20;
+constexpr size_t least_rounds = 5, most_rounds = 60;
 
 // The passes and all that they need on the device, given back at the end.
 class Workload {

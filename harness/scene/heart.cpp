@@ -79,8 +79,8 @@ Scene make_heart(const HeartOptions& options) {
   scene.ambient = {0.075f, 0.07f, 0.08f};
   scene.background = {0.018f, 0.019f, 0.022f};
   scene.views = {{"front", {0.15f, 0.36f, 4.6f}, {0.06f, 0.27f, 0}, {0, 1, 0}, 36, 0.05f, 20},
-                 {"three_quarter", {-2.7f, 1.0f, 3.3f}, {0.0f, 0.30f, 0}, {0, 1, 0}, 36, 0.05f, 20},
-                 {"grazing", {-1.15f, -0.55f, 0.72f}, {0.25f, -0.25f, 0.30f}, {0, 1, 0}, 45, 0.02f, 20}};
+                 {"three_quarter", {-2.7f, 1.0f, 3.35f}, {0.0f, 0.34f, 0}, {0, 1, 0}, 36, 0.05f, 20},
+                 {"grazing", {0.30f, -1.38f, 0.92f}, {-0.10f, -0.10f, 0.38f}, {0.25f, 0.6f, 1}, 42, 0.02f, 20}};
   scene.mesh_moves = true;
   return scene;
 }

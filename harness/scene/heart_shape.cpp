@@ -143,7 +143,7 @@ const Anatomy& anatomy() {
 }
 
 // Widths of the unions in metres: soft between chambers, tight around vessels so that their necks stay.
-constexpr float ventricle_blend = 0.10f, atrium_blend = 0.10f, auricle_blend = 0.10f, vessel_blend = 0.15f, lip_blend = 0.035f;
+constexpr float ventricle_blend = 0.10f, atrium_blend = 0.10f, auricle_blend = 0.10f, vessel_blend = 0.15f, lip_blend = 0.06f;
 
 float ventricles(const Anatomy& a, glm::vec3 p) {
   return smooth_min(a.left_ventricle.distance(p), a.right_ventricle.distance(p), ventricle_blend);

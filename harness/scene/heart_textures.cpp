@@ -184,7 +184,7 @@ float relief(const Site& s, const Tissue& t, const VesselMap::Hit& artery, const
   float height = muscle * (0.0120f * t.bundles + 0.0062f * t.strands + 0.0022f * t.threads);
   // Membrane lies lower, taut over strands, and wrinkles.
   height += t.membrane * (1 - t.fat) * (-0.006f + 0.0030f * t.strands + 0.0075f * fractal_noise(s.p * 10.0f, 3, 41));
-  height += t.fat * 0.012f * (1 - t.lobule.nearest * t.lobule.nearest);
+  height += t.fat * 0.008f * (1 - t.lobule.nearest * t.lobule.nearest);
   height += t.tube * (1 - t.lumen) * 0.0045f * fractal_noise(s.p * 14.0f, 3, 43);
   for (const VesselMap::Hit& hit : {artery, vein}) {
     const float d = std::max(1 + hit.gap / hit.radius, 0.0f);  // 0 on the axis, 1 at the wall
@@ -207,7 +207,7 @@ glm::vec4 outer_color(const Site& s, const Tissue& t, const VesselMap::Hit& arte
   color = glm::mix(color, glm::mix(film, cream, 0.5f * strand), t.membrane);
   clear = glm::mix(clear, 0.96f - 0.50f * strand, t.membrane);
 
-  const glm::vec3 lobule = glm::mix(yellow, cream, t.lobule.shade) * (0.70f + 0.30f * smooth(0.0f, 0.45f, t.lobule.second - t.lobule.nearest));
+  const glm::vec3 lobule = glm::mix(yellow, cream, t.lobule.shade) * (0.78f + 0.22f * smooth(0.0f, 0.45f, t.lobule.second - t.lobule.nearest));
   color = glm::mix(color, lobule, 0.9f * t.fat);
   clear = glm::mix(clear, 0.34f, t.fat);
 
