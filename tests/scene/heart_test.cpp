@@ -64,7 +64,7 @@ glm::vec4 sample(const TextureImage& texture, glm::vec2 uv) {
   const auto texel = [&](int dx, int dy) {
     const size_t i = static_cast<size_t>(static_cast<int>(low.y) + dy) * texture.width + static_cast<size_t>(static_cast<int>(low.x) + dx);
     glm::vec4 value;
-    for (int c = 0; c < 4; ++c) value[c] = std::to_integer<float>(texture.levels[0][4 * i + static_cast<size_t>(c)]) / 255;
+    for (int c = 0; c < 4; ++c) value[c] = static_cast<float>(std::to_integer<int>(texture.levels[0][4 * i + static_cast<size_t>(c)])) / 255;
     return value;
   };
   return glm::mix(glm::mix(texel(0, 0), texel(1, 0), t.x), glm::mix(texel(0, 1), texel(1, 1), t.x), t.y);
@@ -213,7 +213,7 @@ TEST(Heart, TransparencyReachesBothEnds) {
   size_t opaque = 0, clear = 0, between = 0;
   const size_t count = size_t{outer.width} * outer.height;
   for (size_t i = 0; i < count; ++i) {
-    const float alpha = std::to_integer<float>(outer.levels[0][4 * i + 3]) / 255;
+    const float alpha = static_cast<float>(std::to_integer<int>(outer.levels[0][4 * i + 3])) / 255;
     opaque += alpha < 0.1f;
     clear += alpha > 0.8f;
     between += alpha >= 0.1f && alpha <= 0.8f;
