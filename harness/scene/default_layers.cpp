@@ -19,7 +19,8 @@ std::shared_ptr<const TextureImage> inner_layer(uint32_t width, uint32_t height)
   const std::lock_guard lock(making);
   std::shared_ptr<const TextureImage>& layer = made[{width, height}];
   if (!layer) {
-    // The picture's finest noise is a 64th of it, which 1024 texels hold easily; a larger one would take seconds and show no more.
+    // The picture's finest noise is a 64th of it, which 1024 texels hold easily; a larger one would take seconds and show no
+    // more.
     const Texels picture = marble(std::min(width, 1024u), std::min(height, 1024u), 1);
     layer = make_texture("inner layer", resized(picture, width, height), TexelMeaning::colour);
   }
@@ -42,10 +43,12 @@ LayeredMaterial default_layers(const std::string& name, const Texels& outer, std
 float thickness_in_texels(float thickness, const Mesh& mesh, const TextureImage& texture, const std::string& subject) {
   double texture_area = 0, surface_area = 0;  // both doubled
   for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const Vertex &a = mesh.vertices[mesh.indices[i]], &b = mesh.vertices[mesh.indices[i + 1]], &c = mesh.vertices[mesh.indices[i + 2]];
+    const Vertex &a = mesh.vertices[mesh.indices[i]], &b = mesh.vertices[mesh.indices[i + 1]],
+                 &c = mesh.vertices[mesh.indices[i + 2]];
     const glm::dvec2 uv_1 = glm::dvec2(b.uv) - glm::dvec2(a.uv), uv_2 = glm::dvec2(c.uv) - glm::dvec2(a.uv);
     texture_area += std::abs(uv_1.x * uv_2.y - uv_2.x * uv_1.y);
-    surface_area += glm::length(glm::cross(glm::dvec3(b.position) - glm::dvec3(a.position), glm::dvec3(c.position) - glm::dvec3(a.position)));
+    surface_area += glm::length(
+        glm::cross(glm::dvec3(b.position) - glm::dvec3(a.position), glm::dvec3(c.position) - glm::dvec3(a.position)));
   }
   if (!(texture_area > 0 && surface_area > 0))
     throw Error(ErrorKind::bad_input, "scene", subject,

@@ -13,14 +13,15 @@ constexpr float fov_y_degrees = 40;
 constexpr float margin = 1.04f;  // air around the sphere
 // Where the grazing view touches: right, above and in front, lit by the key light.
 const glm::vec3 grazing_side = glm::normalize(glm::vec3(0.35f, 0.55f, 0.75f));
-// In radii: how far the grazing eye stands above the touching plane, and how far back from the touching point. On a sphere it then
-// meets the surface at 10 degrees or less over most of the picture.
+// In radii: how far the grazing eye stands above the touching plane, and how far back from the touching point. On a sphere it
+// then meets the surface at 10 degrees or less over most of the picture.
 constexpr float grazing_height = 0.05f, grazing_distance = 0.35f;
 
 template <class Visit>
 void for_each_world_position(const std::vector<Object>& objects, const Visit& visit) {
   for (const Object& object : objects)
-    for (const Vertex& vertex : object.mesh.vertices) visit(glm::vec3(object.world_from_object * glm::vec4(vertex.position, 1)));
+    for (const Vertex& vertex : object.mesh.vertices)
+      visit(glm::vec3(object.world_from_object * glm::vec4(vertex.position, 1)));
 }
 
 View seen_from(std::string name, const BoundingSphere& bounds, glm::vec3 direction) {
@@ -41,7 +42,8 @@ BoundingSphere bounding_sphere(const std::vector<Object>& objects) {
   glm::vec3 low(INFINITY), high(-INFINITY);
   for_each_world_position(objects, [&](glm::vec3 p) { low = glm::min(low, p), high = glm::max(high, p); });
   BoundingSphere sphere{low + (high - low) / 2.0f, 0};
-  for_each_world_position(objects, [&](glm::vec3 p) { sphere.radius = std::max(sphere.radius, glm::distance(p, sphere.centre)); });
+  for_each_world_position(objects,
+                          [&](glm::vec3 p) { sphere.radius = std::max(sphere.radius, glm::distance(p, sphere.centre)); });
   if (!std::isfinite(sphere.radius) || !(sphere.radius > 0))
     throw Error(ErrorKind::bad_input, "scene", "bounds",
                 fmt::format("the scene's radius is {} m; check positions, scales and units", sphere.radius));

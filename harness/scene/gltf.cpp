@@ -60,7 +60,8 @@ std::vector<PlacedNode> placed_nodes(const tinygltf::Model& model, const std::st
   std::vector<int> roots;
   if (!model.scenes.empty()) {
     const int shown = std::max(model.defaultScene, 0);
-    if (size_t(shown) >= model.scenes.size()) refuse(file, fmt::format("shows scene {}; it has {}", shown, model.scenes.size()));
+    if (size_t(shown) >= model.scenes.size())
+      refuse(file, fmt::format("shows scene {}; it has {}", shown, model.scenes.size()));
     roots = model.scenes[size_t(shown)].nodes;
   } else {
     std::set<int> children;
@@ -85,7 +86,8 @@ std::vector<PlacedNode> placed_nodes(const tinygltf::Model& model, const std::st
   return placed;
 }
 
-// A world matrix as scene.h wants it: one that does not mirror. Where the node's does, the mesh is mirrored in x to make up for it.
+// A world matrix as scene.h wants it: one that does not mirror. Where the node's does, the mesh is mirrored in x to make up for
+// it.
 struct Placement {
   glm::mat4 world_from_object{1};
   bool mirrored = false;
@@ -97,7 +99,8 @@ std::optional<Placement> placement(const PlacedNode& node, const std::string& la
   if (mirrored) matrix = matrix * glm::scale(glm::dmat4(1), {-1, 1, 1});
   const glm::mat4 world_from_object(matrix);
   for (int i = 0; i < 16; ++i)
-    if (!std::isfinite(world_from_object[i / 4][i % 4])) refuse(label, "its place in the world is not finite; check its matrices");
+    if (!std::isfinite(world_from_object[i / 4][i % 4]))
+      refuse(label, "its place in the world is not finite; check its matrices");
   if (determinant == 0) {
     warnings.push_back(fmt::format("The {} is scaled to nothing and is left out.", label));
     return std::nullopt;
@@ -127,8 +130,8 @@ class ObjectMaker {
       object.layers = look.layers;
       object.albedo = look.layers.outer_albedo;
       if (look.thickness)
-        object.layers->thickness_texels =
-            thickness_in_texels(*look.thickness, object.mesh, *look.layers.inner_albedo, fmt::format("object '{}'", object.name));
+        object.layers->thickness_texels = thickness_in_texels(*look.thickness, object.mesh, *look.layers.inner_albedo,
+                                                              fmt::format("object '{}'", object.name));
       result_.objects.push_back(std::move(object));
     }
   }

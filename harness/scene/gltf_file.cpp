@@ -72,7 +72,8 @@ void refuse_deep_nesting(std::string_view json, const std::string& subject) {
 }
 
 // Keeps what came from a file or a data URI encoded. Pictures in buffer views stay there: see encoded_picture().
-bool keep_encoded(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes, int size, void*) {
+bool keep_encoded(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes, int size,
+                  void*) {
   if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
   image->as_is = true;
   return true;
@@ -81,7 +82,8 @@ bool keep_encoded(tinygltf::Image* image, int, std::string*, std::string*, int, 
 // Extensions that add to the look only, or that this loader reads or warns about; any other that a file requires changes what
 // its data means.
 bool readable_without(const std::string& extension) {
-  static constexpr std::array<std::string_view, 3> readable = {"KHR_texture_transform", "KHR_mesh_quantization", "KHR_lights_punctual"};
+  static constexpr std::array<std::string_view, 3> readable = {"KHR_texture_transform", "KHR_mesh_quantization",
+                                                               "KHR_lights_punctual"};
   return extension.starts_with("KHR_materials_") || std::find(readable.begin(), readable.end(), extension) != readable.end();
 }
 
@@ -91,7 +93,8 @@ std::span<const std::byte> view_bytes(const tinygltf::Model& model, int view_ind
     refuse(subject, fmt::format("refers to buffer view {}; the file has {}", view_index, model.bufferViews.size()));
   const tinygltf::BufferView& view = model.bufferViews[size_t(view_index)];
   if (view.buffer < 0 || size_t(view.buffer) >= model.buffers.size())
-    refuse(subject, fmt::format("buffer view {} refers to buffer {}; the file has {}", view_index, view.buffer, model.buffers.size()));
+    refuse(subject,
+           fmt::format("buffer view {} refers to buffer {}; the file has {}", view_index, view.buffer, model.buffers.size()));
   const std::vector<unsigned char>& data = model.buffers[size_t(view.buffer)].data;
   if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
     refuse(subject, fmt::format("buffer view {} ({} bytes from {}) leaves its buffer of {} bytes", view_index, view.byteLength,
@@ -111,12 +114,18 @@ double integer_component(const std::byte* at, bool normalized) {
 
 double component(const std::byte* at, int type, bool normalized) {
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: return integer_component<int8_t>(at, normalized);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return integer_component<uint8_t>(at, normalized);
-    case TINYGLTF_COMPONENT_TYPE_SHORT: return integer_component<int16_t>(at, normalized);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return integer_component<uint16_t>(at, normalized);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return integer_component<uint32_t>(at, normalized);
-    default: break;
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return integer_component<int8_t>(at, normalized);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return integer_component<uint8_t>(at, normalized);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return integer_component<int16_t>(at, normalized);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return integer_component<uint16_t>(at, normalized);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return integer_component<uint32_t>(at, normalized);
+    default:
+      break;
   }
   float value;
   std::memcpy(&value, at, sizeof value);
@@ -127,12 +136,16 @@ double component(const std::byte* at, int type, bool normalized) {
 size_t component_bytes(int type, const std::string& subject) {
   switch (type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 1;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return 1;
     case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 2;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return 2;
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    case TINYGLTF_COMPONENT_TYPE_FLOAT: return 4;
-    default: refuse(subject, fmt::format("has component type {}, which glTF 2.0 does not have", type));
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+      return 4;
+    default:
+      refuse(subject, fmt::format("has component type {}, which glTF 2.0 does not have", type));
   }
 }
 
@@ -146,7 +159,8 @@ std::vector<double> read_elements(std::span<const std::byte> bytes, size_t count
     refuse(subject, fmt::format("has {} elements, {} bytes apart, but only {} bytes", count, stride, bytes.size()));
   std::vector<double> values(count * components);
   for (size_t i = 0; i < count; ++i)
-    for (size_t c = 0; c < components; ++c) values[i * components + c] = component(&bytes[i * stride + c * size], type, normalized);
+    for (size_t c = 0; c < components; ++c)
+      values[i * components + c] = component(&bytes[i * stride + c * size], type, normalized);
   return values;
 }
 

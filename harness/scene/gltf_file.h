@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A glTF 2.0 file (Khronos Group, "glTF 2.0 Specification", 2021) as tinygltf reads it, and its accessors as numbers, with every
-// reference and range checked. Pictures stay encoded: OpenImageIO decodes them, and only those that a scene uses.
+// A glTF 2.0 file (Khronos Group, "glTF 2.0 Specification", 2021) as tinygltf reads it, and its accessors as numbers, with
+// every reference and range checked. Pictures stay encoded: OpenImageIO decodes them, and only those that a scene uses.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -13,7 +13,8 @@
 
 namespace lamina {
 
-// .glb or .gltf, told apart by their first bytes. tinygltf's warnings go to `warnings`. Throws Error(bad_input) naming the file.
+// .glb or .gltf, told apart by their first bytes. tinygltf's warnings go to `warnings`. Throws Error(bad_input) naming the
+// file.
 tinygltf::Model read_gltf_file(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
 // An accessor's elements one after another, `components` numbers each; normalized integers become 0 to 1 or -1 to 1. Sparse

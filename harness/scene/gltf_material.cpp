@@ -23,16 +23,19 @@ Texels decode(const tinygltf::Model& model, const TextureInfo& info, bool srgb_c
   if (info.extensions.contains("KHR_texture_transform"))
     warnings.push_back(fmt::format("The {} has a KHR_texture_transform, which is not applied.", subject));
   const int image = model.textures[size_t(info.index)].source;
-  if (image < 0) refuse(subject, "its texture names no picture in a format of glTF 2.0 (PNG or JPEG); export it as one of these");
+  if (image < 0)
+    refuse(subject, "its texture names no picture in a format of glTF 2.0 (PNG or JPEG); export it as one of these");
   return decode_texels(encoded_picture(model, image, subject), subject, srgb_colour);
 }
 
-glm::vec4 base_colour_factor(const tinygltf::Material& material, const std::string& subject, std::vector<std::string>& warnings) {
+glm::vec4 base_colour_factor(const tinygltf::Material& material, const std::string& subject,
+                             std::vector<std::string>& warnings) {
   const std::vector<double>& factor = material.pbrMetallicRoughness.baseColorFactor;
   if (factor.size() != 4) refuse(subject, fmt::format("baseColorFactor has {} numbers; it needs 4", factor.size()));
   const glm::vec4 given(factor[0], factor[1], factor[2], factor[3]);
   const glm::vec4 clamped = glm::clamp(given, 0.0f, 1.0f);
-  if (glm::distance(given, clamped) > 1e-3f) warnings.push_back(fmt::format("The {}'s baseColorFactor is clamped to 0 to 1.", subject));
+  if (glm::distance(given, clamped) > 1e-3f)
+    warnings.push_back(fmt::format("The {}'s baseColorFactor is clamped to 0 to 1.", subject));
   return clamped;
 }
 
@@ -95,11 +98,14 @@ MaterialLook read_material(const tinygltf::Model& model, int material, std::vect
     refuse(fmt::format("material {}", material), fmt::format("is referred to; the file has {}", model.materials.size()));
   const tinygltf::Material& from = material < 0 ? tinygltf::Material() : model.materials[size_t(material)];
   MaterialLook look;
-  look.name = fmt::format("material '{}'", !from.name.empty() ? from.name : material < 0 ? "default" : std::to_string(material));
+  look.name = fmt::format("material '{}'", !from.name.empty() ? from.name
+                                           : material < 0     ? "default"
+                                                              : std::to_string(material));
   if (from.alphaMode != "OPAQUE" && from.alphaMode != "BLEND" && from.alphaMode != "MASK")
     refuse(look.name, fmt::format("alphaMode '{}' is none of OPAQUE, BLEND, MASK", from.alphaMode));
   look.thickness = volume_thickness(from, look.name, warnings);
-  look.layers = default_layers(look.name, outer_layer(model, from, look.name, warnings), normal_map(model, from, look.name, warnings));
+  look.layers =
+      default_layers(look.name, outer_layer(model, from, look.name, warnings), normal_map(model, from, look.name, warnings));
   return look;
 }
 

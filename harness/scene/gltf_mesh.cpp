@@ -14,8 +14,8 @@ namespace {
 }
 
 // The attribute's numbers, all finite; empty where the primitive has no such attribute.
-std::vector<double> read_attribute(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const std::string& attribute,
-                                   int components, const std::string& mesh_name) {
+std::vector<double> read_attribute(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                                   const std::string& attribute, int components, const std::string& mesh_name) {
   const auto found = primitive.attributes.find(attribute);
   if (found == primitive.attributes.end()) return {};
   const std::string subject = fmt::format("mesh '{}', {}", mesh_name, attribute);
@@ -57,7 +57,8 @@ std::vector<uint32_t> triangle_corners(const tinygltf::Model& model, const tinyg
 }
 
 glm::dvec3 doubled_area(const Mesh& mesh, const uint32_t* corner) {
-  const glm::dvec3 a(mesh.vertices[corner[0]].position), b(mesh.vertices[corner[1]].position), c(mesh.vertices[corner[2]].position);
+  const glm::dvec3 a(mesh.vertices[corner[0]].position), b(mesh.vertices[corner[1]].position),
+      c(mesh.vertices[corner[2]].position);
   return glm::cross(b - a, c - a);
 }
 
@@ -131,8 +132,8 @@ void mirror_in_x(Mesh& mesh) {
 
 }  // namespace
 
-std::optional<Mesh> mesh_from_primitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const std::string& name,
-                                        bool mirrored, std::vector<std::string>& warnings) {
+std::optional<Mesh> mesh_from_primitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                                        const std::string& name, bool mirrored, std::vector<std::string>& warnings) {
   if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
     refuse(fmt::format("mesh '{}'", name), fmt::format("primitive mode {} is none of glTF's", primitive.mode));
   if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
@@ -148,7 +149,8 @@ std::optional<Mesh> mesh_from_primitive(const tinygltf::Model& model, const tiny
   const size_t count = positions.size() / 3;
   if (count == 0) refuse(fmt::format("mesh '{}'", name), "has no POSITION");
   if (uvs.empty())
-    refuse(fmt::format("mesh '{}'", name), "has no TEXCOORD_0; layered materials need texture coordinates, so unwrap it and export again");
+    refuse(fmt::format("mesh '{}'", name),
+           "has no TEXCOORD_0; layered materials need texture coordinates, so unwrap it and export again");
   const auto require_count = [&](const char* attribute, size_t has) {
     if (has != 0 && has != count)
       refuse(fmt::format("mesh '{}', {}", name, attribute), fmt::format("has {} vertices where POSITION has {}", has, count));

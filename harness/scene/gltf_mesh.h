@@ -12,10 +12,11 @@
 
 namespace lamina {
 
-// `name` is the mesh's, for messages. With `mirrored`, x is negated in space, so that a node whose matrix mirrors can be drawn by a
-// matrix that does not, with triangles still counter-clockwise from outside. Nothing where the primitive has no triangles (points,
-// lines, degenerate triangles alone): a warning says so. Throws Error(bad_input) naming the mesh, attribute and vertex.
-std::optional<Mesh> mesh_from_primitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const std::string& name,
-                                        bool mirrored, std::vector<std::string>& warnings);
+// `name` is the mesh's, for messages. With `mirrored`, x is negated in space, so that a node whose matrix mirrors can be drawn
+// by a matrix that does not, with triangles still counter-clockwise from outside. Nothing where the primitive has no triangles
+// (points, lines, degenerate triangles alone): a warning says so. Throws Error(bad_input) naming the mesh, attribute and
+// vertex.
+std::optional<Mesh> mesh_from_primitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                                        const std::string& name, bool mirrored, std::vector<std::string>& warnings);
 
 }  // namespace lamina

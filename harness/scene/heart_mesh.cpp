@@ -7,13 +7,14 @@
 #include <cmath>
 #include <utility>
 
+#include "harness/scene/heart_rows.h"
 #include "harness/scene/heart_shape.h"
 
 namespace lamina {
 namespace {
 
-// The middle of the chart looks to the front, a little to the left and up; up runs along the square's diagonal, so that the four
-// folds' middles, where the unwrap is pinched, lie off the silhouette's top and bottom.
+// The middle of the chart looks to the front, a little to the left and up; up runs along the square's diagonal, so that the
+// four folds' middles, where the unwrap is pinched, lie off the silhouette's top and bottom.
 glm::vec3 chart_direction(float x, float y) {
   const glm::vec3 front = glm::normalize(glm::vec3(0.10f, 0.12f, 1.0f));
   const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), front)), up = glm::cross(front, right);
@@ -43,55 +44,74 @@ void sew(HeartGrid& grid) {
     for (int x = 0; x <= grid.cells; ++x) grid.points[grid.index({x, y})] = grid.points[grid.index(grid.master({x, y}))];
 }
 
+// The shape's part in one round of spreading.
+struct Round {
+  float growth = 1;  // of the shape
+  float keep = 0;    // share of a point's last move that goes into its next (Polyak's heavy ball, 1964): far points come faster
+};
+
 // One round of springs: every point moves along the surface towards its eight neighbours, the farther ones pulling harder.
-// `drift` carries most of a point's last move into its next (Polyak's heavy ball, 1964), or far points would take thousands of rounds.
-void spread(HeartGrid& grid, std::vector<glm::vec3>& drift, float keep, float growth) {
-  static constexpr std::array<std::pair<int, int>, 8> around = {
-      {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
+// `drift` holds the points' last moves.
+void spread(HeartGrid& grid, std::vector<glm::vec3>& drift, const Round& round) {
+  static constexpr std::array<glm::ivec2, 8> around = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
+  // Springs near where vessels will grow are stiffer at first: points gather there that the vessels will need. The crowd thins
+  // out over 12 cm.
+  const float crowding = 30 * std::max(1 - round.growth / trunks_grown, 0.0f);
+  std::vector<float> stiffness(grid.points.size(), 1.0f);
+  if (crowding > 0)
+    for (size_t i = 0; i < stiffness.size(); ++i) {
+      const float away = std::max(vessel_distance(grid.points[i], 0.4f), 0.0f) / 0.12f;
+      stiffness[i] += crowding * std::exp(-away * away);
+    }
   std::vector<glm::vec3> moved(grid.points.size());
-  std::vector<float> crowd(grid.points.size());
-  const float crowding = 30 * std::max(1 - growth / trunks_grown, 0.0f);
-  for (size_t i = 0; i < crowd.size(); ++i) {
-    const float away = crowding > 0 ? std::max(vessel_distance(grid.points[i]), 0.0f) / 0.12f : 0;
-    crowd[i] = 1 + crowding * std::exp(-away * away);
-  }
-  for (int y = 0; y <= grid.cells; ++y)
+  each_row(static_cast<uint32_t>(grid.cells + 1), [&](uint32_t row) {
     for (int x = 0; x <= grid.cells; ++x) {
-      const glm::vec3 p = grid.point({x, y});
+      const glm::ivec2 at(x, static_cast<int>(row));
+      const size_t i = grid.index(at);
+      const glm::vec3 p = grid.points[i];
       glm::vec3 pull(0);
       float total = 0;
-      for (const auto& [dx, dy] : around) {
-        const glm::vec3 to = grid.point({x + dx, y + dy}) - p;
-        // Stiffness grows with length squared; corners count half, being sqrt(2) as far in the square.
-        const float weight = (dx != 0 && dy != 0 ? 0.25f : 1.0f) * (glm::dot(to, to) + 1e-8f) * 0.5f * (crowd[grid.index({x, y})] + crowd[grid.index(grid.fold({x + dx, y + dy}))]);
+      for (const glm::ivec2 step : around) {
+        const size_t neighbour = grid.index(grid.fold(at + step));
+        const glm::vec3 to = grid.points[neighbour] - p;
+        // Stiffness grows with length squared; corners count a quarter, being sqrt(2) as far in the square, to the fourth
+        // power.
+        const float weight =
+            (step.x != 0 && step.y != 0 ? 0.25f : 1.0f) * (stiffness[i] + stiffness[neighbour]) * (glm::dot(to, to) + 1e-8f);
         pull += weight * to;
         total += weight;
       }
-      // Six tenths of the way, for stability, and only along the surface: a vessel's tip, pulled inwards, would fall into the vessel.
-      glm::vec3 move = pull * (0.6f / total) + keep * drift[grid.index({x, y})];
-      const glm::vec3 across = glm::cross(grid.point({x, y + 1}) - grid.point({x, y - 1}), grid.point({x + 1, y}) - grid.point({x - 1, y}));
+      // Six tenths of the way, for stability, and only along the surface: a vessel's tip, pulled inwards, would fall into the
+      // vessel.
+      glm::vec3 move = pull * (0.6f / total) + round.keep * drift[i];
+      const glm::vec3 across = glm::cross(grid.point(at + glm::ivec2(0, 1)) - grid.point(at - glm::ivec2(0, 1)),
+                                          grid.point(at + glm::ivec2(1, 0)) - grid.point(at - glm::ivec2(1, 0)));
       const float area = glm::length(across);
       const glm::vec3 normal = across / std::max(area, 1e-12f);
       move -= normal * glm::dot(move, normal);
-      // Near the surface the mesh's normal will do for bringing the point back, at a fourth of the gradient's cost.
-      const float away = area > 1e-8f ? heart_distance(p + move, growth) : 1.0f;
-      moved[grid.index({x, y})] = std::abs(away) < 0.003f ? p + move - normal * away : onto_heart(p + move, growth, 1);
-      drift[grid.index({x, y})] = move;
+      // Near the surface the mesh's normal will do for bringing the point back, at a fourth of the gradient's cost. In a fold's
+      // middle the mesh has none.
+      const float away = area > 1e-8f ? heart_distance(p + move, round.growth) : 1.0f;
+      moved[i] = std::abs(away) < 0.003f ? p + move - normal * away : onto_heart(p + move, round.growth, 1);
+      drift[i] = move;
     }
+  });
   grid.points = std::move(moved);
   sew(grid);
 }
 
-// Undoes small folds, which springs along the surface cannot: every point goes to the middle of its neighbours, then back to the
-// surface along the shape's gradient.
+// Undoes small folds, which springs along the surface cannot: every point goes to the middle of its neighbours, then back to
+// the surface along the shape's gradient.
 void unfold(HeartGrid& grid, float growth) {
   std::vector<glm::vec3> moved(grid.points.size());
-  for (int y = 0; y <= grid.cells; ++y)
+  each_row(static_cast<uint32_t>(grid.cells + 1), [&](uint32_t row) {
     for (int x = 0; x <= grid.cells; ++x) {
-      const glm::vec3 middle =
-          0.25f * (grid.point({x + 1, y}) + grid.point({x - 1, y}) + grid.point({x, y + 1}) + grid.point({x, y - 1}));
-      moved[grid.index({x, y})] = onto_heart(0.5f * (middle + grid.point({x, y})), growth, 1);
+      const glm::ivec2 at(x, static_cast<int>(row));
+      const glm::vec3 middle = 0.25f * (grid.point(at + glm::ivec2(1, 0)) + grid.point(at - glm::ivec2(1, 0)) +
+                                        grid.point(at + glm::ivec2(0, 1)) + grid.point(at - glm::ivec2(0, 1)));
+      moved[grid.index(at)] = onto_heart(0.5f * (middle + grid.point(at)), growth, 1);
     }
+  });
   grid.points = std::move(moved);
   sew(grid);
 }
@@ -103,53 +123,51 @@ HeartGrid refined(const HeartGrid& coarse) {
   for (int y = 0; y <= fine.cells; ++y)
     for (int x = 0; x <= fine.cells; ++x) {
       const glm::ivec2 low(x / 2, y / 2), high((x + 1) / 2, (y + 1) / 2);
-      fine.points[fine.index({x, y})] = 0.25f * (coarse.point(low) + coarse.point({high.x, low.y}) +
-                                                 coarse.point({low.x, high.y}) + coarse.point(high));
+      fine.points[fine.index({x, y})] =
+          0.25f * (coarse.point(low) + coarse.point({high.x, low.y}) + coarse.point({low.x, high.y}) + coarse.point(high));
     }
   sew(fine);
   return fine;
 }
 
+// Lets the shape grow from one state to another in equal steps, with rounds of spreading after each.
+struct Growth {
+  float from, to;
+  int steps, rounds;
+  float keep;
+};
+void grow(HeartGrid& grid, const Growth& g) {
+  std::vector<glm::vec3> drift(grid.points.size(), glm::vec3(0));
+  for (int step = 1; step <= g.steps; ++step)
+    for (int i = 0; i < g.rounds; ++i)
+      spread(grid, drift, {g.from + (g.to - g.from) * static_cast<float>(step) / static_cast<float>(g.steps), g.keep});
+}
+
 HeartGrid make_grid() {
   HeartGrid grid;
-  grid.cells = 40;
-  const int n = grid.cells;
-  grid.points.resize(static_cast<size_t>(n + 1) * static_cast<size_t>(n + 1));
-  for (int y = 0; y <= n; ++y)
-    for (int x = 0; x <= n; ++x)
-      grid.points[grid.index({x, y})] =
-          cast_out(chart_direction(2.0f * static_cast<float>(x) / static_cast<float>(n) - 1, 1 - 2.0f * static_cast<float>(y) / static_cast<float>(n)));
+  grid.cells = 44;
+  const float n = static_cast<float>(grid.cells);
+  for (int y = 0; y <= grid.cells; ++y)
+    for (int x = 0; x <= grid.cells; ++x)
+      grid.points.push_back(cast_out(chart_direction(2 * static_cast<float>(x) / n - 1, 1 - 2 * static_cast<float>(y) / n)));
   sew(grid);
-  // Numbers of rounds chosen by looking at the largest stretch, which more of them hardly change.
-  const auto grow = [&grid](float from, float to, int steps, int rounds, float keep = 0) {
-    std::vector<glm::vec3> drift(grid.points.size(), glm::vec3(0));
-    for (int step = 1; step <= steps; ++step)
-      for (int i = 0; i < rounds; ++i) spread(grid, drift, keep, from + (to - from) * static_cast<float>(step) / static_cast<float>(steps));
-  };
-  grow(0, 0, 1, 150, 0.8f);
-  grow(0, trunks_grown, 60, 5);
-  grow(trunks_grown, trunks_grown, 1, 150, 0.7f);
+  // Steps and rounds as few as keep the mesh without tangles where vessels meet and branches at their full length; vessels that
+  // grow faster than points follow collapse.
+  grow(grid, {0, 0, 1, 100, 0.8f});
+  grow(grid, {0, trunks_grown, 60, 4, 0});
+  grow(grid, {trunks_grown, trunks_grown, 1, 120, 0.7f});
+  // 88 cells a side make 15,488 triangles of some 30 pixels each where the heart fills a frame of usual size: smaller ones
+  // leave a rasterizer that shades in blocks mostly outside of them.
   grid = refined(grid);
   for (int i = 0; i < 12; ++i) unfold(grid, trunks_grown);
-  grow(trunks_grown, branches_grown, 24, 4);
-  grow(branches_grown, branches_grown, 1, 60, 0.7f);
-  grid = refined(grid);
-  grow(branches_grown, 1, 12, 1);
-  grow(1, 1, 1, 12, 0.5f);
-  for (int i = 0; i < 6; ++i) unfold(grid, 1);
+  grow(grid, {trunks_grown, branches_grown, 30, 4, 0});
+  grow(grid, {branches_grown, branches_grown, 1, 60, 0.7f});
+  grow(grid, {branches_grown, 1, 12, 1, 0});
+  grow(grid, {1, 1, 1, 12, 0.5f});
+  for (int i = 0; i < 4; ++i) unfold(grid, 1);
   for (glm::vec3& p : grid.points) p = onto_heart(p, 1, 2);
   sew(grid);
   return grid;
-}
-
-// Every other point: what is drawn. The whole grid's triangles cover few pixels each in a frame of usual size, and a rasterizer that
-// shades in blocks then spends most of its time outside them; the textures are made from the whole grid all the same.
-HeartGrid thinned(const HeartGrid& fine) {
-  HeartGrid coarse;
-  coarse.cells = fine.cells / 2;
-  for (int y = 0; y <= coarse.cells; ++y)
-    for (int x = 0; x <= coarse.cells; ++x) coarse.points.push_back(fine.points[fine.index({2 * x, 2 * y})]);
-  return coarse;
 }
 
 // The ventricles draw in towards their axis, shorten towards the base and twist; the vessels stay.
@@ -190,7 +208,7 @@ const HeartGrid& heart_grid() {
 }
 
 Mesh heart_mesh(float contraction) {
-  const HeartGrid rest = thinned(heart_grid());
+  const HeartGrid& rest = heart_grid();
   HeartGrid moved = rest;
   for (glm::vec3& p : moved.points) p = beat(p, contraction);
 
@@ -220,7 +238,8 @@ Mesh heart_mesh(float contraction) {
       v.position = moved.points[moved.index(at)];
       v.uv = heart_margin + (1 - 2 * heart_margin) * glm::vec2(at) / static_cast<float>(n);
       v.normal = glm::normalize(normals[moved.index(moved.master(at))]);
-      // Differences reach across seams, so that both sides agree. In a fold's middle they vanish: there the row inside stands in.
+      // Differences reach across seams, so that both sides agree. In a fold's middle they vanish: there the row inside stands
+      // in.
       glm::vec3 along_u = moved.point({x + 1, y}) - moved.point({x - 1, y});
       if (glm::dot(along_u, along_u) < 1e-10f) {
         const glm::ivec2 inside = glm::clamp(at, glm::ivec2(1), glm::ivec2(n - 1));

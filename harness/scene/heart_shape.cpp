@@ -41,7 +41,7 @@ class Egg {
   float taper_;
 };
 
-// A tube around a smooth curve through points, with a hollow at its end.
+// A tube around a smooth curve through points, cut off straight at its end.
 class Tube {
  public:
   struct Knot {
@@ -49,57 +49,88 @@ class Tube {
     float radius;
   };
   explicit Tube(const std::vector<Knot>& knots) {
-    constexpr int pieces = 4;  // straight pieces between knots: bends stay under 20 degrees
     const auto knot = [&](size_t i) { return knots[std::min(i, knots.size() - 1)]; };
     for (size_t k = 0; k + 1 < knots.size(); ++k) {
       const Knot before = knot(k == 0 ? 0 : k - 1), from = knot(k), to = knot(k + 1), after = knot(k + 2);
-      for (int i = 0; i < pieces; ++i) {
+      for (size_t i = 0; i < per_span; ++i) {
         // Catmull and Rom's cubic (1974).
-        const float t = static_cast<float>(i) / pieces;
+        const float t = static_cast<float>(i) / static_cast<float>(per_span);
         const glm::vec3 c1 = 0.5f * (to.at - before.at), c2 = before.at - 2.5f * from.at + 2.0f * to.at - 0.5f * after.at,
                         c3 = 1.5f * (from.at - to.at) + 0.5f * (after.at - before.at);
         path_.push_back({from.at + t * (c1 + t * (c2 + t * c3)), from.radius + t * (to.radius - from.radius)});
       }
     }
     path_.push_back(knots.back());
-    for (const Knot& a : path_) center_ += a.at / static_cast<float>(path_.size());
-    for (const Knot& a : path_) reach_ = std::max(reach_, glm::distance(a.at, center_) + a.radius);
+    whole_ = ball_around(0, path_.size() - 1);
+    for (size_t i = 0; i + 1 < path_.size(); i += per_span) spans_.push_back(ball_around(i, i + per_span));
+    for (size_t i = 0; i + 1 < path_.size(); ++i) {
+      const Knot &a = path_[i], &b = path_[i + 1];
+      const glm::vec3 along = b.at - a.at;
+      pieces_.push_back({a.at, along, 1 / glm::dot(along, along), a.radius, b.radius - a.radius});
+    }
   }
 
   // No greater than the distance: cheap.
-  float lower_bound(glm::vec3 p) const { return glm::distance(p, center_) - reach_; }
+  float lower_bound(glm::vec3 p) const { return glm::distance(p, whole_.at) - whole_.radius; }
 
-  float distance(glm::vec3 p, float growth) const {
-    const float grown = growth * static_cast<float>(path_.size() - 1);
-    float nearest = 1e9f;
-    for (size_t i = 0; i + 1 < path_.size(); ++i) {
-      const float share = std::clamp(grown - static_cast<float>(i), 0.0f, 1.0f);
-      if (share <= 0 && i > 0) break;
-      const Knot &a = path_[i], &b = path_[i + 1];
-      const glm::vec3 ab = share * (b.at - a.at), ap = p - a.at;
-      const float t = std::clamp(glm::dot(ap, ab) / std::max(glm::dot(ab, ab), 1e-9f), 0.0f, 1.0f);
-      const glm::vec3 off = ap - t * ab;
-      const float away2 = glm::dot(off, off), radius = a.radius + t * share * (b.radius - a.radius);
-      // Most pieces are farther than the nearest so far, which the square tells without a root.
-      const float bound = nearest + radius;
-      if (bound > 0 && away2 >= bound * bound) continue;
-      nearest = std::min(nearest, std::sqrt(away2) - radius);
+  // The distance, or `farthest` where that is less.
+  float distance(glm::vec3 p, float growth, float farthest) const {
+    const float grown = growth * static_cast<float>(pieces_.size());
+    float nearest = farthest;
+    for (size_t span = 0; span < spans_.size(); ++span) {
+      // Most spans are farther than the nearest so far, which a ball around them tells without a root.
+      const glm::vec3 to_ball = p - spans_[span].at;
+      const float bound = nearest + spans_[span].radius;
+      if (bound <= 0 || glm::dot(to_ball, to_ball) >= bound * bound) continue;
+      for (size_t i = span * per_span; i < (span + 1) * per_span; ++i) {
+        // The last piece grows.
+        const float share = grown - static_cast<float>(i);
+        if (share <= 0 && i > 0) break;
+        const Piece& piece = pieces_[i];
+        const glm::vec3 to_p = p - piece.from;
+        const float t = std::clamp(glm::dot(to_p, piece.along) * piece.inverse_square, 0.0f, std::clamp(share, 0.0f, 1.0f));
+        const glm::vec3 off = to_p - t * piece.along;
+        nearest = std::min(nearest, std::sqrt(glm::dot(off, off)) - (piece.radius + t * piece.widening));
+      }
     }
     return nearest;
   }
 
-  // Of the hollow at the end: a ball of the vessel's radius, sunk in until a thin lip is left. With `opening` from 0 to 1 it comes
-  // in from outside, so that what lies on the closed end is pushed inwards.
-  float hollow(glm::vec3 p, float opening) const {
-    const Knot &end = path_.back(), &before = path_[path_.size() - 2];
-    const float sunk = 0.7f + 1.5f * (1 - opening);
-    return glm::distance(p, end.at + sunk * end.radius * glm::normalize(end.at - before.at)) - end.radius;
+  // Beyond the plane that cuts the end off, a third of a radius after the last knot. With `opening` from 0 to 1 the plane comes
+  // in from outside.
+  float beyond_cut(glm::vec3 p, float opening) const {
+    const Knot& end = path_.back();
+    return glm::dot(p - end.at, along_end()) - (0.33f + 0.9f * (1 - opening)) * end.radius;
+  }
+  // Depth inside the opening that shows on the cut: positive within seven tenths of the radius.
+  float inside_opening(glm::vec3 p) const {
+    const Knot& end = path_.back();
+    const glm::vec3 from_end = p - end.at;
+    const float h = glm::dot(from_end, along_end());
+    return std::min(0.7f * end.radius - glm::length(from_end - h * along_end()), h - 0.15f * end.radius);
   }
 
  private:
+  static constexpr size_t per_span = 4;  // straight pieces between knots: bends stay under 20 degrees
+
+  glm::vec3 along_end() const { return glm::normalize(path_.back().at - path_[path_.size() - 2].at); }
+  Knot ball_around(size_t first, size_t last) const {
+    Knot ball{glm::vec3(0), 0};
+    for (size_t i = first; i <= last; ++i) ball.at += path_[i].at / static_cast<float>(last - first + 1);
+    for (size_t i = first; i <= last; ++i)
+      ball.radius = std::max(ball.radius, glm::distance(path_[i].at, ball.at) + path_[i].radius);
+    return ball;
+  }
+
+  struct Piece {
+    glm::vec3 from, along;
+    float inverse_square;  // 1 / |along|^2
+    float radius, widening;
+  };
   std::vector<Knot> path_;
-  glm::vec3 center_{0};
-  float reach_ = 0;
+  std::vector<Piece> pieces_;
+  Knot whole_{};             // a ball around the tube
+  std::vector<Knot> spans_;  // and around the pieces between two knots
 };
 
 enum class Kind : uint8_t { aorta, pulmonary, cava };
@@ -117,24 +148,38 @@ struct Anatomy {
   glm::vec3 axis = heart_apex - heart_base;
   Egg left_ventricle{{0.25f, -0.34f, -0.10f}, {0.46f, -1.0f, 0.22f}, {0, 0, 1}, {0.54f, 0.56f, 0.84f}, 0.22f};
   Egg right_ventricle{{-0.13f, -0.24f, 0.20f}, {0.52f, -1.0f, 0.02f}, {0.15f, 0, 1}, {0.54f, 0.44f, 0.74f}, 0.24f};
-  std::array<Egg, 3> atria{{{{-0.12f, 0.40f, -0.14f}, {1, 0, 0}, {0, 0, 1}, {0.24f, 0.24f, 0.36f}, 0.0f},  // what lies between them
-                            {{-0.56f, 0.26f, -0.06f}, {-0.1f, 1, 0}, {0, 0, 1}, {0.32f, 0.36f, 0.42f}, 0.10f},
-                            {{0.20f, 0.44f, -0.40f}, {1, 0.1f, 0}, {0, 0, 1}, {0.30f, 0.32f, 0.52f}, 0.0f}}};
+  std::array<Egg, 3> atria{
+      {{{-0.12f, 0.40f, -0.14f}, {1, 0, 0}, {0, 0, 1}, {0.24f, 0.24f, 0.36f}, 0.0f},  // what lies between them
+       {{-0.56f, 0.26f, -0.06f}, {-0.1f, 1, 0}, {0, 0, 1}, {0.32f, 0.36f, 0.42f}, 0.10f},
+       {{0.20f, 0.44f, -0.40f}, {1, 0.1f, 0}, {0, 0, 1}, {0.30f, 0.32f, 0.52f}, 0.0f}}};
   std::array<Tube, 2> auricles{
       {Tube({{{-0.54f, 0.36f, 0.00f}, 0.19f}, {{-0.43f, 0.47f, 0.25f}, 0.16f}, {{-0.25f, 0.42f, 0.38f}, 0.10f}}),
        Tube({{{0.42f, 0.46f, -0.20f}, 0.19f}, {{0.61f, 0.40f, 0.02f}, 0.17f}, {{0.52f, 0.22f, 0.27f}, 0.10f}})}};
   std::array<Vessel, 6> vessels{
       {{Kind::aorta, false,
-        Tube({{{-0.06f, 0.25f, 0.06f}, 0.18f}, {{-0.17f, 0.72f, 0.12f}, 0.185f}, {{-0.09f, 1.10f, 0.04f}, 0.18f},
-              {{0.14f, 1.31f, -0.14f}, 0.17f}, {{0.44f, 1.30f, -0.36f}, 0.16f}, {{0.62f, 1.10f, -0.50f}, 0.155f}})},
-       {Kind::aorta, true, Tube({{{-0.04f, 1.17f, 0.02f}, 0.09f}, {{-0.14f, 1.48f, 0.05f}, 0.088f}, {{-0.26f, 1.66f, 0.06f}, 0.09f}})},
-       {Kind::aorta, true, Tube({{{0.14f, 1.31f, -0.13f}, 0.075f}, {{0.14f, 1.54f, -0.12f}, 0.072f}, {{0.10f, 1.70f, -0.10f}, 0.074f}})},
-       {Kind::aorta, true, Tube({{{0.36f, 1.31f, -0.29f}, 0.075f}, {{0.42f, 1.52f, -0.31f}, 0.073f}, {{0.52f, 1.66f, -0.30f}, 0.075f}})},
+        Tube({{{-0.06f, 0.25f, 0.06f}, 0.18f},
+              {{-0.17f, 0.72f, 0.12f}, 0.185f},
+              {{-0.09f, 1.10f, 0.04f}, 0.18f},
+              {{0.14f, 1.31f, -0.14f}, 0.17f},
+              {{0.44f, 1.30f, -0.36f}, 0.16f},
+              {{0.62f, 1.10f, -0.50f}, 0.155f}})},
+       {Kind::aorta, true,
+        Tube({{{-0.04f, 1.17f, 0.02f}, 0.09f}, {{-0.14f, 1.48f, 0.05f}, 0.088f}, {{-0.26f, 1.66f, 0.06f}, 0.09f}})},
+       {Kind::aorta, true,
+        Tube({{{0.14f, 1.31f, -0.13f}, 0.075f}, {{0.14f, 1.54f, -0.12f}, 0.072f}, {{0.10f, 1.70f, -0.10f}, 0.074f}})},
+       {Kind::aorta, true,
+        Tube({{{0.36f, 1.31f, -0.29f}, 0.075f}, {{0.42f, 1.52f, -0.31f}, 0.073f}, {{0.52f, 1.66f, -0.30f}, 0.075f}})},
        {Kind::pulmonary, false,
-        Tube({{{0.12f, 0.15f, 0.30f}, 0.19f}, {{0.20f, 0.56f, 0.39f}, 0.19f}, {{0.36f, 0.82f, 0.28f}, 0.18f},
-              {{0.60f, 0.92f, 0.14f}, 0.16f}, {{0.80f, 0.88f, 0.06f}, 0.15f}})},
-       {Kind::cava, false, Tube({{{-0.56f, 0.30f, -0.08f}, 0.15f}, {{-0.57f, 0.76f, -0.12f}, 0.145f}, {{-0.62f, 1.06f, -0.14f}, 0.145f},
-                          {{-0.66f, 1.22f, -0.13f}, 0.15f}})}}};
+        Tube({{{0.12f, 0.15f, 0.30f}, 0.19f},
+              {{0.20f, 0.56f, 0.39f}, 0.19f},
+              {{0.36f, 0.82f, 0.28f}, 0.18f},
+              {{0.60f, 0.92f, 0.14f}, 0.16f},
+              {{0.80f, 0.88f, 0.06f}, 0.15f}})},
+       {Kind::cava, false,
+        Tube({{{-0.56f, 0.30f, -0.08f}, 0.15f},
+              {{-0.57f, 0.76f, -0.12f}, 0.145f},
+              {{-0.62f, 1.06f, -0.14f}, 0.145f},
+              {{-0.66f, 1.22f, -0.13f}, 0.15f}})}}};
 };
 
 const Anatomy& anatomy() {
@@ -143,7 +188,7 @@ const Anatomy& anatomy() {
 }
 
 // Widths of the unions in metres: soft between chambers, tight around vessels so that their necks stay.
-constexpr float ventricle_blend = 0.10f, atrium_blend = 0.10f, auricle_blend = 0.10f, vessel_blend = 0.15f, lip_blend = 0.06f;
+constexpr float ventricle_blend = 0.10f, atrium_blend = 0.10f, auricle_blend = 0.10f, vessel_blend = 0.15f, cut_blend = 0.04f;
 
 float ventricles(const Anatomy& a, glm::vec3 p) {
   return smooth_min(a.left_ventricle.distance(p), a.right_ventricle.distance(p), ventricle_blend);
@@ -155,15 +200,8 @@ float atria(const Anatomy& a, glm::vec3 p, float growth) {
   d = smooth_min(d, a.atria[2].distance(p), atrium_blend);
   for (const Tube& auricle : a.auricles)
     if (auricle.lower_bound(p) < d + auricle_blend && growth > trunks_grown)
-      d = smooth_min(d, auricle.distance(p, branch_growth(growth)), auricle_blend);
+      d = smooth_min(d, auricle.distance(p, branch_growth(growth), d + auricle_blend), auricle_blend);
   return d;
-}
-
-// Cuts a vessel's hollow end out of the whole.
-float cut_lumen(const Tube& tube, glm::vec3 p, float d, float growth) {
-  const float opening = (growth - branches_grown) / (1 - branches_grown);
-  if (opening <= 0) return d;
-  return -smooth_min(-d, tube.hollow(p, opening), lip_blend);
 }
 
 }  // namespace
@@ -171,18 +209,19 @@ float cut_lumen(const Tube& tube, glm::vec3 p, float d, float growth) {
 float heart_distance(glm::vec3 p, float growth) {
   const Anatomy& a = anatomy();
   float d = smooth_min(ventricles(a, p), atria(a, p, growth), atrium_blend);
-  for (const Vessel& vessel : a.vessels)
-    if (vessel.tube.lower_bound(p) < d + vessel_blend && vessel.growth(growth) > 0)
-      d = smooth_min(d, vessel.tube.distance(p, vessel.growth(growth)), vessel_blend);
-  if (growth <= branches_grown) return d;
-  for (const Vessel& vessel : a.vessels)
-    if (vessel.tube.lower_bound(p) < 0.3f) d = cut_lumen(vessel.tube, p, d, growth);
+  const float opening = (growth - branches_grown) / (1 - branches_grown);
+  for (const Vessel& vessel : a.vessels) {
+    if (vessel.tube.lower_bound(p) > d + vessel_blend || vessel.growth(growth) <= 0) continue;
+    float tube = vessel.tube.distance(p, vessel.growth(growth), d + vessel_blend);
+    if (opening > 0) tube = -smooth_min(-tube, -vessel.tube.beyond_cut(p, opening), cut_blend);
+    d = smooth_min(d, tube, vessel_blend);
+  }
   return d;
 }
 
 glm::vec3 onto_heart(glm::vec3 p, float growth, int steps) {
-  // Differences along a tetrahedron's corners give the gradient from four evaluations, and their mean the distance. 2 mm is below
-  // every blend width and far above a float's rounding at this size.
+  // Differences along a tetrahedron's corners give the gradient from four evaluations, and their mean the distance. 2 mm is
+  // below every blend width and far above a float's rounding at this size.
   constexpr float step = 0.002f;
   for (int i = 0; i < steps; ++i) {
     glm::vec3 sum(0);
@@ -200,11 +239,10 @@ glm::vec3 onto_heart(glm::vec3 p, float growth, int steps) {
   return p;
 }
 
-float vessel_distance(glm::vec3 p) {
-  float d = 1e9f;
+float vessel_distance(glm::vec3 p, float farthest) {
   for (const Vessel& vessel : anatomy().vessels)
-    if (vessel.tube.lower_bound(p) < d) d = std::min(d, vessel.tube.distance(p, 1));
-  return d;
+    if (vessel.tube.lower_bound(p) < farthest) farthest = vessel.tube.distance(p, 1, farthest);
+  return farthest;
 }
 
 HeartRegions heart_regions(glm::vec3 p) {
@@ -216,8 +254,8 @@ HeartRegions heart_regions(glm::vec3 p) {
   r.lumen = -1;
   for (const Vessel& vessel : a.vessels) {
     float& nearest = kinds[static_cast<size_t>(vessel.kind)];
-    nearest = std::min(nearest, vessel.tube.distance(p, 1));
-    r.lumen = std::max(r.lumen, -vessel.tube.hollow(p, 1));
+    nearest = vessel.tube.distance(p, 1, nearest);
+    r.lumen = std::max(r.lumen, vessel.tube.inside_opening(p));
   }
   r.sulcus = left - right;
   r.base = below - above;

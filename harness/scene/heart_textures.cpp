@@ -7,9 +7,9 @@
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <thread>
 
 #include "harness/scene/heart_mesh.h"
+#include "harness/scene/heart_rows.h"
 #include "harness/scene/heart_shape.h"
 #include "harness/scene/heart_vessels.h"
 #include "harness/scene/noise.h"
@@ -104,12 +104,16 @@ std::vector<glm::vec3> scattered(const HeartGrid& grid, size_t count, uint32_t s
 
 Networks make_networks() {
   const HeartGrid& grid = heart_grid();
-  // Courses by anatomy: the left anterior descending artery down the groove between the ventricles, the circumflex and the right
-  // coronary artery around the groove under the atria; the great and small cardiac veins beside them.
+  // Courses by anatomy: the left anterior descending artery down the groove between the ventricles, the circumflex and the
+  // right coronary artery around the groove under the atria; the great and small cardiac veins beside them.
   const std::vector<std::vector<glm::vec3>> arteries = {
       {{0.36f, 0.26f, 0.34f}, {0.34f, 0.05f, 0.42f}, {0.36f, -0.35f, 0.44f}, {0.44f, -0.75f, 0.40f}, {0.52f, -1.05f, 0.28f}},
       {{0.36f, 0.24f, 0.32f}, {0.62f, 0.16f, 0.22f}, {0.78f, 0.06f, -0.15f}, {0.62f, 0.02f, -0.55f}},
-      {{-0.06f, 0.36f, 0.46f}, {-0.36f, 0.22f, 0.50f}, {-0.62f, -0.05f, 0.30f}, {-0.66f, -0.22f, 0.0f}, {-0.40f, -0.30f, -0.40f}},
+      {{-0.06f, 0.36f, 0.46f},
+       {-0.36f, 0.22f, 0.50f},
+       {-0.62f, -0.05f, 0.30f},
+       {-0.66f, -0.22f, 0.0f},
+       {-0.40f, -0.30f, -0.40f}},
       {{-0.62f, -0.05f, 0.30f}, {-0.52f, -0.34f, 0.34f}, {-0.22f, -0.72f, 0.34f}, {0.14f, -0.98f, 0.24f}}};
   const std::vector<std::vector<glm::vec3>> veins = {
       {{0.70f, 0.10f, 0.10f}, {0.46f, 0.16f, 0.36f}, {0.42f, -0.05f, 0.42f}, {0.46f, -0.40f, 0.42f}, {0.55f, -0.80f, 0.34f}},
@@ -136,68 +140,87 @@ struct Tissue {
   float bundles, strands, threads;  // fibre noise from coarse to fine, about [-1, 1]
   float membrane;                   // 0 muscle .. 1 membrane
   float fat;                        // 0 .. 1, lobules of fat, mostly in the grooves
+  float patches;                    // slow noise
   float tube;                       // 0 heart .. 1 great vessel
   float lumen;                      // 0 .. 1 inside a vessel's cut end
   CellSample lobule;                // where fat > 0
 };
 
+// Fibres wind around the axis from base to apex, and meet in a whorl at the apex, as a heart's do.
+struct Fibres {
+  static inline const glm::vec3 axis = glm::normalize(heart_apex - heart_base);
+  static inline const glm::vec3 side = glm::normalize(glm::cross(axis, glm::vec3(0, 0, 1)));
+  static inline const glm::vec3 front = glm::cross(side, axis);
+
+  explicit Fibres(glm::vec3 p) {
+    const glm::vec3 from_base = p - heart_base;
+    along = glm::dot(from_base, axis);
+    const float x = glm::dot(from_base, side), z = glm::dot(from_base, front);
+    across = std::sqrt(x * x + z * z + 1e-6f);
+    const float wind = 0.9f * along + 0.25f * gradient_noise(p * 1.7f, 3);
+    const float c = std::cos(wind), n = std::sin(wind);
+    // On a cylinder of the ventricles' mean radius, so that bundles keep their width but at the apex.
+    ring = glm::vec2(c * x - n * z, n * x + c * z) * (0.5f / across);
+  }
+  // Noise stretched along the fibres; bumps a metre around the heart and along it.
+  float noise(float around_hz, float along_hz, uint32_t seed) const {
+    return gradient_noise(glm::vec3(ring * around_hz, along * along_hz), seed);
+  }
+
+  float along, across;  // metres from the base and from the axis
+  glm::vec2 ring;
+};
+
 Tissue tissue_at(const Site& s) {
   Tissue t{};
-  // Fibres wind around the axis from base to apex, and meet in a whorl at the apex, as a heart's do.
-  const glm::vec3 span = heart_apex - heart_base, axis = glm::normalize(span);
-  const glm::vec3 side = glm::normalize(glm::cross(axis, glm::vec3(0, 0, 1))), front = glm::cross(side, axis);
-  const glm::vec3 from_base = s.p - heart_base;
-  const float h = glm::dot(from_base, axis);
-  const float x = glm::dot(from_base, side), z = glm::dot(from_base, front), across = std::sqrt(x * x + z * z + 1e-6f);
-  const float wind = 0.9f * h + 0.25f * gradient_noise(s.p * 1.7f, 3);
-  const float c = std::cos(wind), n = std::sin(wind);
-  // On a cylinder of the ventricles' mean radius, so that bundles keep their width but at the apex.
-  const glm::vec3 ring = glm::vec3(c * x - n * z, n * x + c * z, 0) * (0.5f / across);
-  const auto fibre = [&](float around, float along, uint32_t seed) {
-    return gradient_noise(glm::vec3(ring.x * around, ring.y * around, h * along), seed);
-  };
-  t.bundles = fibre(13, 1.8f, 5);
-  t.strands = fibre(34, 3.6f, 6) * smooth(0.03f, 0.15f, across);
-  t.threads = fibre(85, 8.0f, 7) * smooth(0.08f, 0.30f, across);
-
   t.tube = smooth(-0.03f, 0.05f, s.r.tube);
   t.lumen = t.tube * smooth(-0.01f, 0.02f, s.r.lumen);
+  t.patches = fractal_noise(s.p * 2.3f, 4, 17);
   const float groove = std::max(bell(s.r.base, 0.09f), s.r.base < 0 ? 0.85f * bell(s.r.sulcus, 0.11f) : 0.0f);
   const float root = bell(s.r.tube - 0.01f, 0.05f);
-  const float atrium = smooth(0.0f, 0.12f, s.r.base);
-  const float patches = fractal_noise(glm::vec3(s.p) * 2.3f, 4, 17);
-  t.fat = (1 - smooth(0.03f, 0.10f, s.r.tube)) * smooth(0.45f, 1.0f, std::max(groove, 0.85f * root) + 0.9f * patches);
-  // Windows stretch along the fibres.
-  const float windows = fibre(4.0f, 1.3f, 19) + 0.55f * fibre(9.0f, 2.4f, 20) + 0.4f * patches;
-  t.membrane = (1 - t.tube) * smooth(-0.22f, 0.20f, windows + 0.25f * groove + 0.12f * atrium);
+  t.fat = (1 - smooth(0.03f, 0.10f, s.r.tube)) * smooth(0.45f, 1.0f, std::max(groove, 0.85f * root) + 0.9f * t.patches);
   if (t.fat > 0) {
     const glm::vec3 q = s.p * 9.0f;
     const glm::vec3 warp(gradient_noise(q, 31), gradient_noise(q, 32), gradient_noise(q, 33));
     t.lobule = cell_noise(s.p * 21.0f + 0.8f * warp, 29);
   }
+  if (t.tube == 1) return t;
+
+  const Fibres fibres(s.p);
+  t.bundles = fibres.noise(13, 1.8f, 5);
+  t.strands = fibres.noise(34, 3.6f, 6) * smooth(0.03f, 0.15f, fibres.across);
+  t.threads = fibres.noise(85, 8.0f, 7) * smooth(0.08f, 0.30f, fibres.across);
+  // Windows stretch along the fibres.
+  const float windows = fibres.noise(4.0f, 1.3f, 19) + 0.55f * fibres.noise(9.0f, 2.4f, 20) + 0.4f * t.patches;
+  t.membrane = (1 - t.tube) * smooth(-0.22f, 0.20f, windows + 0.25f * groove + 0.12f * smooth(0.0f, 0.12f, s.r.base));
   return t;
 }
+
+// Coronary vessels fade into the great vessels' walls.
+float bare(const Site& s) { return 1 - smooth(0.06f, 0.20f, s.r.tube); }
 
 // Height of the outer surface over the mesh, metres.
 float relief(const Site& s, const Tissue& t, const VesselMap::Hit& artery, const VesselMap::Hit& vein) {
   const float muscle = (1 - t.tube) * (1 - t.membrane) * (1 - t.fat);
   float height = muscle * (0.0120f * t.bundles + 0.0062f * t.strands + 0.0022f * t.threads);
   // Membrane lies lower, taut over strands, and wrinkles.
-  height += t.membrane * (1 - t.fat) * (-0.006f + 0.0030f * t.strands + 0.0075f * fractal_noise(s.p * 10.0f, 3, 41));
+  if (t.membrane > 0)
+    height += t.membrane * (1 - t.fat) * (-0.006f + 0.0030f * t.strands + 0.0075f * fractal_noise(s.p * 10.0f, 3, 41));
   height += t.fat * 0.008f * (1 - t.lobule.nearest * t.lobule.nearest);
-  height += t.tube * (1 - t.lumen) * 0.0045f * fractal_noise(s.p * 14.0f, 3, 43);
+  if (t.tube > 0) height += t.tube * (1 - t.lumen) * 0.0045f * fractal_noise(s.p * 14.0f, 3, 43);
   for (const VesselMap::Hit& hit : {artery, vein}) {
     const float d = std::max(1 + hit.gap / hit.radius, 0.0f);  // 0 on the axis, 1 at the wall
-    if (d < 1.6f) height += 0.75f * hit.radius * (1 - smooth(0.0f, 1.6f, d));
+    height += bare(s) * 0.75f * hit.radius * (1 - smooth(0.0f, 1.6f, d));
   }
   return height;
 }
 
 glm::vec4 outer_color(const Site& s, const Tissue& t, const VesselMap::Hit& artery, const VesselMap::Hit& vein) {
   static const glm::vec3 deep = linear(0x5c1416), red = linear(0x9c2f29), pale = linear(0xc4685a), film = linear(0xd79a8c),
-                         yellow = linear(0xe3b36b), cream = linear(0xefd9b4), aorta = linear(0xd79c86), trunk = linear(0xb08a94),
-                         cava = linear(0x7d6e93), hollow = linear(0x3a0b10), arterial = linear(0xb3201c), venous = linear(0x4a4878);
-  const float mottle = fractal_noise(s.p * 3.1f, 3, 61);
+                         yellow = linear(0xe3b36b), cream = linear(0xefd9b4), aorta = linear(0xd79c86),
+                         trunk = linear(0xb08a94), cava = linear(0x7d6e93), hollow = linear(0x3a0b10),
+                         arterial = linear(0xb3201c), venous = linear(0x4a4878);
+  const float mottle = t.patches;
   glm::vec3 color = glm::mix(deep, red, smooth(-0.7f, 0.5f, t.bundles + 0.5f * t.strands + 0.5f * mottle));
   color = glm::mix(color, pale, 0.55f * smooth(0.15f, 0.9f, t.strands + 0.6f * t.threads + 0.2f * t.bundles));
   float clear = 0.04f;
@@ -207,24 +230,24 @@ glm::vec4 outer_color(const Site& s, const Tissue& t, const VesselMap::Hit& arte
   color = glm::mix(color, glm::mix(film, cream, 0.5f * strand), t.membrane);
   clear = glm::mix(clear, 0.96f - 0.50f * strand, t.membrane);
 
-  const glm::vec3 lobule = glm::mix(yellow, cream, t.lobule.shade) * (0.78f + 0.22f * smooth(0.0f, 0.45f, t.lobule.second - t.lobule.nearest));
+  const glm::vec3 lobule =
+      glm::mix(yellow, cream, t.lobule.shade) * (0.78f + 0.22f * smooth(0.0f, 0.45f, t.lobule.second - t.lobule.nearest));
   color = glm::mix(color, lobule, 0.9f * t.fat);
   clear = glm::mix(clear, 0.34f, t.fat);
 
-  const glm::vec3 wall = (s.r.aorta * aorta + s.r.pulmonary * trunk + s.r.cava * cava) *
-                         (0.92f + 0.35f * mottle + 0.16f * gradient_noise(s.p * 30.0f, 67));
-  color = glm::mix(color, wall, t.tube);
-  clear = glm::mix(clear, 0.16f + 0.12f * mottle, t.tube);
-  color = glm::mix(color, hollow, t.lumen);
-  clear = glm::mix(clear, 0.0f, t.lumen);
+  if (t.tube > 0) {
+    const glm::vec3 wall = (s.r.aorta * aorta + s.r.pulmonary * trunk + s.r.cava * cava) *
+                           (0.92f + 0.35f * mottle + 0.16f * gradient_noise(s.p * 30.0f, 67));
+    color = glm::mix(glm::mix(color, wall, t.tube), hollow, t.lumen);
+    clear = glm::mix(glm::mix(clear, 0.16f + 0.12f * mottle, t.tube), 0.0f, t.lumen);
+  }
 
   // Coronary vessels lie on top, in a shade of their own.
   const auto lay = [&](const VesselMap::Hit& hit, glm::vec3 blood) {
-    const float bare = 1 - smooth(0.06f, 0.20f, s.r.tube);  // they fade into the great vessels' walls
-    const float shade = bare * (1 - smooth(0.0f, 0.022f, hit.gap));
+    const float shade = bare(s) * (1 - smooth(0.0f, 0.022f, hit.gap));
     color *= 1 - 0.45f * shade;
     clear *= 1 - 0.5f * shade;
-    const float inside = bare * (1 - smooth(-0.002f, 0.003f, hit.gap));
+    const float inside = bare(s) * (1 - smooth(-0.002f, 0.003f, hit.gap));
     const float middle = smooth(0.0f, 1.0f, -hit.gap / hit.radius);
     color = glm::mix(color, blood * (0.65f + 0.75f * middle), 0.92f * inside);
     clear = glm::mix(clear, 0.05f, inside);
@@ -235,8 +258,8 @@ glm::vec4 outer_color(const Site& s, const Tissue& t, const VesselMap::Hit& arte
 }
 
 glm::vec4 inner_color(const Site& s) {
-  static const glm::vec3 dark = linear(0x34080c), flesh = linear(0x7a1c1a), warm = linear(0xb8523c), arterial = linear(0xf03020),
-                         venous = linear(0x4463d0);
+  static const glm::vec3 dark = linear(0x34080c), flesh = linear(0x7a1c1a), warm = linear(0xb8523c),
+                         arterial = linear(0xf03020), venous = linear(0x4463d0);
   const float cloud = fractal_noise(s.p * 4.0f, 4, 71), grain = fractal_noise(s.p * 26.0f, 2, 73);
   glm::vec3 color = glm::mix(dark, flesh, smooth(-0.45f, 0.45f, cloud + 0.35f * grain));
   color = glm::mix(color, warm, 0.5f * smooth(0.15f, 0.6f, fractal_noise(s.p * 2.6f, 2, 79) + 0.2f * grain));
@@ -251,16 +274,6 @@ glm::vec4 inner_color(const Site& s) {
 }
 
 // ---- Texels -----------------------------------------------------------------------------------------------------------------
-
-// Two threads: rows do not depend on each other, so the result does not depend on threads.
-template <class Row>
-void each_row(uint32_t size, Row&& row) {
-  std::thread other([&] {
-    for (uint32_t y = size / 2; y < size; ++y) row(y);
-  });
-  for (uint32_t y = 0; y < size / 2; ++y) row(y);
-  other.join();
-}
 
 // Slopes of the relief against the surface itself, in the frame of LayeredMaterial's normal map.
 Texels normals_of(const std::vector<glm::vec3>& place, const std::vector<float>& height, uint32_t size) {

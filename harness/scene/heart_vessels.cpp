@@ -112,9 +112,7 @@ VesselMap::VesselMap(std::vector<VesselPiece> pieces, float reach) : pieces_(std
     each_cell(pieces_[i], [&](size_t cell) { entries_[--first_[cell]] = static_cast<uint32_t>(i); });
 }
 
-size_t VesselMap::cell_of(glm::ivec3 at) const {
-  return (static_cast<size_t>(at.z) * cells_.y + at.y) * cells_.x + at.x;
-}
+size_t VesselMap::cell_of(glm::ivec3 at) const { return (static_cast<size_t>(at.z) * cells_.y + at.y) * cells_.x + at.x; }
 
 VesselMap::Hit VesselMap::nearest(glm::vec3 p) const {
   Hit hit;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vessels that branch over the heart's surface: trunks along given courses, from which branches grow towards points to be supplied.
-// Sources: Runions et al., "Modeling and Visualization of Leaf Venation Patterns", SIGGRAPH 2005 (space colonization, open
-// venation); Murray, "The Physiological Principle of Minimum Work", PNAS 1926 (the cube of a vessel's radius is the sum of its
-// branches' cubes).
+// Vessels that branch over the heart's surface: trunks along given courses, from which branches grow towards points to be
+// supplied. Sources: Runions et al., "Modeling and Visualization of Leaf Venation Patterns", SIGGRAPH 2005 (space colonization,
+// open venation); Murray, "The Physiological Principle of Minimum Work", PNAS 1926 (the cube of a vessel's radius is the sum of
+// its branches' cubes).
 #pragma once
 
 #include <cstdint>

@@ -19,13 +19,19 @@ std::array<uint8_t, 256> shuffled_bytes() {
   return bytes;
 }
 
-// About -1 to 1, zero at lattice points; one lattice cell is one unit of `p`, and the lattice repeats after `period` cells, over
-// one period around the first.
+// About -1 to 1, zero at lattice points; one lattice cell is one unit of `p`, and the lattice repeats after `period` cells,
+// over one period around the first.
 float noise(glm::vec2 p, int period, uint32_t seed) {
   static const std::array<uint8_t, 256> permutation = shuffled_bytes();
   constexpr float diagonal = 0.70710678f;
-  static constexpr std::array<std::array<float, 2>, 8> gradients = {
-      {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {diagonal, diagonal}, {-diagonal, diagonal}, {diagonal, -diagonal}, {-diagonal, -diagonal}}};
+  static constexpr std::array<std::array<float, 2>, 8> gradients = {{{1, 0},
+                                                                     {-1, 0},
+                                                                     {0, 1},
+                                                                     {0, -1},
+                                                                     {diagonal, diagonal},
+                                                                     {-diagonal, diagonal},
+                                                                     {diagonal, -diagonal},
+                                                                     {-diagonal, -diagonal}}};
   // No floor() and no division: this runs tens of times a texel.
   const auto cell = [](float position) { return static_cast<int>(position) - (position < 0); };
   const auto wrapped = [period](int i) { return i < 0 ? i + period : i >= period ? i - period : i; };
@@ -52,7 +58,8 @@ float octaves(glm::vec2 uv, int period, int count, uint32_t seed) {
   return sum;
 }
 
-// 1 along the lines where noise changes sign, falling to 0 within `width` of noise: threads, which swell and fade along their way.
+// 1 along the lines where noise changes sign, falling to 0 within `width` of noise: threads, which swell and fade along their
+// way.
 float veins(glm::vec2 uv, int period, float width, uint32_t seed) {
   const float distance = std::abs(octaves(uv, period, 2, seed));
   const float swell = glm::smoothstep(-0.25f, 0.35f, noise(uv * float(period), period, seed + 7));
@@ -60,8 +67,8 @@ float veins(glm::vec2 uv, int period, float width, uint32_t seed) {
 }
 
 // Chosen by eye, in linear light.
-constexpr glm::vec3 deep_red{0.22f, 0.022f, 0.014f}, flesh{0.74f, 0.25f, 0.15f}, fat{0.93f, 0.68f, 0.40f}, jade{0.13f, 0.30f, 0.17f},
-    vein_red{0.14f, 0.005f, 0.009f}, vein_blue{0.05f, 0.07f, 0.15f};
+constexpr glm::vec3 deep_red{0.22f, 0.022f, 0.014f}, flesh{0.74f, 0.25f, 0.15f}, fat{0.93f, 0.68f, 0.40f},
+    jade{0.13f, 0.30f, 0.17f}, vein_red{0.14f, 0.005f, 0.009f}, vein_blue{0.05f, 0.07f, 0.15f};
 
 glm::vec3 marble_at(glm::vec2 uv, uint32_t seed) {
   const glm::vec2 moved_by(octaves(uv, 3, 3, seed + 1), octaves(uv, 3, 3, seed + 2));

@@ -25,9 +25,9 @@ constexpr uint32_t axis_x = 73856093u, axis_y = 19349663u, axis_z = 83492791u;
 
 // Perlin's twelve directions to the edges of a cube, four of them twice to make sixteen.
 float dot_gradient(uint32_t hash, float x, float y, float z) {
-  static constexpr float directions[16][3] = {{1, 1, 0},  {-1, 1, 0}, {1, -1, 0},  {-1, -1, 0}, {1, 0, 1}, {-1, 0, 1},
+  static constexpr float directions[16][3] = {{1, 1, 0},  {-1, 1, 0},  {1, -1, 0}, {-1, -1, 0}, {1, 0, 1},  {-1, 0, 1},
                                               {1, 0, -1}, {-1, 0, -1}, {0, 1, 1},  {0, -1, 1},  {0, 1, -1}, {0, -1, -1},
-                                              {1, 1, 0},  {-1, 1, 0}, {0, -1, 1}, {0, -1, -1}};
+                                              {1, 1, 0},  {-1, 1, 0},  {0, -1, 1}, {0, -1, -1}};
   const float* g = directions[hash >> 28];
   return x * g[0] + y * g[1] + z * g[2];
 }
@@ -43,8 +43,8 @@ float fade(float t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 }  // namespace
 
 uint32_t hash_lattice(glm::ivec3 p, uint32_t seed) {
-  return mix((static_cast<uint32_t>(p.x) * axis_x) ^ (static_cast<uint32_t>(p.y) * axis_y) ^ (static_cast<uint32_t>(p.z) * axis_z) ^
-             mix(seed));
+  return mix((static_cast<uint32_t>(p.x) * axis_x) ^ (static_cast<uint32_t>(p.y) * axis_y) ^
+             (static_cast<uint32_t>(p.z) * axis_z) ^ mix(seed));
 }
 
 float Random::next() { return unit_interval(hash_lattice({count_++, 0, 0}, seed_)); }

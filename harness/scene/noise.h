@@ -30,7 +30,8 @@ class Random {
 // Perlin's gradient noise: within [-1, 1], 0 at lattice points, one bump a unit.
 float gradient_noise(glm::vec3 p, uint32_t seed);
 
-// Sum of `octaves` (>= 1) noises, each of twice the frequency and half the amplitude of the one before, over the sum of amplitudes.
+// Sum of `octaves` (>= 1) noises, each of twice the frequency and half the amplitude of the one before, over the sum of
+// amplitudes.
 float fractal_noise(glm::vec3 p, int octaves, uint32_t seed);
 
 // Worley's cells: one random point in each unit cube.

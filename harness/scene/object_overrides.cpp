@@ -15,7 +15,8 @@ namespace {
 // The file that a key names, which must be there.
 std::filesystem::path named_file(const TomlTable& table, const char* key, const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / table.string(key);
-  if (!std::filesystem::is_regular_file(file)) throw table.error(key, fmt::format("'{}': there is no file {}", key, file.string()));
+  if (!std::filesystem::is_regular_file(file))
+    throw table.error(key, fmt::format("'{}': there is no file {}", key, file.string()));
   return file;
 }
 
@@ -54,7 +55,8 @@ class Override {
  public:
   Override(const TomlTable& table, const std::filesystem::path& folder)
       : table_(table), outer_(table.table("outer")), inner_(table.table("inner")), folder_(folder) {
-    expect_keys(table_, {"layers", "albedo", "outer", "inner", "thickness", "scattering", "position", "rotation_degrees", "scale"});
+    expect_keys(table_,
+                {"layers", "albedo", "outer", "inner", "thickness", "scattering", "position", "rotation_degrees", "scale"});
     expect_keys(outer_, {"albedo", "normal", "transparency"});
     expect_keys(inner_, {"albedo"});
     if (without_layers() && speaks_of_layers())
@@ -91,7 +93,8 @@ class Override {
 
   glm::vec3 scale() const {
     if (!table_.has("scale")) return glm::vec3(1);
-    const glm::vec3 scale = table_.is_list("scale") ? *vec3(table_, "scale") : glm::vec3(float(*table_.optional_number("scale", 1e-6, 1e6)));
+    const glm::vec3 scale =
+        table_.is_list("scale") ? *vec3(table_, "scale") : glm::vec3(float(*table_.optional_number("scale", 1e-6, 1e6)));
     if (!(scale.x > 0 && scale.y > 0 && scale.z > 0)) throw table_.error("scale", "'scale' must be above 0 along every axis");
     return scale;
   }

@@ -51,7 +51,8 @@ Light read_light(const std::string& name, const TomlTable& table) {
   if (kind == "directional") {
     expect_keys(table, {"kind", "direction", "color", "intensity"});
     const glm::vec3 direction = required_vec3(table, "direction");
-    if (!(glm::length(direction) > 1e-6f)) throw table.error("direction", "'direction' has no length; give the way the light travels");
+    if (!(glm::length(direction) > 1e-6f))
+      throw table.error("direction", "'direction' has no length; give the way the light travels");
     light.direction = glm::normalize(direction);
   } else if (kind == "point") {
     expect_keys(table, {"kind", "position", "color", "intensity"});
@@ -75,7 +76,8 @@ View read_view(const std::string& name, const TomlTable& table) {
   // Open ends: neither 0 nor 180 degrees makes a picture.
   view.fov_y_degrees = static_cast<float>(table.optional_number("fov_y_degrees", 0.1, 179).value_or(view.fov_y_degrees));
   const glm::vec3 ahead = view.target - view.eye;
-  if (!(glm::length(ahead) > 0)) throw table.error("target", "'eye' and 'target' are the same point; the view has no direction");
+  if (!(glm::length(ahead) > 0))
+    throw table.error("target", "'eye' and 'target' are the same point; the view has no direction");
   const float sine = glm::length(glm::cross(glm::normalize(ahead), view.up)) / glm::length(view.up);
   if (!(sine > 1e-4f)) throw table.error("up", "'up' is zero or points along the view; choose another");
   return view;
@@ -83,7 +85,8 @@ View read_view(const std::string& name, const TomlTable& table) {
 
 void read_lights(Scene& scene, const TomlTable& root) {
   const auto entries = root.tables("lights");
-  if (root.has("lights") && entries.empty()) throw root.error("lights", "[lights] has no light; add [lights.NAME] or leave it out");
+  if (root.has("lights") && entries.empty())
+    throw root.error("lights", "[lights] has no light; add [lights.NAME] or leave it out");
   if (entries.size() > max_lights)
     throw root.error("lights", fmt::format("there are {} lights; at most {} are drawn", entries.size(), max_lights));
   if (!entries.empty()) scene.lights.clear();

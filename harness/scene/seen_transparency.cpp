@@ -10,9 +10,9 @@ namespace {
 
 using Triangle = std::array<glm::dvec2, 3>;  // in texels
 
-// Separating axes of a triangle and the square of half-side 1 around `centre`, the axes of the square itself being settled by the
-// caller's bounds (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996, section 5, in the plane). A triangle without area is its
-// edges' segment or point, which the same axes settle.
+// Separating axes of a triangle and the square of half-side 1 around `centre`, the axes of the square itself being settled by
+// the caller's bounds (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996, section 5, in the plane). A triangle without area
+// is its edges' segment or point, which the same axes settle.
 bool touches(const Triangle& triangle, glm::dvec2 centre) {
   for (int i = 0; i < 3; ++i) {
     const glm::dvec2 edge = triangle[(i + 1) % 3] - triangle[i];
@@ -43,7 +43,8 @@ uint8_t wrapped_alpha(const TextureImage& texture, int64_t x, int64_t y) {
 
 uint8_t greatest_alpha(const TextureImage& texture) {
   uint8_t greatest = 0;
-  for (size_t i = 3; i < texture.levels[0].size(); i += 4) greatest = std::max(greatest, std::to_integer<uint8_t>(texture.levels[0][i]));
+  for (size_t i = 3; i < texture.levels[0].size(); i += 4)
+    greatest = std::max(greatest, std::to_integer<uint8_t>(texture.levels[0][i]));
   return greatest;
 }
 
@@ -55,7 +56,8 @@ float seen_transparency(const Mesh& mesh, const TextureImage& outer_albedo) {
   uint8_t seen = 0;
   for (size_t i = 0; i + 2 < mesh.indices.size() && seen < greatest; i += 3) {
     Triangle triangle;
-    for (size_t corner = 0; corner < 3; ++corner) triangle[corner] = glm::dvec2(mesh.vertices[mesh.indices[i + corner]].uv) * size;
+    for (size_t corner = 0; corner < 3; ++corner)
+      triangle[corner] = glm::dvec2(mesh.vertices[mesh.indices[i + corner]].uv) * size;
     const glm::dvec2 lowest = glm::min(triangle[0], glm::min(triangle[1], triangle[2]));
     const glm::dvec2 highest = glm::max(triangle[0], glm::max(triangle[1], triangle[2]));
     const glm::dvec2 span = highest - lowest, furthest = glm::max(glm::abs(lowest), glm::abs(highest));
@@ -63,8 +65,10 @@ float seen_transparency(const Mesh& mesh, const TextureImage& outer_albedo) {
     if (!(span.x <= 2 * size.x && span.y <= 2 * size.y && furthest.x < far_away && furthest.y < far_away))
       return float(greatest) / 255;
     // Texel x has its centre at x + 0.5; the open interval of one texel on both sides decides.
-    const auto first_x = static_cast<int64_t>(std::floor(lowest.x - 1.5)) + 1, first_y = static_cast<int64_t>(std::floor(lowest.y - 1.5)) + 1;
-    const auto last_x = static_cast<int64_t>(std::ceil(highest.x + 0.5)) - 1, last_y = static_cast<int64_t>(std::ceil(highest.y + 0.5)) - 1;
+    const auto first_x = static_cast<int64_t>(std::floor(lowest.x - 1.5)) + 1,
+               first_y = static_cast<int64_t>(std::floor(lowest.y - 1.5)) + 1;
+    const auto last_x = static_cast<int64_t>(std::ceil(highest.x + 0.5)) - 1,
+               last_y = static_cast<int64_t>(std::ceil(highest.y + 0.5)) - 1;
     for (int64_t y = first_y; y <= last_y; ++y)
       for (int64_t x = first_x; x <= last_x; ++x) {
         const uint8_t here = wrapped_alpha(outer_albedo, x, y);

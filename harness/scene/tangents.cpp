@@ -7,7 +7,8 @@
 namespace lamina {
 namespace {
 
-// Twice the area in texture space below which a triangle has no direction there: a ten-thousandth of a texel of an 8192 texture.
+// Twice the area in texture space below which a triangle has no direction there: a ten-thousandth of a texel of an 8192
+// texture.
 constexpr double least_uv_area = 1e-12;
 // Share of a summed tangent that must lie in the tangent plane; below it, what is left is rounding.
 constexpr double least_in_plane = 1e-4;
@@ -45,7 +46,8 @@ void compute_tangents(Mesh& mesh) {
   for (size_t triangle = 0; triangle < handedness_of.size(); ++triangle) {
     const uint32_t* corner = &mesh.indices[triangle * 3];
     const Vertex &a = mesh.vertices[corner[0]], &b = mesh.vertices[corner[1]], &c = mesh.vertices[corner[2]];
-    const glm::dvec3 edge_1 = glm::dvec3(b.position) - glm::dvec3(a.position), edge_2 = glm::dvec3(c.position) - glm::dvec3(a.position);
+    const glm::dvec3 edge_1 = glm::dvec3(b.position) - glm::dvec3(a.position),
+                     edge_2 = glm::dvec3(c.position) - glm::dvec3(a.position);
     const glm::dvec2 uv_1 = glm::dvec2(b.uv) - glm::dvec2(a.uv), uv_2 = glm::dvec2(c.uv) - glm::dvec2(a.uv);
     const double determinant = uv_1.x * uv_2.y - uv_2.x * uv_1.y;
     if (!(std::abs(determinant) > least_uv_area)) continue;

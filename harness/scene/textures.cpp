@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading files through OpenImageIO, and whole mip chains by box filter. The sRGB transfer function is that of IEC 61966-2-1:1999.
+// Reading files through OpenImageIO, and whole mip chains by box filter. The sRGB transfer function is that of IEC
+// 61966-2-1:1999.
 #include "harness/scene/textures.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -57,7 +58,8 @@ Texels read_texels(OIIO::ImageInput& input, const std::string& name, bool srgb_c
   const OIIO::ImageSpec& spec = input.spec();
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) refuse(name, "the picture has no texels");
   if (spec.width > max_texels_on_a_side || spec.height > max_texels_on_a_side)
-    refuse(name, fmt::format("{} x {} texels are too many; at most {} on a side", spec.width, spec.height, max_texels_on_a_side));
+    refuse(name,
+           fmt::format("{} x {} texels are too many; at most {} on a side", spec.width, spec.height, max_texels_on_a_side));
   const size_t channels = static_cast<size_t>(std::min(spec.nchannels, 4));
   const size_t texels = size_t(spec.width) * size_t(spec.height);
   std::vector<float> values(texels * channels);
@@ -83,8 +85,7 @@ Texels read_texels(OIIO::ImageInput& input, const std::string& name, bool srgb_c
     for (int c = 0; c < 3; ++c) out[c] = colour(in[grey ? 0 : c]);
     out.a = has_alpha ? in[channels - 1] : 1.0f;
     for (int c = 0; c < 4; ++c)
-      if (!std::isfinite(out[c]))
-        refuse(name, fmt::format("texel ({}, {}) is not finite", i % result.width, i / result.width));
+      if (!std::isfinite(out[c])) refuse(name, fmt::format("texel ({}, {}) is not finite", i % result.width, i / result.width));
   }
   return result;
 }
@@ -130,7 +131,8 @@ Texels half_size(const Texels& source) {
 
 glm::vec3 unit_or_flat(glm::vec3 sum) {
   const float length = glm::length(sum);
-  return length > 1e-6f ? sum / length : glm::vec3(0, 0, 1);  // far below what any two 8-bit normals can leave unless they cancel
+  return length > 1e-6f ? sum / length
+                        : glm::vec3(0, 0, 1);  // far below what any two 8-bit normals can leave unless they cancel
 }
 
 // One level in the texture's format. Normals come as vectors, everything else as it is stored.
@@ -162,7 +164,8 @@ Texels decode_texels(std::span<const std::byte> encoded_file, const std::string&
     OIIO::ImageSpec config = unassociated_alpha();
     void* proxy = &memory;
     config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-    if (const auto input = OIIO::ImageInput::open(fmt::format("picture.{}", ending), &config)) return read_texels(*input, name, srgb_colour);
+    if (const auto input = OIIO::ImageInput::open(fmt::format("picture.{}", ending), &config))
+      return read_texels(*input, name, srgb_colour);
     why += fmt::format("; {}: {}", ending, OIIO::geterror());
   }
   refuse(name, "cannot be read as a picture" + why);

@@ -24,7 +24,8 @@ glm::vec3 required_vec3(const TomlTable& table, std::string_view key) {
 
 std::optional<glm::vec3> colour(const TomlTable& table, std::string_view key, float highest) {
   const std::optional<glm::vec3> value = table.optional_vec3(key);
-  if (value && !(glm::all(glm::greaterThanEqual(*value, glm::vec3(0))) && glm::all(glm::lessThanEqual(*value, glm::vec3(highest)))))
+  if (value &&
+      !(glm::all(glm::greaterThanEqual(*value, glm::vec3(0))) && glm::all(glm::lessThanEqual(*value, glm::vec3(highest)))))
     throw table.error(key, fmt::format("'{}' must be a linear colour [r, g, b], each from 0 to {}", key, highest));
   return value;
 }

@@ -32,7 +32,8 @@ void move_to_unit_tile(Mesh& mesh) {
   const Bounds bounds = uv_bounds(mesh);
   glm::vec2 shift(0);
   for (int axis = 0; axis < 2; ++axis)
-    if (bounds.low[axis] < -tolerance || bounds.high[axis] > 1 + tolerance) shift[axis] = std::floor(bounds.low[axis] + tolerance);
+    if (bounds.low[axis] < -tolerance || bounds.high[axis] > 1 + tolerance)
+      shift[axis] = std::floor(bounds.low[axis] + tolerance);
   if (shift == glm::vec2(0)) return;
   for (Vertex& vertex : mesh.vertices) vertex.uv -= shift;
 }

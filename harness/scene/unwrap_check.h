@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-// Moves texture coordinates by whole tiles, the same for all vertices, so that they lie in the unit square where they span no more
-// than that.
+// Moves texture coordinates by whole tiles, the same for all vertices, so that they lie in the unit square where they span no
+// more than that.
 void move_to_unit_tile(Mesh& mesh);
 
 // Empty, or why the mesh cannot be drawn unwrapped: its texture coordinates leave the unit square by more than a thousandth.

@@ -27,7 +27,8 @@ TEST_F(BadInput, TruncatedModel) {
 }
 
 TEST_F(BadInput, UnknownKeyInScene) {
-  const auto file = write("scene.toml", "[scene]\nbuiltin = \"heart\"\n[objects.heart]\ntickness = 3\n");
+  square_model();
+  const auto file = write("scene.toml", "[scene]\nmodel = \"square.gltf\"\n[objects.square]\ntickness = 3\n");
   const Outcome outcome = lamina_program("compare " + file.string());
   EXPECT_EQ(outcome.status, 2);
   EXPECT_SAYS(outcome.output, "scene.toml:4");
@@ -36,37 +37,37 @@ TEST_F(BadInput, UnknownKeyInScene) {
 
 TEST_F(BadInput, Sizes) {
   for (const std::string size : {"0x0", "512x0", "100000x100000", "-1x5", "512", "512x512x3", "axb"}) {
-    const Outcome outcome = lamina_program("compare heart --size=" + size);
+    const Outcome outcome = lamina_program("compare " + square_model() + " --size=" + size);
     EXPECT_EQ(outcome.status, 2) << size;
     EXPECT_SAYS(outcome.output, "--size");
   }
 }
 
 TEST_F(BadInput, SizeBeyondTheDevice) {
-  const Outcome outcome = lamina_program("compare heart --size 60000x8 --out " + (folder_ / "out").string());
+  const Outcome outcome = lamina_program("compare " + square_model() + " --size 60000x8 --out " + (folder_ / "out").string());
   EXPECT_EQ(outcome.status, 2);
   EXPECT_SAYS(outcome.output, "60000x8 is larger than");
 }
 
 TEST_F(BadInput, NoSuchDevice) {
-  const Outcome outcome = lamina_program("compare heart --backend vulkan --device nonesuch --out " + (folder_ / "out").string());
+  const Outcome outcome = lamina_program("compare " + square_model() + " --backend vulkan --device nonesuch --out " + (folder_ / "out").string());
   EXPECT_EQ(outcome.status, 4);
   EXPECT_SAYS(outcome.output, "nonesuch");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
 TEST_F(BadInput, UnknownBackendVariantAndOption) {
-  EXPECT_EQ(lamina_program("compare heart --backend vulcan").status, 2);
-  const Outcome outcome = lamina_program("compare heart --variant vertex_norml");
+  EXPECT_EQ(lamina_program("compare " + square_model() + " --backend vulcan").status, 2);
+  const Outcome outcome = lamina_program("compare " + square_model() + " --variant vertex_norml");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_SAYS(outcome.output, "did you mean 'vertex_normal'?");
-  EXPECT_EQ(lamina_program("compare heart --nonsense").status, 2);
+  EXPECT_EQ(lamina_program("compare " + square_model() + " --nonsense").status, 2);
   EXPECT_EQ(lamina_program("").status, 2);
 }
 
 TEST_F(BadInput, UnwritableFolder) {
   write("file", "in the way");
-  const Outcome outcome = lamina_program("compare heart --out " + (folder_ / "file" / "out").string());
+  const Outcome outcome = lamina_program("compare " + square_model() + " --backend vulkan --out " + (folder_ / "file" / "out").string());
   EXPECT_EQ(outcome.status, 2);
   EXPECT_SAYS(outcome.output, "--out");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// lamina compare from end to end, as a user runs it, on the built-in heart in a small frame.
+// lamina compare from end to end, as a user runs it, in a small frame.
 #include <algorithm>
 
 #include "harness/record/record.h"
@@ -76,7 +76,7 @@ layout(binding = 4) uniform sampler2D inner_albedo;
 layout(location = 0) out vec4 color;
 void main() { color = vec4(texture(inner_albedo, in_uv).rgb * diffuse_light(normalize(in_normal), in_position), 1.0); }
 )");
-  const Outcome outcome = compare("heart --backend vulkan --variant one_tap --variants-dir " + mine.string());
+  const Outcome outcome = compare(square_model() + " --backend vulkan --variant one_tap --variants-dir " + mine.string());
   const Record record = this->record();
   EXPECT_EQ(outcome.status, expected_status(record, false)) << outcome.output;
   ASSERT_FALSE(cells(record, "one_tap").empty());
@@ -102,7 +102,7 @@ fragment = "broken.frag"
 write = ["frame"]
 )");
   write("mine/broken.frag", "layout(location = 0) out vec4 color;\nvoid main() {\n  color = nothing;\n}\n");
-  const Outcome outcome = compare("heart --backend vulkan --variant broken --variant vertex_normal --variants-dir " + mine.string());
+  const Outcome outcome = compare(square_model() + " --backend vulkan --variant broken --variant vertex_normal --variants-dir " + mine.string());
   const Record record = this->record();
   EXPECT_EQ(outcome.status, 1);
   EXPECT_SAYS(outcome.output, "broken.frag:3");
@@ -115,7 +115,8 @@ write = ["frame"]
 }
 
 TEST_F(Compare, SceneWithoutLayersCostsNoLayeredMaterial) {
-  const auto scene = write("plain.toml", "[scene]\nbuiltin = \"heart\"\n[objects.\"*\"]\nlayers = false\n");
+  square_model();
+  const auto scene = write("plain.toml", "[scene]\nmodel = \"square.gltf\"\n[objects.\"*\"]\nlayers = false\n");
   const Outcome plan = lamina_program("plan " + scene.string());
   EXPECT_EQ(plan.status, 0);
   EXPECT_SAYS(plan.output, "layered_material: not called for: no object has layers");

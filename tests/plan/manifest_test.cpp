@@ -77,7 +77,7 @@ TEST_F(UserVariant, MistakesAreNamedWithFileAndLine) {
   EXPECT_SAYS(refusal(head + "titel = \"x\"\n" + pass), "mine.toml:4: unknown key 'titel' (did you mean 'title'?)");
   EXPECT_SAYS(refusal(head + pass + "blend = \"aditive\"\n"), "mine.toml:10: unknown blend 'aditive' (did you mean 'additive'?)");
   EXPECT_SAYS(refusal(head + pass + "fetches = 3\n"), "mine.toml:10: unknown key 'fetches'");
-  EXPECT_SAYS(refusal(head + "[targets.a]\nformat = \"rgba16\"\n" + pass), "mine.toml:5: unknown format 'rgba16' (did you mean 'rgba");
+  EXPECT_SAYS(refusal(head + "[targets.a]\nformat = \"rgba16_flot\"\n" + pass), "mine.toml:5: unknown format 'rgba16_flot' (did you mean 'rgba16_float'?)");
   EXPECT_SAYS(refusal("[variant]\nname = \"mine\"\n" + pass), "'effect' is missing");
   EXPECT_SAYS(refusal("[variant]\nname = \"mine\"\neffect = \"skinn\"\n" + pass), "unknown effect 'skinn'");
   EXPECT_SAYS(refusal(head), "at least one [[pass]]");

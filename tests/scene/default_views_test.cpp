@@ -57,8 +57,8 @@ TEST_P(DefaultViews, BoundsAreTheBall) {
   EXPECT_NEAR(bounds.radius, radius, 0.01f * radius);
 }
 
-// A cone around the view's axis with half the field of view as its angle holds the sphere where sin(fov / 2) * distance >= radius;
-// a picture at least as wide as high holds the cone.
+// A cone around the view's axis with half the field of view as its angle holds the sphere where sin(fov / 2) * distance >=
+// radius; a picture at least as wide as high holds the cone.
 TEST_P(DefaultViews, FrontAndThreeQuarterSeeTheWholeSphere) {
   ASSERT_EQ(views.size(), 3u);
   EXPECT_EQ(views[0].name, "front");
@@ -66,7 +66,8 @@ TEST_P(DefaultViews, FrontAndThreeQuarterSeeTheWholeSphere) {
   for (const View& view : {views[0], views[1]}) {
     const float distance = glm::distance(view.eye, bounds.centre);
     EXPECT_GE(distance * std::sin(glm::radians(view.fov_y_degrees) / 2), bounds.radius);
-    EXPECT_LT(distance * std::sin(glm::radians(view.fov_y_degrees) / 2), 1.2f * bounds.radius) << "and fills the picture with it";
+    EXPECT_LT(distance * std::sin(glm::radians(view.fov_y_degrees) / 2), 1.2f * bounds.radius)
+        << "and fills the picture with it";
     EXPECT_EQ(view.target, bounds.centre);
   }
 }

@@ -25,8 +25,9 @@ struct Triangle {
     GltfMaker made;
     const int p = made.add_floats(positions, 3), n = made.add_floats(normals, 3), t = made.add_floats(uvs, 2);
     const int i = made.add_accessor(indices, 1, 5123);
-    made.add_mesh("shell", {fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{},"TEXCOORD_0":{}{}}},"indices":{},"mode":{}}})", p, n,
-                                        t, more_attributes, i, mode)});
+    made.add_mesh("shell",
+                  {fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{},"TEXCOORD_0":{}{}}},"indices":{},"mode":{}}})", p,
+                               n, t, more_attributes, i, mode)});
     made.add_node(R"({"mesh":0,"name":"body"})");
     return made;
   }
@@ -90,19 +91,25 @@ TEST(GltfBadInput, NothingToDraw) {
 }
 
 TEST(GltfBadInput, AccessorsThatLeaveTheirBuffers) {
-  const auto replaced = [](const std::string& from, const std::string& to, std::vector<std::string> GltfMaker::* list, size_t entry) {
+  const auto replaced = [](const std::string& from, const std::string& to, std::vector<std::string> GltfMaker::*list,
+                           size_t entry) {
     GltfMaker maker = Triangle().maker();
     std::string& text = (maker.*list)[entry];
     text.replace(text.find(from), from.size(), to);
     return maker;
   };
-  expect_model_refused(replaced("\"count\":3", "\"count\":4", &GltfMaker::accessors, 0), {"mesh 'shell'", "POSITION", "4 elements"});
+  expect_model_refused(replaced("\"count\":3", "\"count\":4", &GltfMaker::accessors, 0),
+                       {"mesh 'shell'", "POSITION", "4 elements"});
   expect_model_refused(replaced("\"count\":3", "\"count\":4000000000", &GltfMaker::accessors, 0), {"POSITION"});
-  expect_model_refused(replaced("\"bufferView\":0", "\"bufferView\":99", &GltfMaker::accessors, 0), {"POSITION", "buffer view 99"});
-  expect_model_refused(replaced("\"bufferView\":0,", "\"byteOffset\":4000000000,\"bufferView\":0,", &GltfMaker::accessors, 0), {"POSITION"});
+  expect_model_refused(replaced("\"bufferView\":0", "\"bufferView\":99", &GltfMaker::accessors, 0),
+                       {"POSITION", "buffer view 99"});
+  expect_model_refused(replaced("\"bufferView\":0,", "\"byteOffset\":4000000000,\"bufferView\":0,", &GltfMaker::accessors, 0),
+                       {"POSITION"});
   expect_model_refused(replaced("\"buffer\":0", "\"buffer\":7", &GltfMaker::views, 0), {"POSITION", "buffer 7"});
-  expect_model_refused(replaced("\"byteLength\":36", "\"byteLength\":4000000000", &GltfMaker::views, 0), {"POSITION", "leaves its buffer"});
-  expect_model_refused(replaced("\"byteOffset\":0", "\"byteOffset\":4000000000", &GltfMaker::views, 0), {"POSITION", "leaves its buffer"});
+  expect_model_refused(replaced("\"byteLength\":36", "\"byteLength\":4000000000", &GltfMaker::views, 0),
+                       {"POSITION", "leaves its buffer"});
+  expect_model_refused(replaced("\"byteOffset\":0", "\"byteOffset\":4000000000", &GltfMaker::views, 0),
+                       {"POSITION", "leaves its buffer"});
   expect_model_refused(replaced("5126", "5130", &GltfMaker::accessors, 0), {"POSITION", "5130"});
   expect_model_refused(replaced("\"mesh\":0", "\"mesh\":5", &GltfMaker::nodes, 0), {"node 'body'", "mesh 5"});
   expect_model_refused(replaced("\"mesh\":0", "\"children\":[0]", &GltfMaker::nodes, 0), {"model.glb"});
@@ -127,9 +134,11 @@ TEST(GltfBadInput, NodesThatFormNoTree) {
 TEST(GltfBadInput, TruncatedGlb) {
   const Folder folder;
   const std::string whole = Triangle().maker().glb();
-  for (const size_t length : {size_t{3}, size_t{5}, size_t{15}, size_t{40}, whole.size() / 2, whole.size() - 4, whole.size() - 1})
+  for (const size_t length :
+       {size_t{3}, size_t{5}, size_t{15}, size_t{40}, whole.size() / 2, whole.size() - 4, whole.size() - 1})
     expect_refused([&] { load_bytes(folder, whole.substr(0, length)); }, {"model.glb"});
-  expect_refused([&] { load_bytes(folder, whole.substr(0, whole.size() - 8)); }, {"truncated", std::to_string(whole.size() - 8)});
+  expect_refused([&] { load_bytes(folder, whole.substr(0, whole.size() - 8)); },
+                 {"truncated", std::to_string(whole.size() - 8)});
   // The header agrees with the file's size, but the binary chunk promises 8 bytes more.
   std::string cut = whole.substr(0, whole.size() - 8);
   const auto size = static_cast<uint32_t>(cut.size());

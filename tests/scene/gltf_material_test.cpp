@@ -19,9 +19,11 @@ LoadedModel load(const Folder& folder, const std::string& material, const std::v
   std::vector<std::string> textures, images;
   for (size_t i = 0; i < pictures.size(); ++i) {
     textures.push_back(fmt::format(R"({{"source":{}}})", i));
-    images.push_back(fmt::format(R"({{"bufferView":{},"mimeType":"image/png"}})", maker.add_view(bytes_of(folder / pictures[i]))));
+    images.push_back(
+        fmt::format(R"({{"bufferView":{},"mimeType":"image/png"}})", maker.add_view(bytes_of(folder / pictures[i]))));
   }
-  maker.more = fmt::format(R"(,"materials":[{}],"textures":[{}],"images":[{}])", material, fmt::join(textures, ","), fmt::join(images, ","));
+  maker.more = fmt::format(R"(,"materials":[{}],"textures":[{}],"images":[{}])", material, fmt::join(textures, ","),
+                           fmt::join(images, ","));
   return load_gltf(folder.write("model.glb", maker.glb()));
 }
 
@@ -44,8 +46,8 @@ TEST(GltfMaterial, AModelThatSaysNothingGetsSensibleLayers) {
 TEST(GltfMaterial, FactorAndTextureMultiplyInLinearLight) {
   const Folder folder;
   write_png(folder / "a.png", 1, 1, 3, {188, 255, 0});
-  const LoadedModel model = load(
-      folder, R"({"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,1,1],"baseColorTexture":{"index":0}}})", {"a.png"});
+  const LoadedModel model =
+      load(folder, R"({"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,1,1],"baseColorTexture":{"index":0}}})", {"a.png"});
   // 188 is linear 0.503; half of it is linear 0.251, code 137.
   const glm::vec4 texel = first_texel(*layers(model).outer_albedo);
   EXPECT_NEAR(texel.r, 0.2514f, 0.002f);
@@ -57,8 +59,12 @@ TEST(GltfMaterial, AlphaIsOpacityWhereItCounts) {
   const Folder folder;
   write_png(folder / "a.png", 2, 1, 4, {255, 255, 255, 51, 255, 255, 255, 204});
   const auto alphas = [&](const std::string& mode) {
-    const LoadedModel model = load(folder, R"({"alphaMode":")" + mode + R"(","alphaCutoff":0.6,)"
-                             R"("pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.9],"baseColorTexture":{"index":0}}})", {"a.png"});
+    const LoadedModel model =
+        load(folder,
+             R"({"alphaMode":")" + mode +
+                 R"(","alphaCutoff":0.6,)"
+                 R"("pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.9],"baseColorTexture":{"index":0}}})",
+             {"a.png"});
     const Texels texels = base_texels(*layers(model).outer_albedo);
     return glm::vec2(texels.rgba.at(0).a, texels.rgba.at(1).a);
   };
@@ -91,7 +97,8 @@ TEST(GltfMaterial, VolumeThicknessBecomesTexels) {
   EXPECT_NEAR(layers(whole).thickness_texels, 1024.0f, 1e-2f);
   const LoadedModel thin = load(folder, R"({"extensions":{"KHR_materials_volume":{}}})");
   EXPECT_FLOAT_EQ(layers(thin).thickness_texels, 5.12f) << "says nothing: the default";
-  expect_refused([&] { load(folder, R"({"extensions":{"KHR_materials_volume":{"thicknessFactor":-1}}})"); }, {"thicknessFactor"});
+  expect_refused([&] { load(folder, R"({"extensions":{"KHR_materials_volume":{"thicknessFactor":-1}}})"); },
+                 {"thicknessFactor"});
 }
 
 // Density is the mesh's mean: a quad stretched to 2 m x 8 m over the same texture has sqrt(1 / 16) of the density.
@@ -110,9 +117,10 @@ TEST(ThicknessInTexels, IsTheMeanDensityOfTheMesh) {
 TEST(GltfMaterial, WarnsOfWhatItLeavesOut) {
   const Folder folder;
   write_png(folder / "a.png", 1, 1, 3, {9, 9, 9});
-  const LoadedModel model =
-      load(folder, R"({"name":"m","pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":1,)"
-                   R"("extensions":{"KHR_texture_transform":{"offset":[0.5,0]}}}}})", {"a.png"});
+  const LoadedModel model = load(folder,
+                                 R"({"name":"m","pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":1,)"
+                                 R"("extensions":{"KHR_texture_transform":{"offset":[0.5,0]}}}}})",
+                                 {"a.png"});
   ASSERT_EQ(model.warnings.size(), 2u);
   EXPECT_NE(model.warnings[0].find("texture coordinates 1"), std::string::npos);
   EXPECT_NE(model.warnings[1].find("KHR_texture_transform"), std::string::npos);

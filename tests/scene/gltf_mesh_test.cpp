@@ -21,7 +21,8 @@ glm::vec3 world_position(const Object& object, size_t corner) {
 }
 // Area times direction of the triangle that starts at `corner`, in world space.
 glm::vec3 world_area(const Object& object, size_t corner) {
-  const glm::vec3 a = world_position(object, corner), b = world_position(object, corner + 1), c = world_position(object, corner + 2);
+  const glm::vec3 a = world_position(object, corner), b = world_position(object, corner + 1),
+                  c = world_position(object, corner + 2);
   return 0.5f * glm::cross(b - a, c - a);
 }
 void expect_near(glm::vec3 a, glm::vec3 b) { EXPECT_LT(glm::distance(a, b), 1e-5f) << a.x << " " << a.y << " " << a.z; }
@@ -142,8 +143,8 @@ TEST(LoadGltf, StripsAndFansCoverTheSquareFacingOneWay) {
     const int positions = maker.add_floats({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, 3);
     const int uvs = maker.add_floats({0, 1, 1, 1, 1, 0, 0, 0}, 2);
     const int indices = maker.add_accessor(order, 1, 5121);
-    maker.add_mesh("square", {fmt::format(R"({{"attributes":{{"POSITION":{},"TEXCOORD_0":{}}},"indices":{},"mode":{}}})", positions,
-                                          uvs, indices, mode)});
+    maker.add_mesh("square", {fmt::format(R"({{"attributes":{{"POSITION":{},"TEXCOORD_0":{}}},"indices":{},"mode":{}}})",
+                                          positions, uvs, indices, mode)});
     maker.add_node(R"({"mesh":0})");
     const LoadedModel model = load(folder, maker);
     const Object& object = model.objects.at(0);
@@ -181,7 +182,8 @@ TEST(LoadGltf, ReadsNormalizedTextureCoordinatesAndSparseAccessors) {
   const int values = maker.add_view(std::string(reinterpret_cast<const char*>(moved), sizeof moved));
   maker.accessors[size_t(positions)].pop_back();
   maker.accessors[size_t(positions)] += fmt::format(
-      R"(,"sparse":{{"count":1,"indices":{{"bufferView":{},"componentType":5121}},"values":{{"bufferView":{}}}}}}})", places, values);
+      R"(,"sparse":{{"count":1,"indices":{{"bufferView":{},"componentType":5121}},"values":{{"bufferView":{}}}}}}})", places,
+      values);
   maker.add_mesh("t", {fmt::format(R"({{"attributes":{{"POSITION":{},"TEXCOORD_0":{}}}}})", positions, uvs)});
   const LoadedModel model = load(folder, maker);
   const Mesh& mesh = model.objects.at(0).mesh;
@@ -189,15 +191,16 @@ TEST(LoadGltf, ReadsNormalizedTextureCoordinatesAndSparseAccessors) {
   expect_near(mesh.vertices[2].position, {0, 5, 0});
 }
 
-// Without normals: flat where triangles share no vertex, and where they do, their mean by area: two triangles at a right angle along
-// an edge, the second of twice the area, lean 2 to 1.
+// Without normals: flat where triangles share no vertex, and where they do, their mean by area: two triangles at a right angle
+// along an edge, the second of twice the area, lean 2 to 1.
 TEST(LoadGltf, MakesMissingNormals) {
   const Folder folder;
   GltfMaker maker;
   const int positions = maker.add_floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, -2}, 3);
   const int uvs = maker.add_floats({0, 0, 1, 0, 0, 1, 1, 1}, 2);
   const int indices = maker.add_accessor(std::vector<uint16_t>{0, 1, 2, 1, 0, 3}, 1, 5123);
-  maker.add_mesh("bent", {fmt::format(R"({{"attributes":{{"POSITION":{},"TEXCOORD_0":{}}},"indices":{}}})", positions, uvs, indices)});
+  maker.add_mesh("bent",
+                 {fmt::format(R"({{"attributes":{{"POSITION":{},"TEXCOORD_0":{}}},"indices":{}}})", positions, uvs, indices)});
   const LoadedModel model = load(folder, maker);
   const Mesh& mesh = model.objects.at(0).mesh;
   // Triangle 1: area 1/2 facing +z. Triangle 2: corners (1,0,0) (0,0,0) (1,0,-2): area 1 facing -y.
@@ -218,7 +221,8 @@ TEST(LoadGltf, TangentsOfTheFileAreTurnedToOurFrame) {
   maker.add_mesh("square", {quad});
   const LoadedModel model = load(folder, maker);
   const Mesh& mesh = model.objects.at(0).mesh;
-  for (size_t i = 0; i < 3; ++i) EXPECT_EQ(mesh.vertices[i].tangent, glm::vec4(1, 0, 0, -1)) << "orthogonal to the normal, unit";
+  for (size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(mesh.vertices[i].tangent, glm::vec4(1, 0, 0, -1)) << "orthogonal to the normal, unit";
   EXPECT_NEAR(mesh.vertices[3].tangent.z, 0.0f, 1e-6f) << "a tangent along the normal becomes any orthogonal one";
   EXPECT_NEAR(glm::length(glm::vec3(mesh.vertices[3].tangent)), 1.0f, 1e-6f);
 }
@@ -230,7 +234,8 @@ TEST(LoadGltf, LeavesOutWhatHasNoAreaWithAWarning) {
   const int uvs = maker.add_floats({0, 0, 1, 0, 1, 1, 0, 0, 7, 7}, 2);
   const int indices = maker.add_accessor(std::vector<uint16_t>{0, 1, 2, 0, 1, 1, 0, 1, 3}, 1, 5123);
   const auto primitive = [&](int mode) {
-    return fmt::format(R"({{"attributes":{{"POSITION":{},"TEXCOORD_0":{}}},"indices":{},"mode":{}}})", positions, uvs, indices, mode);
+    return fmt::format(R"({{"attributes":{{"POSITION":{},"TEXCOORD_0":{}}},"indices":{},"mode":{}}})", positions, uvs, indices,
+                       mode);
   };
   maker.add_mesh("mixed", {primitive(4), primitive(0), primitive(1)});
   const LoadedModel model = load(folder, maker);

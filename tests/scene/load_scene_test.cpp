@@ -92,8 +92,7 @@ TEST(LoadScene, TheHeartWithAndWithoutAnExampleFile) {
   EXPECT_TRUE(any);
 
   const Scene opaque = load_scene(LAMINA_SOURCE_DIR "/variants/layered_material/scenes/opaque.toml");
-  for (const Object& object : opaque.objects)
-    EXPECT_EQ(object.layers ? object.layers->max_transparency : 0.0f, 0.0f);
+  for (const Object& object : opaque.objects) EXPECT_EQ(object.layers ? object.layers->max_transparency : 0.0f, 0.0f);
 }
 
 }  // namespace

@@ -46,7 +46,8 @@ class Folder {
 };
 
 // 8-bit codes, `channels` a texel.
-inline void write_png(const std::filesystem::path& file, int width, int height, int channels, const std::vector<uint8_t>& codes) {
+inline void write_png(const std::filesystem::path& file, int width, int height, int channels,
+                      const std::vector<uint8_t>& codes) {
   auto output = OIIO::ImageOutput::create(file.string());
   OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:UnassociatedAlpha", 1);
@@ -95,14 +96,15 @@ class GltfMaker {
     meshes.push_back(fmt::format(R"({{"name":"{}","primitives":[{}]}})", name, fmt::join(primitives, ",")));
     return static_cast<int>(meshes.size()) - 1;
   }
-  // The unit square in the plane z = 0 facing +z, v down as in a picture, as a primitive; `members` adds to it, with a comma before each.
+  // The unit square in the plane z = 0 facing +z, v down as in a picture, as a primitive; `members` adds to it, with a comma
+  // before each.
   std::string quad(const std::string& members = "") {
     const int positions = add_floats({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, 3);
     const int normals = add_floats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, 3);
     const int uvs = add_floats({0, 1, 1, 1, 1, 0, 0, 0}, 2);
     const int indices = add_accessor(std::vector<uint16_t>{0, 1, 2, 0, 2, 3}, 1, 5123);
-    return fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{},"TEXCOORD_0":{}}},"indices":{}{}}})", positions, normals, uvs,
-                       indices, members);
+    return fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{},"TEXCOORD_0":{}}},"indices":{}{}}})", positions, normals,
+                       uvs, indices, members);
   }
   void add_node(const std::string& json) { nodes.push_back(json); }
 

@@ -19,7 +19,8 @@ Steps steps(const Texels& texels, bool along_u) {
   };
   Steps mean;
   for (uint32_t line = 0; line < lines; ++line) {
-    for (uint32_t i = 0; i + 1 < length; ++i) mean.inside += glm::distance(at(i, line), at(i + 1, line)) / double(lines * (length - 1));
+    for (uint32_t i = 0; i + 1 < length; ++i)
+      mean.inside += glm::distance(at(i, line), at(i + 1, line)) / double(lines * (length - 1));
     mean.across += glm::distance(at(length - 1, line), at(0, line)) / double(lines);
   }
   return mean;

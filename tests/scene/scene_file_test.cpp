@@ -21,7 +21,8 @@ class SceneFile : public testing::Test {
     maker.add_node(R"({"mesh":0,"name":"wall","translation":[1,0,0]})");
     maker.add_node(R"({"mesh":0,"name":"floor"})");
     folder_.write("model.glb", maker.glb());
-    write_png(folder_ / "ramp.png", 4, 2, 3, {0, 0, 0, 85, 9, 9, 170, 9, 9, 255, 9, 9, 0, 0, 0, 85, 9, 9, 170, 9, 9, 255, 9, 9});
+    write_png(folder_ / "ramp.png", 4, 2, 3,
+              {0, 0, 0, 85, 9, 9, 170, 9, 9, 255, 9, 9, 0, 0, 0, 85, 9, 9, 170, 9, 9, 255, 9, 9});
   }
   // A scene file that starts with the model in lines 1 and 2; `rest` starts in line 3.
   std::string write(const std::string& rest) {
@@ -86,8 +87,9 @@ TEST_F(SceneFile, LayersCanBeTakenAway) {
 }
 
 TEST_F(SceneFile, OuterAlbedoAndTransparencyCombineAtTheLargerSize) {
-  const Scene scene = load("[objects.wall.outer]\nalbedo = [0, 1, 0]\ntransparency = \"ramp.png\"\n"
-                           "[objects.floor.outer]\nalbedo = \"ramp.png\"\n");
+  const Scene scene = load(
+      "[objects.wall.outer]\nalbedo = [0, 1, 0]\ntransparency = \"ramp.png\"\n"
+      "[objects.floor.outer]\nalbedo = \"ramp.png\"\n");
   const TextureImage& wall = *named(scene, "wall").layers->outer_albedo;
   ASSERT_EQ(wall.width, 4u);
   ASSERT_EQ(wall.height, 2u);
@@ -126,8 +128,9 @@ TEST_F(SceneFile, NormalMapsAreGreenUpInTheFile) {
 // Scaled by 2, then a quarter turn about x (y to z), then about z (x to y), then moved; on top of wall's own move by 1 in x.
 // Its corner (1, 1, 0) stands at (2, 1, 0): (4, 2, 0), (4, 0, 2), (0, 4, 2), (0, 4, 12).
 TEST_F(SceneFile, PlacesObjectsInTheOrderScaleTurnMove) {
-  const Scene scene = load("[objects.wall]\nposition = [0, 0, 10]\nrotation_degrees = [90, 0, 90]\nscale = 2\n"
-                           "[objects.floor]\nscale = [1, 2, 3]\n");
+  const Scene scene = load(
+      "[objects.wall]\nposition = [0, 0, 10]\nrotation_degrees = [90, 0, 90]\nscale = 2\n"
+      "[objects.floor]\nscale = [1, 2, 3]\n");
   const Object& wall = named(scene, "wall");
   const glm::vec3 corner(wall.world_from_object * glm::vec4(wall.mesh.vertices[2].position, 1));
   EXPECT_LT(glm::distance(corner, glm::vec3(0, 4, 12)), 1e-5f);
@@ -136,8 +139,9 @@ TEST_F(SceneFile, PlacesObjectsInTheOrderScaleTurnMove) {
 }
 
 TEST_F(SceneFile, LightsReplaceTheDefaultOnesInTheFilesOrder) {
-  const Scene scene = load("[lights.sun]\nkind = \"directional\"\ndirection = [0, -2, 0]\ncolor = [1, 0.5, 0]\nintensity = 4\n"
-                           "[lights.bulb]\nkind = \"point\"\nposition = [1, 2, 3]\n");
+  const Scene scene = load(
+      "[lights.sun]\nkind = \"directional\"\ndirection = [0, -2, 0]\ncolor = [1, 0.5, 0]\nintensity = 4\n"
+      "[lights.bulb]\nkind = \"point\"\nposition = [1, 2, 3]\n");
   ASSERT_EQ(scene.lights.size(), 2u);
   EXPECT_EQ(scene.lights[0].name, "sun");
   EXPECT_EQ(scene.lights[0].direction, glm::vec3(0, -1, 0)) << "unit length";
@@ -199,12 +203,14 @@ TEST_F(SceneFile, WrongTypesAndValuesAreRefusedWhereTheyStand) {
   expect_refused_at(6, "[views.a]\neye = [0, 0, 1]\ntarget = [0, 0, 0]\nup = [0, 0, 2]\n", {"'up'"});
   expect_refused_at(6, "[views.a]\neye = [0, 0, 1]\ntarget = [0, 0, 0]\nup = [0, 0, 0]\n", {"'up'"});
   for (const char* fov : {"0", "180", "-20", "400", "nan"})
-    expect_refused_at(6, fmt::format("[views.a]\neye = [0, 0, 1]\ntarget = [0, 0, 0]\nfov_y_degrees = {}\n", fov), {"'fov_y_degrees'"});
+    expect_refused_at(6, fmt::format("[views.a]\neye = [0, 0, 1]\ntarget = [0, 0, 0]\nfov_y_degrees = {}\n", fov),
+                      {"'fov_y_degrees'"});
 }
 
 TEST_F(SceneFile, NoMoreLightsThanAreDrawn) {
   std::string lights;
-  for (size_t i = 0; i < max_lights; ++i) lights += fmt::format("[lights.l{}]\nkind = \"point\"\nposition = [0, 1, {}]\n", i, i);
+  for (size_t i = 0; i < max_lights; ++i)
+    lights += fmt::format("[lights.l{}]\nkind = \"point\"\nposition = [0, 1, {}]\n", i, i);
   EXPECT_EQ(load(lights).lights.size(), max_lights);
   lights += "[lights.more]\nkind = \"point\"\nposition = [0, 2, 0]\n";
   expect_refused_at(3, lights, {"9 lights", "at most 8"});

@@ -37,8 +37,8 @@ TEST(SeenTransparency, ReachesOneTexelAroundAPoint) {
     }
 }
 
-// Against the definition, point by point: wherever a sampled point of the triangle reads a texel, it must be found (never too low);
-// and a texel further than 1.1 from all sampled points must not.
+// Against the definition, point by point: wherever a sampled point of the triangle reads a texel, it must be found (never too
+// low); and a texel further than 1.1 from all sampled points must not.
 TEST(SeenTransparency, MatchesBilinearFootprintsOfRandomTriangles) {
   std::mt19937 random(5);
   const auto number = [&] { return float(random() % 4096) / 4096; };
@@ -46,7 +46,8 @@ TEST(SeenTransparency, MatchesBilinearFootprintsOfRandomTriangles) {
   for (int round = 0; round < 30; ++round) {
     const glm::vec2 a(number(), number()), b(number(), number()), c(number(), number());
     const Mesh mesh = triangle(a, b, c);
-    std::vector<float> nearest(size * size, 1e9f);  // greatest of the two axes' distances from a texel's centre, over the samples
+    std::vector<float> nearest(size * size,
+                               1e9f);  // greatest of the two axes' distances from a texel's centre, over the samples
     constexpr int steps = 160;
     for (int i = 0; i <= steps; ++i)
       for (int j = 0; i + j <= steps; ++j) {

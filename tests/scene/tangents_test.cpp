@@ -57,7 +57,8 @@ TEST(ComputeTangents, FollowACylinder) {
       const glm::vec3 outward(std::cos(angle), 0, std::sin(angle));
       mesh.vertices.push_back({outward + glm::vec3(0, y, 0), outward, glm::vec4(0), {float(i) / sides, y}});
     }
-  for (uint32_t i = 0; i < sides; ++i) mesh.indices.insert(mesh.indices.end(), {2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 2, 2 * i + 1, 2 * i + 3});
+  for (uint32_t i = 0; i < sides; ++i)
+    mesh.indices.insert(mesh.indices.end(), {2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 2, 2 * i + 1, 2 * i + 3});
   compute_tangents(mesh);
   expect_frames(mesh);
   for (const Vertex& vertex : mesh.vertices) {
@@ -106,7 +107,8 @@ TEST(AnyOrthogonal, IsUnitAndOrthogonalInEveryDirection) {
   std::mt19937 random(3);
   std::vector<glm::vec3> directions = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}, glm::normalize(glm::vec3(1e-4f, 0, -1))};
   std::normal_distribution<float> normal;
-  for (int i = 0; i < 1000; ++i) directions.push_back(glm::normalize(glm::vec3(normal(random), normal(random), normal(random))));
+  for (int i = 0; i < 1000; ++i)
+    directions.push_back(glm::normalize(glm::vec3(normal(random), normal(random), normal(random))));
   for (const glm::vec3 d : directions) {
     EXPECT_NEAR(glm::length(any_orthogonal(d)), 1.0f, 1e-5f);
     EXPECT_NEAR(glm::dot(any_orthogonal(d), d), 0.0f, 2e-5f);

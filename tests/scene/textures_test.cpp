@@ -34,7 +34,8 @@ Texels random_texels(uint32_t width, uint32_t height) {
   return texels;
 }
 
-// IEC 61966-2-1: code 10 is the last on the linear segment (10 / 255 = 0.0392 <= 0.04045), 255 * 0.735357 = 187.5 is half light.
+// IEC 61966-2-1: code 10 is the last on the linear segment (10 / 255 = 0.0392 <= 0.04045), 255 * 0.735357 = 187.5 is half
+// light.
 TEST(LoadTexels, DecodesKnownSrgbCodesToLinear) {
   const Folder folder;
   write_png(folder / "codes.png", 4, 1, 4, {0, 10, 128, 255, 188, 255, 1, 128, 64, 64, 64, 0, 255, 255, 255, 255});
@@ -94,7 +95,8 @@ TEST(DecodeTexels, ReadsAnEncodedFileInMemoryWhateverItsName) {
   EXPECT_EQ(texels.rgba[0], glm::vec4(1, 0, 0, 1)) << "row 0 is the top row";
   EXPECT_EQ(texels.rgba[1], glm::vec4(0, 1, 0, 1));
   const LeaksAllowed in_openimageio;
-  expect_refused([&] { decode_texels(std::as_bytes(std::span(bytes)).first(40), "material 'skin'", true); }, {"material 'skin'"});
+  expect_refused([&] { decode_texels(std::as_bytes(std::span(bytes)).first(40), "material 'skin'", true); },
+                 {"material 'skin'"});
 }
 
 TEST(DecodeTexels, ReadsJpeg) {
@@ -132,8 +134,8 @@ TEST(MakeTexture, HalfBlackHalfWhiteIsHalfLight) {
   EXPECT_EQ(code(*texture, 1, 0, 3), 128) << "alpha is linear";
 }
 
-// Sizes halve rounded down, and every texel of the base weighs the same in every level: so the mean stays. Rounding to codes moves
-// a mean by half a code at most.
+// Sizes halve rounded down, and every texel of the base weighs the same in every level: so the mean stays. Rounding to codes
+// moves a mean by half a code at most.
 TEST(MakeTexture, MeanOfOddSizesStaysDownToOneTexel) {
   for (const auto& [width, height] : {std::pair{13u, 7u}, {1u, 5u}, {31u, 3u}, {9u, 1u}, {8u, 8u}}) {
     const Texels base = random_texels(width, height);

@@ -29,8 +29,8 @@ TEST(MoveToUnitTile, ShiftsByWholeTilesOnly) {
 }
 
 TEST(MoveToUnitTile, LeavesWhatFitsAndBearsRounding) {
-  for (const auto& [low, high] : {std::pair{glm::vec2(0), glm::vec2(1)}, {glm::vec2(-0.0005f), glm::vec2(1.0005f)},
-                                  {glm::vec2(0.9995f), glm::vec2(1)}}) {
+  for (const auto& [low, high] :
+       {std::pair{glm::vec2(0), glm::vec2(1)}, {glm::vec2(-0.0005f), glm::vec2(1.0005f)}, {glm::vec2(0.9995f), glm::vec2(1)}}) {
     Mesh mesh = rectangle(low, high);
     move_to_unit_tile(mesh);
     EXPECT_EQ(mesh.vertices[0].uv, low);
