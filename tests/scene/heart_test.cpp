@@ -213,6 +213,29 @@ TEST(Heart, NormalMapAgreesAcrossSeamsInWorldSpace) {
   EXPECT_LT(across, 0.35 * tilt);
 }
 
+// Muscle and arteries are brighter on their ridges than between them, so where brightness rises to the right, the normal leans to the left, and
+// where it rises downwards, the normal leans up: n = (-dh/du, -dh/dv, 1), with v down.
+TEST(Heart, NormalMapLeansAwayFromRidges) {
+  const TextureImage &albedo = *layers_of(expanded()).outer_albedo, &normal = *layers_of(expanded()).outer_normal;
+  double agree_u = 0, agree_v = 0, size_u = 0, size_v = 0;
+  for (size_t y = 1; y + 1 < albedo.height; ++y)
+    for (size_t x = 1; x + 1 < albedo.width; ++x) {
+      const auto value = [&](const TextureImage& t, size_t i, size_t j, size_t channel) {
+        return std::to_integer<int>(t.levels[0][4 * (j * t.width + i) + channel]);
+      };
+      // Muscle and arteries only: opaque and red.
+      if (value(albedo, x, y, 3) > 25 || 2 * value(albedo, x, y, 2) > value(albedo, x, y, 0)) continue;
+      const double u = (value(albedo, x + 1, y, 0) - value(albedo, x - 1, y, 0)) * (value(normal, x, y, 0) - 127.5);
+      const double v = (value(albedo, x, y + 1, 0) - value(albedo, x, y - 1, 0)) * (value(normal, x, y, 1) - 127.5);
+      agree_u += u;
+      agree_v += v;
+      size_u += std::abs(u);
+      size_v += std::abs(v);
+    }
+  EXPECT_LT(agree_u, -0.1 * size_u);
+  EXPECT_LT(agree_v, -0.1 * size_v);
+}
+
 TEST(Heart, TransparencyReachesBothEnds) {
   const Scene& scene = expanded();
   const TextureImage& outer = *layers_of(scene).outer_albedo;
