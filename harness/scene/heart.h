@@ -10,8 +10,9 @@ namespace lamina {
 
 struct HeartOptions {
   float time_s = 0;
-  uint32_t texture_size = 1024;  // texels on a side of every layer's base level, a power of two
+  uint32_t texture_size = 1024;  // texels on a side of every layer's base level, a power of two from 64 to 4096
 };
+// Any finite time, negative ones too; the beat repeats. Throws Error(bad_input) for a time that is not finite or another size.
 Scene make_heart(const HeartOptions& options);
 
 }  // namespace lamina

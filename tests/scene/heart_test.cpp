@@ -213,8 +213,8 @@ TEST(Heart, NormalMapAgreesAcrossSeamsInWorldSpace) {
   EXPECT_LT(across, 0.35 * tilt);
 }
 
-// Muscle and arteries are brighter on their ridges than between them, so where brightness rises to the right, the normal leans to the left, and
-// where it rises downwards, the normal leans up: n = (-dh/du, -dh/dv, 1), with v down.
+// Muscle and arteries are brighter on their ridges than between them, so where brightness rises to the right, the normal leans
+// to the left, and where it rises downwards, the normal leans up: n = (-dh/du, -dh/dv, 1), with v down.
 TEST(Heart, NormalMapLeansAwayFromRidges) {
   const TextureImage &albedo = *layers_of(expanded()).outer_albedo, &normal = *layers_of(expanded()).outer_normal;
   double agree_u = 0, agree_v = 0, size_u = 0, size_v = 0;
