@@ -30,7 +30,8 @@ std::shared_ptr<const TextureImage> inner_layer(uint32_t width, uint32_t height)
 }  // namespace
 
 LayeredMaterial default_layers(const std::string& name, const Texels& outer, std::shared_ptr<const TextureImage> normal) {
-  const uint32_t width = std::clamp(outer.width, 512u, 4096u), height = std::clamp(outer.height, 512u, 4096u);
+  // At most 1024: the light map is as large as this layer, and the marbling has nothing finer to show.
+  const uint32_t width = std::clamp(outer.width, 512u, 1024u), height = std::clamp(outer.height, 512u, 1024u);
   LayeredMaterial layers;
   layers.outer_albedo = make_texture(name + " outer albedo", outer, TexelMeaning::colour);
   layers.outer_normal =

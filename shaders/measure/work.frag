@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// A known amount of work for the timer's certificate: `taps` bilinear fetches, each at a place that depends on the one before.
+// A known amount of work for the timer's certificate: bilinear fetches, each at a place that depends on the one before. Their number is
+// a uniform: compilers unroll loops of a constant length where it is short, and then 2x work is not twice 1x.
 
-layout(constant_id = 0) const int taps = 16;
+layout(std140, binding = 3) uniform Work { ivec4 taps; };  // x
 layout(binding = 4) uniform sampler2D source;
 layout(location = 0) out vec4 out_color;
 
 void main() {
   vec2 place = gl_FragCoord.xy / 256.0;
   vec4 sum = vec4(0.0);
-  for (int i = 0; i < taps; ++i) {
+  for (int i = 0; i < taps.x; ++i) {
     vec4 texel = textureLod(source, place, 0.0);
     sum += texel;
     place = fract(place + texel.xy * 0.37 + 0.11);
   }
-  out_color = sum / float(taps);
+  out_color = sum / float(taps.x);
 }
