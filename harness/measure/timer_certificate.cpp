@@ -102,24 +102,20 @@ TimerRow judge_timer(const std::vector<std::vector<double>>& times_ms, const std
     throw Error(ErrorKind::failed, "timer", "certificate", "no rounds were measured");
   TimerRow row;
   std::vector<double> sums_over_wall;
-  std::vector<std::vector<double>> shares(multiples), samples(multiples);
+  std::vector<std::vector<double>> shares(multiples);
   for (size_t round = 0; round < times_ms.size(); ++round) {
     const double sum = std::accumulate(times_ms[round].begin(), times_ms[round].end(), 0.0);
     sums_over_wall.push_back(wall_ms[round] > 0 ? sum / wall_ms[round] : 0);
-    for (size_t k = 0; k < multiples; ++k) {
-      samples[k].push_back(times_ms[round][k]);
-      shares[k].push_back(sum > 0 ? times_ms[round][k] / sum : 0);
-    }
+    for (size_t k = 0; k < multiples; ++k) shares[k].push_back(sum > 0 ? times_ms[round][k] / sum : 0);
   }
-  const double one = *std::min_element(samples[0].begin(), samples[0].end());
+  const double one = median(shares[0]);
   const double whole = (1 << multiples) - 1;
   bool linear = one > 0;
   for (size_t k = 0; k < multiples; ++k) {
-    const double multiple = 1 << k;
-    const double least = *std::min_element(samples[k].begin(), samples[k].end());
-    row.linearity.push_back(one > 0 ? least / (multiple * one) : 0);
+    const double multiple = 1 << k, share = median(shares[k]);
+    row.linearity.push_back(one > 0 ? share / (multiple * one) : 0);
     linear = linear && std::abs(row.linearity.back() - 1) <= linearity_tolerance;
-    row.attribution = std::max(row.attribution, std::abs(median(shares[k]) * whole / multiple - 1));
+    row.attribution = std::max(row.attribution, std::abs(share * whole / multiple - 1));
   }
   row.additivity = median(sums_over_wall);
   if (!linear) row.reason = "time is not proportional to work";

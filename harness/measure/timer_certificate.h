@@ -26,8 +26,8 @@ inline constexpr double additivity_tolerance = 0.05;
 inline constexpr double attribution_tolerance = 0.25;  // a pass that got its neighbour's time would be off by 1 or more
 
 // What the certificate says of measured rounds. times_ms[round][k] is the time given to the pass of multiple 1 << k; wall_ms[round] the
-// frame's wall time. Linearity is taken on the least time of each pass, since what else the machine does only adds; additivity and
-// attribution on medians over rounds. Throws Error(failed) where there are no rounds.
+// frame's wall time. All three are medians over rounds of what a round shows within itself (a pass's share of its frame), so that a
+// machine whose speed drifts from round to round is not taken for a bad timer. Throws Error(failed) where there are no rounds.
 TimerRow judge_timer(const std::vector<std::vector<double>>& times_ms, const std::vector<double>& wall_ms);
 
 // Measures (about a second) and judges. `shaders` is the folder of the built-in shaders.

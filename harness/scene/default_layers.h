@@ -14,7 +14,7 @@ namespace lamina {
 inline constexpr float default_transparency = 0.55f;
 
 // Outer layer as given, transparency in `outer`'s alpha; a flat normal map where `normal` is null; an inner layer of the
-// outer's size (at least 512, at most 4096 texels on a side), which all materials of that size share; thickness a hundredth of
+// outer's size (at least 512, at most 1024 texels on a side), which all materials of that size share; thickness a hundredth of
 // the inner layer's width; max_transparency not yet settled.
 LayeredMaterial default_layers(const std::string& name, const Texels& outer, std::shared_ptr<const TextureImage> normal);
 

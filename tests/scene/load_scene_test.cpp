@@ -51,7 +51,7 @@ TEST(LoadScene, DamagedHelmet) {
     const LayeredMaterial& layers = part.layers.value();
     EXPECT_EQ(layers.outer_albedo->width, 2048u);
     EXPECT_EQ(layers.outer_normal->width, 2048u);
-    EXPECT_EQ(layers.inner_albedo->width, 2048u);
+    EXPECT_EQ(layers.inner_albedo->width, 1024u);
     EXPECT_FLOAT_EQ(layers.thickness_texels, 20.48f);
     indices += part.mesh.indices.size();
     for (size_t i = 0; i < part.mesh.indices.size(); i += 3) {
