@@ -18,12 +18,7 @@ std::shared_ptr<const TextureImage> inner_layer(uint32_t width, uint32_t height)
   static std::map<std::pair<uint32_t, uint32_t>, std::shared_ptr<const TextureImage>> made;
   const std::lock_guard lock(making);
   std::shared_ptr<const TextureImage>& layer = made[{width, height}];
-  if (!layer) {
-    // The picture's finest noise is a 64th of it, which 1024 texels hold easily; a larger one would take seconds and show no
-    // more.
-    const Texels picture = marble(std::min(width, 1024u), std::min(height, 1024u), 1);
-    layer = make_texture("inner layer", resized(picture, width, height), TexelMeaning::colour);
-  }
+  if (!layer) layer = make_texture("inner layer", marble(width, height, 1), TexelMeaning::colour);
   return layer;
 }
 

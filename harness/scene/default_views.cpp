@@ -79,13 +79,14 @@ std::vector<View> default_views(const std::vector<Object>& objects) {
 }
 
 std::vector<Light> default_lights(const BoundingSphere& bounds) {
-  Light key{"key", Light::Kind::directional, glm::normalize(glm::vec3(-0.5f, -0.7f, -0.6f)), {}, {3.0f, 2.85f, 2.6f}};
-  Light fill{"fill", Light::Kind::directional, glm::normalize(glm::vec3(0.8f, -0.1f, -0.5f)), {}, {0.45f, 0.55f, 0.7f}};
+  // Key, fill and ambient together bring white to about 1, where a display ends: errors in clipped pixels do not show.
+  Light key{"key", Light::Kind::directional, glm::normalize(glm::vec3(-0.5f, -0.7f, -0.6f)), {}, {1.1f, 1.05f, 0.96f}};
+  Light fill{"fill", Light::Kind::directional, glm::normalize(glm::vec3(0.8f, -0.1f, -0.5f)), {}, {0.20f, 0.25f, 0.32f}};
   Light rim{"rim", Light::Kind::point, {0, -1, 0}, {}, {}};
   const glm::vec3 offset = bounds.radius * glm::vec3(-1.2f, 1.1f, -1.6f);
   rim.position = bounds.centre + offset;
-  // Irradiance 2.5 at the centre, before the square of the distance takes its share.
-  rim.radiance = 2.5f * glm::vec3(1.0f, 0.95f, 0.9f) * glm::dot(offset, offset);
+  // Irradiance 0.9 at the centre, before the square of the distance takes its share.
+  rim.radiance = 0.9f * glm::vec3(1.0f, 0.95f, 0.9f) * glm::dot(offset, offset);
   return {key, fill, rim};
 }
 

@@ -13,10 +13,8 @@ using Json = nlohmann::json;
 class Compare : public ProgramTest {
  protected:
   std::filesystem::path out() const { return folder_ / "out"; }
-  // Without the API's checkers: every pass is drawn under them in tests/graph and tests/backend; Debian 12's Vulkan layer 1.3.239 crashes
-  // inside itself when this program draws the timer's certificate.
   Outcome compare(const std::string& arguments) {
-    return lamina_program("compare " + arguments + " --no-validation --size 96x96 --quick --budget 0.1 --out " + out().string());
+    return lamina_program("compare " + arguments + " --size 96x96 --quick --budget 0.1 --out " + out().string());
   }
   Record record() const { return read_record(out() / "record.jsonl"); }
   static std::vector<Json> cells(const Record& record, const std::string& variant) {

@@ -52,7 +52,7 @@ TEST(LoadScene, DamagedHelmet) {
     EXPECT_EQ(layers.outer_albedo->width, 2048u);
     EXPECT_EQ(layers.outer_normal->width, 2048u);
     EXPECT_EQ(layers.inner_albedo->width, 1024u);
-    EXPECT_FLOAT_EQ(layers.thickness_texels, 20.48f);
+    EXPECT_FLOAT_EQ(layers.thickness_texels, 10.24f);
     indices += part.mesh.indices.size();
     for (size_t i = 0; i < part.mesh.indices.size(); i += 3) {
       const auto p = [&](size_t corner) { return glm::dvec3(part.mesh.vertices[part.mesh.indices[i + corner]].position); };
