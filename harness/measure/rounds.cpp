@@ -6,8 +6,6 @@
 #include <numeric>
 #include <random>
 
-#include "harness/measure/statistics.h"
-
 namespace lamina {
 namespace {
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "harness/graph/frame.h"
+#include "harness/measure/statistics.h"
 
 namespace lamina {
 
@@ -25,7 +26,7 @@ struct ArmSamples {
 };
 
 struct RoundOptions {
-  size_t least_rounds = 8;      // at least min_rounds_for_95
+  size_t least_rounds = min_rounds_for_95;  // fewer are not accepted
   size_t most_rounds = 1000;
   double budget_s = 20;         // no round starts later than this
   double precision = 0.01;      // half width of every ratio's 95% interval, relative to its median

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The counting build: rewrites SPIR-V so that a shader counts its texture operations and its invocations.
 //
-// In: a module of compile_shader(). Out: the same module, all functions inlined into main, with an atomic increment before
-// every texture operation, and one or two at main's beginning. What is counted is what the source says: an operation whose
-// result nothing uses still counts, though a driver leaves it out of the timed build.
+// In: a module of compile_shader(). Out: the same module, all functions inlined into main. Each invocation adds up its texture
+// operations in variables of its own as it comes to them, and adds the sums to the counters where it ends (returns or is
+// discarded): one atomic a texture, where one an operation takes several times as long. The invocation itself is counted at
+// main's beginning. What is counted is what the source says: an operation whose result nothing uses still counts, though a
+// driver leaves it out of the timed build.
 #include <algorithm>
 #include <initializer_list>
 #include <map>
@@ -119,6 +121,7 @@ class Instrumenter {
     uint_ = type(spv::OpTypeInt, {32, 0});
     bool_ = type(spv::OpTypeBool, {});
     uint_pointer_ = type(spv::OpTypePointer, {spv::StorageClassUniform, uint_});
+    declare_sums();
     const uint32_t array = new_id(), block = new_id(), pointer = new_id();
     counters_ = new_id();
     emit(globals_, spv::OpTypeRuntimeArray, {array, uint_});
@@ -139,6 +142,16 @@ class Instrumenter {
     const uint32_t input = type(spv::OpTypePointer, {spv::StorageClassInput, float4_});
     emit(globals_, spv::OpVariable, {input, frag_coord_, spv::StorageClassInput});
     emit(decorations_, spv::OpDecorate, {frag_coord_, spv::DecorationBuiltIn, spv::BuiltInFragCoord});
+  }
+
+  // A private variable for every texture: what this invocation has done so far.
+  void declare_sums() {
+    if (slots_.empty()) return;
+    const uint32_t pointer = type(spv::OpTypePointer, {spv::StorageClassPrivate, uint_});
+    while (sums_.size() < slots_.size()) {
+      sums_.push_back(new_id());
+      emit(globals_, spv::OpVariable, {pointer, sums_.back(), spv::StorageClassPrivate, constant(0)});
+    }
   }
 
   // The id of the type of these operands. Two ids may not name the same type, so one that is there is taken.
@@ -179,13 +192,25 @@ class Instrumenter {
                  {pointer, constant(spv::ScopeDevice), constant(spv::MemorySemanticsMaskNone), amount});
   }
 
-  // Counts 1 in the 64-bit counter at `word`. Exactly one increment finds the low word full, and that one carries. There is no
-  // branch, so the shader's blocks, and with them its phis and merges, stay as they are.
-  void count(uint32_t word) {
-    const uint32_t before = atomic_add(constant(word), constant(1));
-    const uint32_t full = value(spv::OpIEqual, bool_, {before, constant(0xffffffffu)});
-    const uint32_t carry = value(spv::OpSelect, uint_, {full, constant(1), constant(0)});
+  // Adds to the 64-bit counter at `word`: the one addition that makes the low word wrap carries. There is no branch, so the
+  // shader's blocks, and with them its phis and merges, stay as they are.
+  void count(uint32_t word, uint32_t amount) {
+    const uint32_t before = atomic_add(constant(word), amount);
+    const uint32_t after = value(spv::OpIAdd, uint_, {before, amount});
+    const uint32_t wraps = value(spv::OpULessThan, bool_, {after, before});
+    const uint32_t carry = value(spv::OpSelect, uint_, {wraps, constant(1), constant(0)});
     atomic_add(constant(word + 1), carry);
+  }
+
+  void add_to_sum(uint32_t slot) {
+    const uint32_t sum = value(spv::OpIAdd, uint_, {value(spv::OpLoad, uint_, {sums_[slot]}), constant(1)});
+    emit(body_, spv::OpStore, {sums_[slot], sum});
+  }
+
+  // What an invocation has added up, into the counters; before it ends.
+  void count_sums() {
+    for (uint32_t slot = 0; slot < sums_.size(); ++slot)
+      count(layout_.first_word + 2 + 2 * slot, value(spv::OpLoad, uint_, {sums_[slot]}));
   }
 
   void map_coverage() {
@@ -212,16 +237,17 @@ class Instrumenter {
   }
 
   void write_functions(std::span<const SpirvInstruction> instructions) {
-    bool before_main_begins = false;  // between main's OpFunction and the first instruction that is no variable
+    bool in_main = false, begins = false;  // begins: between main's OpFunction and the first instruction that is no variable
     for (const SpirvInstruction& i : instructions) {
       const spv::Op op = i.op();
-      if (before_main_begins && op != spv::OpLabel && op != spv::OpVariable && op != spv::OpLine && op != spv::OpNoLine) {
-        count(layout_.first_word);
+      if (begins && op != spv::OpLabel && op != spv::OpVariable && op != spv::OpLine && op != spv::OpNoLine) {
+        count(layout_.first_word, constant(1));
         if (maps_coverage_) map_coverage();
-        before_main_begins = false;
+        begins = false;
       }
-      if (op == spv::OpFunction) before_main_begins = i.result == main_;
-      if (is_texture_operation(op)) count(layout_.first_word + 2 + 2 * slots_.at(texture_binding(module_, i)));
+      if (op == spv::OpFunction) in_main = begins = i.result == main_;
+      if (is_texture_operation(op)) add_to_sum(slots_.at(texture_binding(module_, i)));
+      if (op == spv::OpKill || (in_main && op == spv::OpReturn)) count_sums();
       append(body_, i.words);
     }
   }
@@ -260,6 +286,7 @@ class Instrumenter {
   uint32_t bound_;
   uint32_t main_ = 0, frag_coord_ = 0;
   std::map<uint32_t, uint32_t> slots_;  // binding -> slot
+  std::vector<uint32_t> sums_;          // by slot: the variable
   bool early_ = false, maps_coverage_ = false;
   uint32_t uint_ = 0, bool_ = 0, float_ = 0, float4_ = 0, uint_pointer_ = 0, counters_ = 0;
   std::map<uint32_t, uint32_t> constants_;  // value -> id
