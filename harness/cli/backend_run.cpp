@@ -18,6 +18,9 @@ bool chosen(const VariantManifest& variant, const CompareOptions& options) {
   return std::find(options.variants.begin(), options.variants.end(), variant.name) != options.variants.end();
 }
 
+// The double that is written as shortly as this float: 10.24, not 10.239999771118164.
+double decimal(float value) { return std::stod(fmt::format("{}", value)); }
+
 CellRow blank_row(const std::string& backend, const std::string& device, const Scene& scene, const View& view, const VariantManifest& variant,
                   const CompareOptions& options) {
   CellRow row;
@@ -33,8 +36,8 @@ CellRow blank_row(const std::string& backend, const std::string& device, const S
   row.params["scene.time"] = scene.time_s;
   for (const Object& object : scene.objects)
     if (object.layers) {
-      row.params[fmt::format("objects.{}.thickness", object.name)] = object.layers->thickness_texels;
-      row.params[fmt::format("objects.{}.scattering", object.name)] = object.layers->scattering;
+      row.params[fmt::format("objects.{}.thickness", object.name)] = decimal(object.layers->thickness_texels);
+      row.params[fmt::format("objects.{}.scattering", object.name)] = decimal(object.layers->scattering);
     }
   for (const ParameterManifest& parameter : variant.parameters) row.params[fmt::format("{}.{}", variant.name, parameter.name)] = parameter.value;
   return row;

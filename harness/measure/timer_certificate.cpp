@@ -15,7 +15,7 @@ namespace {
 
 constexpr size_t multiples = 4;      // 1x, 2x, 4x, 8x
 constexpr uint32_t size_px = 256;
-constexpr double least_ms = 20;      // of the 1x pass: fixed costs (half a millisecond, measured on lavapipe) stay below the tolerance
+constexpr double one_ms = 40;        // of the 1x pass: fixed costs (half a millisecond, measured on lavapipe) stay far below the tolerance
 constexpr int first_taps = 16, most_taps = 1 << 20;
 constexpr size_t least_rounds = 5, most_rounds = 25;
 
@@ -82,7 +82,7 @@ class Workload {
   std::array<BufferId, multiples> taps_;
 };
 
-// Doubles the work until the 1x pass lasts long enough; the first run of each compiles and is not looked at.
+// Doubles the work until it can be measured, then sets the 1x pass to last one_ms. The first run of each compiles and is not looked at.
 void find_base_taps(Workload& work) {
   const std::array<size_t, 1> first = {0};
   const std::array<size_t, multiples> all = {0, 1, 2, 3};
@@ -90,7 +90,9 @@ void find_base_taps(Workload& work) {
     work.set_base_taps(taps);
     work.run(first);
     const double ms = std::min(work.run(first).first[0], work.run(first).first[0]);
-    if (ms >= least_ms || taps >= most_taps) break;
+    if (ms < one_ms / 4 && taps < most_taps) continue;
+    if (ms > 0) work.set_base_taps(static_cast<int>(std::clamp(taps * one_ms / ms, 1.0, static_cast<double>(most_taps))));
+    break;
   }
   work.run(all);
 }

@@ -26,7 +26,7 @@ std::map<std::string, double> facts_of(const Object& object) {
   const bool layers = object.layers.has_value();
   return {{"layers", layers},
           {"plain", !layers},
-          {"thickness", layers ? object.layers->thickness_texels : 0},
+          {"seen_thickness", layers && object.layers->max_transparency > 0 ? object.layers->thickness_texels : 0},
           {"transparency", layers ? object.layers->max_transparency : 0}};
 }
 

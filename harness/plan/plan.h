@@ -33,10 +33,10 @@ struct Plan {
 };
 
 // What is known of an object, as numbers that manifests can ask about:
-//   layers        1 where it has a layered material, else 0
-//   plain         1 where no effect of its own draws it, else 0
-//   thickness     texels of the inner layer's base level
-//   transparency  greatest transparency of the outer layer wherever it is seen, 0 to 1
+//   layers          1 where it has a layered material, else 0
+//   plain           1 where no effect of its own draws it, else 0
+//   transparency    greatest transparency of the outer layer wherever it is seen, 0 to 1
+//   seen_thickness  texels of the inner layer's base level; 0 where the inner layer is nowhere seen
 std::map<std::string, double> facts_of(const Object& object);
 
 // Throws Error(bad_input) when a manifest asks for a fact that there is not. The plan points into `library`.

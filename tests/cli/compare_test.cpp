@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // lamina compare from end to end, as a user runs it, in a small frame.
 #include <algorithm>
+#include <cstring>
 
+#include "harness/quality/quality.h"
 #include "harness/record/record.h"
+#include "harness/scene/textures.h"
 #include "tests/cli/program.h"
 
 namespace lamina {
@@ -21,6 +24,13 @@ class Compare : public ProgramTest {
     std::vector<Json> found;
     std::copy_if(record.cells.begin(), record.cells.end(), std::back_inserter(found), [&](const Json& cell) { return cell.at("variant") == variant; });
     return found;
+  }
+  // The picture of a cell as it was written.
+  DisplayImage picture(const Json& cell) const {
+    const Texels texels = load_texels(out() / cell.at("image").get<std::string>(), /*srgb_colour=*/true);
+    Image linear{static_cast<int>(texels.width), static_cast<int>(texels.height), std::vector<float>(texels.rgba.size() * 4)};
+    std::memcpy(linear.rgba.data(), texels.rgba.data(), linear.rgba.size() * sizeof(float));
+    return to_display(linear);
   }
   // A machine that is busy with other tests can fail the timer's certificate; then times are refused and the status says so.
   static int expected_status(const Record& record, bool cell_failed) {
@@ -51,6 +61,13 @@ TEST_F(Compare, HeartOnEveryDefaultBackend) {
     EXPECT_LT(cell.at("error").at("baseline").at("ssim"), 1);
     EXPECT_GT(cell.at("error").at("baseline").at("ssim"), 0.3);
   }
+  for (const Json& vulkan : record.cells)
+    for (const Json& opengl : record.cells) {
+      if (vulkan.at("backend") != "vulkan" || opengl.at("backend") != "osmesa" || vulkan.at("variant") != opengl.at("variant") ||
+          vulkan.at("view") != opengl.at("view")) continue;
+      EXPECT_GE(psnr_db(picture(opengl), picture(vulkan)), 45) << vulkan.at("image");
+      EXPECT_EQ(opengl.at("fetches"), vulkan.at("fetches")) << vulkan.at("image");
+    }
   for (const char* file : {"summary.md", "cells.csv", "index.html"}) EXPECT_TRUE(std::filesystem::exists(out() / file)) << file;
 }
 

@@ -76,7 +76,7 @@ TEST(LoadTexels, RefusesMissingDamagedAndNonFiniteFiles) {
   const std::string whole = bytes_of(folder / "whole.png");
   folder.write("cut.png", whole.substr(0, whole.size() / 2));
   {
-    const LeaksAllowed in_openimageio;
+    [[maybe_unused]] const LeaksAllowed in_openimageio;
     expect_refused([&] { load_texels(folder / "cut.png", true); }, {"cut.png", "cannot be"});
   }
   const std::vector<float> values = {0, std::nanf(""), 0};
@@ -94,7 +94,7 @@ TEST(DecodeTexels, ReadsAnEncodedFileInMemoryWhateverItsName) {
   const Texels texels = decode_texels(std::as_bytes(std::span(bytes)), "material 'skin'", true);
   EXPECT_EQ(texels.rgba[0], glm::vec4(1, 0, 0, 1)) << "row 0 is the top row";
   EXPECT_EQ(texels.rgba[1], glm::vec4(0, 1, 0, 1));
-  const LeaksAllowed in_openimageio;
+  [[maybe_unused]] const LeaksAllowed in_openimageio;
   expect_refused([&] { decode_texels(std::as_bytes(std::span(bytes)).first(40), "material 'skin'", true); },
                  {"material 'skin'"});
 }
