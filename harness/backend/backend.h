@@ -39,8 +39,8 @@ struct DeviceInfo {
   std::string device;  // as the driver names it
   std::string driver;  // driver name and version
   std::string api_version;
-  bool software = false;           // a rasterizer on the CPU
-  uint32_t max_texture_size = 0;   // pixels on a side, textures and targets alike
+  bool software = false;          // a rasterizer on the CPU
+  uint32_t max_texture_size = 0;  // pixels on a side, textures and targets alike
 };
 
 struct TextureDesc {
@@ -85,11 +85,11 @@ enum class Cull : uint8_t { none, back, front };        // the faces left out
 
 struct PipelineDesc {
   std::string name;
-  std::vector<ShaderStage> stages;  // vertex and fragment, or compute alone
-  std::vector<SpecConstant> constants;      // applied to every stage that has the id
-  std::vector<BindingSlot> bindings;        // the union over the stages
-  std::vector<uint32_t> vertex_locations;   // of the mesh layout; empty: no vertex buffer (gl_VertexIndex only)
-  std::vector<Format> colors;               // of the attachments, in order
+  std::vector<ShaderStage> stages;         // vertex and fragment, or compute alone
+  std::vector<SpecConstant> constants;     // applied to every stage that has the id
+  std::vector<BindingSlot> bindings;       // the union over the stages
+  std::vector<uint32_t> vertex_locations;  // of the mesh layout; empty: no vertex buffer (gl_VertexIndex only)
+  std::vector<Format> colors;              // of the attachments, in order
   std::optional<Format> depth_format;
   Blend blend = Blend::none;  // the same for all colour attachments
   Depth depth = Depth::none;
@@ -118,8 +118,8 @@ struct Draw {
   std::vector<TextureBinding> textures;
   std::vector<BufferBinding> buffers;
   std::vector<ImageBinding> images;
-  BufferId vertices, indices;      // none: `count` vertices are made from gl_VertexIndex
-  uint32_t count = 0;              // indices, or vertices without an index buffer
+  BufferId vertices, indices;  // none: `count` vertices are made from gl_VertexIndex
+  uint32_t count = 0;          // indices, or vertices without an index buffer
   uint32_t instances = 1;
   std::array<uint32_t, 3> groups = {1, 1, 1};  // compute
 };
@@ -186,8 +186,9 @@ class Backend {
 };
 
 struct BackendOptions {
-  std::string device;       // part of a device's name, or its index in list_devices(); empty: see default_device in README
-  bool validation = false;  // Vulkan's validation layers / an OpenGL debug context. Error(no_device) where they are not installed.
+  std::string device;  // part of a device's name, or its index in list_devices(); empty: see default_device in README
+  bool validation =
+      false;  // Vulkan's validation layers / an OpenGL debug context. Error(no_device) where they are not installed.
 };
 
 // `name` is "vulkan", "osmesa" or "egl"; another throws Error(bad_input) naming the three.

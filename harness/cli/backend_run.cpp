@@ -21,8 +21,8 @@ bool chosen(const VariantManifest& variant, const CompareOptions& options) {
 // The double that is written as shortly as this float: 10.24, not 10.239999771118164.
 double decimal(float value) { return std::stod(fmt::format("{}", value)); }
 
-CellRow blank_row(const std::string& backend, const std::string& device, const Scene& scene, const View& view, const VariantManifest& variant,
-                  const CompareOptions& options) {
+CellRow blank_row(const std::string& backend, const std::string& device, const Scene& scene, const View& view,
+                  const VariantManifest& variant, const CompareOptions& options) {
   CellRow row;
   row.scene = scene.name;
   row.effect = variant.effect;
@@ -39,7 +39,8 @@ CellRow blank_row(const std::string& backend, const std::string& device, const S
       row.params[fmt::format("objects.{}.thickness", object.name)] = decimal(object.layers->thickness_texels);
       row.params[fmt::format("objects.{}.scattering", object.name)] = decimal(object.layers->scattering);
     }
-  for (const ParameterManifest& parameter : variant.parameters) row.params[fmt::format("{}.{}", variant.name, parameter.name)] = parameter.value;
+  for (const ParameterManifest& parameter : variant.parameters)
+    row.params[fmt::format("{}.{}", variant.name, parameter.name)] = parameter.value;
   return row;
 }
 
@@ -59,7 +60,8 @@ std::string file_name_of(std::string text) {
   return text;
 }
 
-std::vector<PassRow> count_rows(const Frame& counting, const std::vector<PassCounts>& once, const std::vector<PassCounts>& frame) {
+std::vector<PassRow> count_rows(const Frame& counting, const std::vector<PassCounts>& once,
+                                const std::vector<PassCounts>& frame) {
   std::vector<PassRow> rows;
   const auto add = [&](const std::vector<std::string>& names, const std::vector<PassCounts>& counts, bool is_once) {
     for (size_t i = 0; i < names.size(); ++i) {
@@ -96,15 +98,16 @@ Mask either(const Mask& a, const Mask& b) {
 
 }  // namespace
 
-BackendRun::BackendRun(Backend& backend, SceneResources& resources, const Plan& plan, const EffectManifest& effect, ShaderCache& shaders,
-                       const CompareOptions& options, const std::filesystem::path& images)
+BackendRun::BackendRun(Backend& backend, SceneResources& resources, const Plan& plan, const EffectManifest& effect,
+                       ShaderCache& shaders, const CompareOptions& options, const std::filesystem::path& images)
     : resources_(resources), plan_(plan), shaders_(shaders), options_(options), images_(images) {
   for (const VariantManifest& manifest : effect.variants) {
     if (!chosen(manifest, options)) continue;
     Variant& variant = variants_.emplace_back();
     variant.manifest = &manifest;
     for (const View& view : resources.scene().views)
-      variant.rows.push_back(blank_row(backend.info().backend, backend.info().device, resources.scene(), view, manifest, options));
+      variant.rows.push_back(
+          blank_row(backend.info().backend, backend.info().device, resources.scene(), view, manifest, options));
     variant.covered.resize(variant.rows.size());
   }
 }
@@ -157,8 +160,10 @@ void BackendRun::count(Progress& progress) {
         for (const PassRow& pass : row.passes)
           if (!pass.once) row.fetches += pass.fetches;
         variant.covered[view] = counting.coverage(variant.manifest->effect);
-        row.covered_pixels = static_cast<uint64_t>(std::count(variant.covered[view].on.begin(), variant.covered[view].on.end(), 1));
-        if (row.covered_pixels > 0) row.fetches_per_pixel = static_cast<double>(row.fetches) / static_cast<double>(row.covered_pixels);
+        row.covered_pixels =
+            static_cast<uint64_t>(std::count(variant.covered[view].on.begin(), variant.covered[view].on.end(), 1));
+        if (row.covered_pixels > 0)
+          row.fetches_per_pixel = static_cast<double>(row.fetches) / static_cast<double>(row.covered_pixels);
       }
     });
   }
@@ -176,7 +181,8 @@ std::string BackendRun::picture_path(const CellRow& row, std::string_view suffix
 void BackendRun::score(Progress& progress) {
   const size_t views = variants_.front().rows.size();
   for (size_t view = 0; view < views; ++view) {
-    progress.show(static_cast<double>(view) / static_cast<double>(views), "scoring view " + resources_.scene().views[view].name);
+    progress.show(static_cast<double>(view) / static_cast<double>(views),
+                  "scoring view " + resources_.scene().views[view].name);
     std::optional<Image> baseline;
     for (Variant& variant : variants_) {
       attempt(variant, [&] {
@@ -251,7 +257,8 @@ RoundsResult BackendRun::time(Progress& progress, bool timer_ok) {
     size_t once = 0, frame = 0;
     for (PassRow& pass : row.passes) pass.ms = pass.once ? cells[i].first->once_ms[once++] : samples.pass_ms[frame++];
     const bool has_baseline = arms[i].baseline && result.arms[*arms[i].baseline].failure.empty();
-    if (has_baseline && !row.baseline) row.ratio_to_baseline = ratio_interval(samples.frame_ms, result.arms[*arms[i].baseline].frame_ms);
+    if (has_baseline && !row.baseline)
+      row.ratio_to_baseline = ratio_interval(samples.frame_ms, result.arms[*arms[i].baseline].frame_ms);
   }
   return result;
 }
@@ -262,8 +269,8 @@ std::vector<CellRow> BackendRun::rows() const {
   return all;
 }
 
-std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene, const EffectManifest& effect, const CompareOptions& options,
-                                 const std::string& reason) {
+std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene, const EffectManifest& effect,
+                                 const CompareOptions& options, const std::string& reason) {
   std::vector<CellRow> rows;
   for (const VariantManifest& variant : effect.variants) {
     if (!chosen(variant, options)) continue;

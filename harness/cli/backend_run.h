@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All variants of one effect on one backend: rendered, counted, scored against the baseline, timed. What fails becomes a failed row;
-// the rest goes on.
+// All variants of one effect on one backend: rendered, counted, scored against the baseline, timed. What fails becomes a failed
+// row; the rest goes on.
 #pragma once
 
 #include <memory>
@@ -18,9 +18,9 @@ class BackendRun {
   BackendRun(Backend& backend, SceneResources& resources, const Plan& plan, const EffectManifest& effect, ShaderCache& shaders,
              const CompareOptions& options, const std::filesystem::path& images);
 
-  void prepare(Progress& progress);     // pipelines and targets, first frame; what is done once
-  void count(Progress& progress);       // by the counting build
-  void score(Progress& progress);       // pictures, and their errors
+  void prepare(Progress& progress);  // pipelines and targets, first frame; what is done once
+  void count(Progress& progress);    // by the counting build
+  void score(Progress& progress);    // pictures, and their errors
   RoundsResult time(Progress& progress, bool timer_ok);
 
   // One row a variant and view, the baseline's first.
@@ -51,7 +51,7 @@ class BackendRun {
 };
 
 // Failed rows for a backend that cannot run at all.
-std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene, const EffectManifest& effect, const CompareOptions& options,
-                                 const std::string& reason);
+std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene, const EffectManifest& effect,
+                                 const CompareOptions& options, const std::string& reason);
 
 }  // namespace lamina

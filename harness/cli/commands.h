@@ -31,7 +31,7 @@ struct CompareOptions {
   double precision = 0.01;  // half width of each ratio's interval, relative
   uint64_t seed = 1;
   bool validation = false;
-  std::string command;      // as the user typed it
+  std::string command;  // as the user typed it
 };
 
 // Difference pictures are |test - baseline| of display values times this; records and reports state it.

@@ -20,10 +20,12 @@ void make_run_folder(const std::filesystem::path& out) {
   std::filesystem::remove_all(out / "images", failure);
   if (!failure) std::filesystem::create_directories(out / "images", failure);
   if (failure || ::access(out.c_str(), W_OK) != 0)
-    throw Error(ErrorKind::bad_input, "compare", out.string(), "the folder cannot be made or written; choose another with --out");
+    throw Error(ErrorKind::bad_input, "compare", out.string(),
+                "the folder cannot be made or written; choose another with --out");
 }
 
-// Effects with something to compare; where there are none, whatever the scene calls for, so that its picture and cost are known.
+// Effects with something to compare; where there are none, whatever the scene calls for, so that its picture and cost are
+// known.
 std::vector<const EffectManifest*> compared_effects(const Plan& plan) {
   std::vector<const EffectManifest*> several, all;
   for (const EffectPlan& entry : plan.effects) {
@@ -64,10 +66,13 @@ std::vector<OpenedBackend> probe_backends(const CompareOptions& options) {
       fmt::print(stderr, "lamina: {}\n", error.what());
     }
     if (entry.info && std::max(options.width_px, options.height_px) > entry.info->max_texture_size)
-      throw Error(ErrorKind::bad_input, "compare", "--size", fmt::format("{}x{} is larger than {} pixels, the most that {} can draw",
-                                                                         options.width_px, options.height_px, entry.info->max_texture_size, name));
+      throw Error(ErrorKind::bad_input, "compare", "--size",
+                  fmt::format("{}x{} is larger than {} pixels, the most that {} can draw", options.width_px, options.height_px,
+                              entry.info->max_texture_size, name));
   }
-  if (open == 0) throw Error(ErrorKind::no_device, "compare", "no usable device", "none of the backends could be opened; see the messages above");
+  if (open == 0)
+    throw Error(ErrorKind::no_device, "compare", "no usable device",
+                "none of the backends could be opened; see the messages above");
   return probed;
 }
 
@@ -87,7 +92,8 @@ void append_row(RecordWriter& record, const CellRow& row) {
   record.append(line);
 }
 
-// One backend: certificate, then each effect, which is taken off `effects` when its rows are in the record. Appends every row as it is finished. Returns how many messages the API's checker had.
+// One backend: certificate, then each effect, which is taken off `effects` when its rows are in the record. Appends every row
+// as it is finished. Returns how many messages the API's checker had.
 size_t run_backend(const OpenedBackend& opened, const Scene& scene, const Library& library, const Plan& plan,
                    std::vector<const EffectManifest*>& effects, const CompareOptions& options, RecordWriter& record) {
   const std::filesystem::path images = options.out / "images";
@@ -108,10 +114,14 @@ size_t run_backend(const OpenedBackend& opened, const Scene& scene, const Librar
     for (const CellRow& row : run.rows()) append_row(record, row);
     effects.erase(effects.begin());
     if (rounds.rounds == 0) continue;
-    record.append({{"kind", "phase"}, {"backend", opened.name}, {"effect", effect->name}, {"rounds", rounds.rounds},
-                   {"wall_ms", rounds.wall_ms}, {"device_ms", rounds.device_ms}});
-    fmt::print("{}: {} rounds of {} in {:.1f} s, {:.3f} times the device time measured\n", opened.name, rounds.rounds, effect->name,
-               rounds.wall_ms / 1000, rounds.wall_ms / rounds.device_ms);
+    record.append({{"kind", "phase"},
+                   {"backend", opened.name},
+                   {"effect", effect->name},
+                   {"rounds", rounds.rounds},
+                   {"wall_ms", rounds.wall_ms},
+                   {"device_ms", rounds.device_ms}});
+    fmt::print("{}: {} rounds of {} in {:.1f} s, {:.3f} times the device time measured\n", opened.name, rounds.rounds,
+               effect->name, rounds.wall_ms / 1000, rounds.wall_ms / rounds.device_ms);
   }
   const std::vector<std::string> messages = backend->take_messages();
   for (const std::string& message : messages) fmt::print(stderr, "lamina: {}: {}\n", opened.name, message);
@@ -155,8 +165,10 @@ int run_compare(const CompareOptions& options) {
   write_reports(options.out);
   const Record written = read_record(options.out / "record.jsonl");
   fmt::print("{}\nreport: {}\n", terminal_table(written, ::isatty(STDOUT_FILENO) == 1), (options.out / "index.html").string());
-  const bool failed = std::any_of(written.cells.begin(), written.cells.end(), [](const auto& cell) { return cell.at("status") == "failed"; });
-  const bool uncertified = std::any_of(written.timers.begin(), written.timers.end(), [](const auto& timer) { return !timer.at("ok"); });
+  const bool failed =
+      std::any_of(written.cells.begin(), written.cells.end(), [](const auto& cell) { return cell.at("status") == "failed"; });
+  const bool uncertified =
+      std::any_of(written.timers.begin(), written.timers.end(), [](const auto& timer) { return !timer.at("ok"); });
   return failed || uncertified || messages > 0 ? 1 : 0;
 }
 

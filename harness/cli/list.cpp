@@ -13,7 +13,8 @@ int run_list(const SceneOptions& options) {
     for (const VariantManifest& variant : effect.variants) {
       fmt::print("  variant {:<18} {}{}\n", variant.name, variant.baseline ? "baseline: " : "", variant.title);
       for (const ParameterManifest& parameter : variant.parameters)
-        fmt::print("    parameter {:<14} {} [{} to {}] {} {}\n", parameter.name, parameter.value, parameter.low, parameter.high, parameter.unit, parameter.title);
+        fmt::print("    parameter {:<14} {} [{} to {}] {} {}\n", parameter.name, parameter.value, parameter.low, parameter.high,
+                   parameter.unit, parameter.title);
     }
   }
   for (const std::string& scene : builtin_scenes()) fmt::print("scene {}\n", scene);
@@ -21,7 +22,8 @@ int run_list(const SceneOptions& options) {
     const std::vector<DeviceInfo> devices = list_devices(backend);
     if (devices.empty()) fmt::print("backend {}: no device\n", backend);
     for (size_t i = 0; i < devices.size(); ++i)
-      fmt::print("backend {} device {}: {} ({}, {})\n", backend, i, devices[i].device, devices[i].driver, devices[i].api_version);
+      fmt::print("backend {} device {}: {} ({}, {})\n", backend, i, devices[i].device, devices[i].driver,
+                 devices[i].api_version);
   }
   return 0;
 }

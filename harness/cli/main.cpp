@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options of every command, the environment that software rasterizers need, and errors turned into exit statuses: 0 well; 1 a cell or
-// gate failed; 2 bad input or usage; 3 ambiguous; 4 no usable device.
-#include <CLI/CLI.hpp>
+// Options of every command, the environment that software rasterizers need, and errors turned into exit statuses: 0 well; 1 a
+// cell or gate failed; 2 bad input or usage; 3 ambiguous; 4 no usable device.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <thread>
@@ -40,7 +40,8 @@ class PrivateShaderCache {
   std::string folder_;
 };
 
-// Software rasterizers take a thread a core of the affinity mask whatever else limits them; pinned, the record can say what ran.
+// Software rasterizers take a thread a core of the affinity mask whatever else limits them; pinned, the record can say what
+// ran.
 void pin_rasterizer_threads() {
   const std::string threads = fmt::format("{}", std::min(std::max(std::thread::hardware_concurrency(), 1u), 32u));
   ::setenv("LP_NUM_THREADS", threads.c_str(), 0);
@@ -49,38 +50,53 @@ void pin_rasterizer_threads() {
 std::pair<uint32_t, uint32_t> parse_size(const std::string& text) {
   unsigned long width = 0, height = 0;
   char rest = 0;
-  if (std::sscanf(text.c_str(), "%lux%lu%c", &width, &height, &rest) != 2 || text.starts_with('-') || width < 1 || height < 1 || width > largest_px ||
-      height > largest_px)
-    throw Error(ErrorKind::bad_input, "options", "--size", fmt::format("'{}' must be WIDTHxHEIGHT, each from 1 to {}", text, largest_px));
+  if (std::sscanf(text.c_str(), "%lux%lu%c", &width, &height, &rest) != 2 || text.starts_with('-') || width < 1 || height < 1 ||
+      width > largest_px || height > largest_px)
+    throw Error(ErrorKind::bad_input, "options", "--size",
+                fmt::format("'{}' must be WIDTHxHEIGHT, each from 1 to {}", text, largest_px));
   return {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
-  command.add_option("scene", options.scene, "Scene file (.toml), glTF model (.glb, .gltf) or built-in scene")->capture_default_str();
+  command.add_option("scene", options.scene, "Scene file (.toml), glTF model (.glb, .gltf) or built-in scene")
+      ->capture_default_str();
   command.add_option("--time", options.time_s, "Moment of the scene, in seconds");
-  command.add_option("--variants-dir", options.variants_dirs, "Folder with variants of your own: manifests and shaders (may be given again)");
+  command.add_option("--variants-dir", options.variants_dirs,
+                     "Folder with variants of your own: manifests and shaders (may be given again)");
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Lamina: what accuracy costs. Measures real-time translucency techniques: time, texture fetches and errors of every variant.", "lamina");
+  CLI::App app(
+      "Lamina: what accuracy costs. Measures real-time translucency techniques: time, texture fetches and errors of every "
+      "variant.",
+      "lamina");
   app.set_version_flag("--version", LAMINA_VERSION);
   app.require_subcommand(1);
 
   CompareOptions compare;
   compare.validation = LAMINA_VALIDATION;
   std::string size = "512x512";
-  CLI::App& compare_command = *app.add_subcommand("compare", "Every variant of every effect the scene calls for, on every backend: table, record, report");
+  CLI::App& compare_command = *app.add_subcommand(
+      "compare", "Every variant of every effect the scene calls for, on every backend: table, record, report");
   add_scene_options(compare_command, compare.scene);
   compare_command.add_option("--out", compare.out, "Folder for record, report and pictures")->capture_default_str();
-  compare_command.add_option("--backend", compare.backends, "vulkan, osmesa or egl (may be given again)")->capture_default_str();
+  compare_command.add_option("--backend", compare.backends, "vulkan, osmesa or egl (may be given again)")
+      ->capture_default_str();
   compare_command.add_option("--device", compare.device, "Part of a device's name, or its number in 'lamina list'");
   compare_command.add_option("--variant", compare.variants, "Only this variant and the baseline (may be given again)");
   compare_command.add_option("--size", size, "Size of the frame in pixels")->capture_default_str();
-  compare_command.add_flag("--quick", compare.quick, "Wider intervals, sooner: 5% within 4 s a backend unless --precision or --budget say otherwise");
-  CLI::Option* budget = compare_command.add_option("--budget", compare.budget_s, "Seconds of timed rounds a backend")->capture_default_str()->check(CLI::Range(0.0, 86400.0));
-  CLI::Option* precision = compare_command.add_option("--precision", compare.precision, "Half width of each ratio's 95% interval to stop at")->capture_default_str()->check(CLI::Range(1e-6, 1.0));
+  compare_command.add_flag("--quick", compare.quick,
+                           "Wider intervals, sooner: 5% within 4 s a backend unless --precision or --budget say otherwise");
+  CLI::Option* budget = compare_command.add_option("--budget", compare.budget_s, "Seconds of timed rounds a backend")
+                            ->capture_default_str()
+                            ->check(CLI::Range(0.0, 86400.0));
+  CLI::Option* precision =
+      compare_command.add_option("--precision", compare.precision, "Half width of each ratio's 95% interval to stop at")
+          ->capture_default_str()
+          ->check(CLI::Range(1e-6, 1.0));
   compare_command.add_option("--seed", compare.seed, "Seed of the order of rounds")->capture_default_str();
-  compare_command.add_flag("--validation,!--no-validation", compare.validation, "Check API use: Vulkan's validation layers, OpenGL's debug output");
+  compare_command.add_flag("--validation,!--no-validation", compare.validation,
+                           "Check API use: Vulkan's validation layers, OpenGL's debug output");
 
   SceneOptions plan;
   CLI::App& plan_command = *app.add_subcommand("plan", "What the scene calls for and why, and the passes");

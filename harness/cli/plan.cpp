@@ -16,10 +16,12 @@ void print_variant(const Json& variant) {
     return;
   }
   for (const Json& pass : variant["passes"]) {
-    fmt::print("    {} {:<16} {}\n", pass["runs"].get<bool>() ? "+" : "-", pass["pass"].get<std::string>(), pass["reason"].get<std::string>());
+    fmt::print("    {} {:<16} {}\n", pass["runs"].get<bool>() ? "+" : "-", pass["pass"].get<std::string>(),
+               pass["reason"].get<std::string>());
     if (!pass["runs"].get<bool>()) continue;
     const auto reads = pass["reads"].get<std::vector<std::string>>(), writes = pass["writes"].get<std::vector<std::string>>();
-    fmt::print("      {:<16} {} -> {}\n", "", reads.empty() ? "nothing" : fmt::format("{}", fmt::join(reads, ", ")), fmt::join(writes, ", "));
+    fmt::print("      {:<16} {} -> {}\n", "", reads.empty() ? "nothing" : fmt::format("{}", fmt::join(reads, ", ")),
+               fmt::join(writes, ", "));
   }
 }
 
@@ -31,15 +33,17 @@ int run_plan(const SceneOptions& options) {
   const Plan plan = make_plan(library, scene);
   ShaderCache shaders(Api::vulkan, library.shaders);
   const Json line = plan_line(plan, scene, shaders);
-  fmt::print("scene {}: {} object{}, {} light{}, {} view{}; meshes {}, lights {}\n", scene.name, scene.objects.size(), scene.objects.size() == 1 ? "" : "s",
-             scene.lights.size(), scene.lights.size() == 1 ? "" : "s", scene.views.size(), scene.views.size() == 1 ? "" : "s",
-             scene.mesh_moves ? "move" : "are still", scene.lights_move ? "move" : "are still");
+  fmt::print("scene {}: {} object{}, {} light{}, {} view{}; meshes {}, lights {}\n", scene.name, scene.objects.size(),
+             scene.objects.size() == 1 ? "" : "s", scene.lights.size(), scene.lights.size() == 1 ? "" : "s", scene.views.size(),
+             scene.views.size() == 1 ? "" : "s", scene.mesh_moves ? "move" : "are still",
+             scene.lights_move ? "move" : "are still");
   for (const std::string& warning : scene.warnings) fmt::print("note: {}\n", warning);
   for (const Json& effect : line["effects"]) {
-    fmt::print("\n{}: {}: {}\n", effect["effect"].get<std::string>(), effect["called_for"].get<bool>() ? "called for" : "not called for",
-               effect["reason"].get<std::string>());
+    fmt::print("\n{}: {}: {}\n", effect["effect"].get<std::string>(),
+               effect["called_for"].get<bool>() ? "called for" : "not called for", effect["reason"].get<std::string>());
     for (const Json& feature : effect["features"])
-      fmt::print("  {} {}: {}\n", feature["on"].get<bool>() ? "with" : "without", feature["feature"].get<std::string>(), feature["reason"].get<std::string>());
+      fmt::print("  {} {}: {}\n", feature["on"].get<bool>() ? "with" : "without", feature["feature"].get<std::string>(),
+                 feature["reason"].get<std::string>());
     for (const Json& variant : effect["variants"]) print_variant(variant);
   }
   return 0;

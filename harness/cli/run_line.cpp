@@ -35,8 +35,14 @@ Json passes_of(const std::vector<GraphPass>& passes, const Scene& scene, bool ru
       for (const ResolvedRead& read : draw.reads) names.insert(read.source.name);
     }
     for (const std::string& name : names) textures.push_back(name);
-    rows.push_back({{"pass", pass.pass->name}, {"effect", pass.variant->effect}, {"runs", runs}, {"once", pass.once}, {"reason", pass.reason},
-                    {"objects", objects}, {"reads", textures}, {"writes", pass.pass->writes}});
+    rows.push_back({{"pass", pass.pass->name},
+                    {"effect", pass.variant->effect},
+                    {"runs", runs},
+                    {"once", pass.once},
+                    {"reason", pass.reason},
+                    {"objects", objects},
+                    {"reads", textures},
+                    {"writes", pass.pass->writes}});
   }
   return rows;
 }
@@ -46,19 +52,32 @@ Json passes_of(const std::vector<GraphPass>& passes, const Scene& scene, bool ru
 Json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices) {
   Json rows = Json::array();
   for (const DeviceInfo& device : devices)
-    rows.push_back({{"backend", device.backend}, {"device", device.device}, {"driver", device.driver}, {"api_version", device.api_version},
-                    {"software", device.software}, {"max_texture_size", device.max_texture_size}});
+    rows.push_back({{"backend", device.backend},
+                    {"device", device.device},
+                    {"driver", device.driver},
+                    {"api_version", device.api_version},
+                    {"software", device.software},
+                    {"max_texture_size", device.max_texture_size}});
   return {{"kind", "run"},
           {"schema", 1},
           {"lamina", LAMINA_VERSION},
           {"commit", LAMINA_COMMIT},
           {"build", LAMINA_BUILD_NAME},
           {"command", options.command},
-          {"machine", {{"cpu", cpu_model()}, {"threads", std::thread::hardware_concurrency()}, {"lp_num_threads", environment("LP_NUM_THREADS")}}},
+          {"machine",
+           {{"cpu", cpu_model()},
+            {"threads", std::thread::hardware_concurrency()},
+            {"lp_num_threads", environment("LP_NUM_THREADS")}}},
           {"devices", rows},
           {"settings",
-           {{"width", options.width_px}, {"height", options.height_px}, {"quick", options.quick}, {"budget_s", options.budget_s},
-            {"precision", options.precision}, {"seed", options.seed}, {"difference_gain", difference_gain}, {"validation", options.validation}}},
+           {{"width", options.width_px},
+            {"height", options.height_px},
+            {"quick", options.quick},
+            {"budget_s", options.budget_s},
+            {"precision", options.precision},
+            {"seed", options.seed},
+            {"difference_gain", difference_gain},
+            {"validation", options.validation}}},
           {"scene", scene.name},
           {"source", scene.source},
           {"time_s", scene.time_s},
@@ -69,7 +88,8 @@ Json plan_line(const Plan& plan, const Scene& scene, ShaderCache& shaders) {
   Json effects = Json::array();
   for (const EffectPlan& entry : plan.effects) {
     Json features = Json::array(), variants = Json::array();
-    for (const FeaturePlan& feature : entry.features) features.push_back({{"feature", feature.define}, {"on", feature.on}, {"reason", feature.reason}});
+    for (const FeaturePlan& feature : entry.features)
+      features.push_back({{"feature", feature.define}, {"on", feature.on}, {"reason", feature.reason}});
     for (const VariantManifest& variant : entry.effect->variants) {
       if (!entry.called_for) break;
       try {
@@ -81,8 +101,12 @@ Json plan_line(const Plan& plan, const Scene& scene, ShaderCache& shaders) {
         variants.push_back({{"variant", variant.name}, {"baseline", variant.baseline}, {"error", error.what()}});
       }
     }
-    effects.push_back({{"effect", entry.effect->name}, {"called_for", entry.called_for}, {"reason", entry.reason}, {"objects", entry.objects.size()},
-                       {"features", features}, {"variants", variants}});
+    effects.push_back({{"effect", entry.effect->name},
+                       {"called_for", entry.called_for},
+                       {"reason", entry.reason},
+                       {"objects", entry.objects.size()},
+                       {"features", features},
+                       {"variants", variants}});
   }
   return {{"kind", "plan"}, {"effects", effects}};
 }

@@ -11,7 +11,8 @@
 
 namespace lamina {
 
-// A picture as rendered: RGBA, four floats a pixel, linear light (Rec. 709 primaries), unbounded, alpha as the last pass wrote it.
+// A picture as rendered: RGBA, four floats a pixel, linear light (Rec. 709 primaries), unbounded, alpha as the last pass wrote
+// it.
 struct Image {
   int width = 0, height = 0;
   std::vector<float> rgba;  // width * height * 4

@@ -13,8 +13,8 @@ namespace lamina {
 // The candidate nearest to `name` by edit distance (Levenshtein 1966), or "" where none is within half of name's length.
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
 
-// "unknown key 'tickness' (did you mean 'thickness'?)": the words every unknown name is reported in. `what` is "key", "variant", ...
-// With no near candidate, all of them are listed.
+// "unknown key 'tickness' (did you mean 'thickness'?)": the words every unknown name is reported in. `what` is "key",
+// "variant", ... With no near candidate, all of them are listed.
 std::string unknown_name(std::string_view what, std::string_view name, std::span<const std::string> candidates);
 
 // Whole file as bytes. Throws Error(bad_input) of `stage` when it is missing or unreadable.

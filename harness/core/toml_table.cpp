@@ -138,7 +138,8 @@ std::vector<TomlTable> TomlTable::array_of_tables(std::string_view key) const {
   const toml::array* array = node->as_array();
   for (size_t i = 0; array && i < array->size(); ++i)
     if (const toml::table* entry = (*array)[i].as_table()) entries.push_back({root_, entry, file_, stage_});
-  if (!array || entries.size() != array->size()) throw error(key, fmt::format("'{}' must be a list of tables, [[{}]]", key, key));
+  if (!array || entries.size() != array->size())
+    throw error(key, fmt::format("'{}' must be a list of tables, [[{}]]", key, key));
   return entries;
 }
 
@@ -147,11 +148,16 @@ std::vector<std::pair<std::string, std::string>> TomlTable::texts() const {
   for (const auto& [name, node] : *table_) {
     asked_.emplace(name.str());
     std::string text;
-    if (node.is_string()) text = node.as_string()->get();
-    else if (node.is_integer()) text = fmt::format("{}", node.as_integer()->get());
-    else if (node.is_floating_point()) text = fmt::format("{}", node.as_floating_point()->get());
-    else if (node.is_boolean()) text = node.as_boolean()->get() ? "true" : "false";
-    else throw error(name.str(), fmt::format("'{}' must be a number, a string, true or false", name.str()));
+    if (node.is_string())
+      text = node.as_string()->get();
+    else if (node.is_integer())
+      text = fmt::format("{}", node.as_integer()->get());
+    else if (node.is_floating_point())
+      text = fmt::format("{}", node.as_floating_point()->get());
+    else if (node.is_boolean())
+      text = node.as_boolean()->get() ? "true" : "false";
+    else
+      throw error(name.str(), fmt::format("'{}' must be a number, a string, true or false", name.str()));
     entries.emplace_back(std::string(name.str()), text);
   }
   return entries;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A TOML table that remembers where it stands in its file and which keys it was asked for, so that every mistake is reported once,
-// with file and line, and an unknown key with the nearest known one.
+// A TOML table that remembers where it stands in its file and which keys it was asked for, so that every mistake is reported
+// once, with file and line, and an unknown key with the nearest known one.
 #pragma once
+
+#include <toml++/toml.h>
 
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -9,7 +11,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <toml++/toml.h>
 #include <vector>
 
 #include "harness/core/error.h"

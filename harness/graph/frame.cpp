@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/graph/frame.h"
 
-#include <glm/gtc/packing.hpp>
-
 #include <cstring>
+#include <glm/gtc/packing.hpp>
 
 #include "harness/graph/frame_builder.h"
 
@@ -42,7 +41,9 @@ FrameTimes Frame::run_sequence(Sequence& sequence, size_t view, Timing timing) {
 FrameTimes Frame::run_once(Timing timing) { return run_sequence(once_, 0, timing); }
 FrameTimes Frame::run(size_t view, Timing timing) { return run_sequence(frame_, view, timing); }
 
-Image Frame::picture() { return image_from_rgba16(resources_.width_px(), resources_.height_px(), backend_.read_texture(picture_)); }
+Image Frame::picture() {
+  return image_from_rgba16(resources_.width_px(), resources_.height_px(), backend_.read_texture(picture_));
+}
 
 std::vector<PassCounts> Frame::counts(Sequence& sequence) {
   std::vector<PassCounts> all;
@@ -63,7 +64,8 @@ std::vector<PassCounts> Frame::counts(Sequence& sequence) {
         row.fetches = counter(counted.first_word + 2 + 2 * static_cast<uint32_t>(k));
         bool merged = false;
         for (TextureFetches& other : pass.by_texture)
-          if (other.texture == row.texture && other.format == row.format && other.filter == row.filter) other.fetches += row.fetches, merged = true;
+          if (other.texture == row.texture && other.format == row.format && other.filter == row.filter)
+            other.fetches += row.fetches, merged = true;
         if (!merged) pass.by_texture.push_back(row);
       }
     }

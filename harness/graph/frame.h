@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A graph made ready on a backend: targets, pipelines and the list of passes of every view. Either the timed build, or the counting
-// build of the same shaders; never both in one frame.
+// A graph made ready on a backend: targets, pipelines and the list of passes of every view. Either the timed build, or the
+// counting build of the same shaders; never both in one frame.
 #pragma once
 
 #include <map>
@@ -45,8 +45,8 @@ class Frame {
   // The picture of the last run(): linear light; alpha as the passes left it.
   Image picture();
 
-  // Counting build only: what the last run_once() and run() executed, in the order of the names; and the pixels of the frame in which
-  // the passes of `effect` shaded at least one fragment.
+  // Counting build only: what the last run_once() and run() executed, in the order of the names; and the pixels of the frame in
+  // which the passes of `effect` shaded at least one fragment.
   std::vector<PassCounts> once_counts() { return counts(once_); }
   std::vector<PassCounts> frame_counts() { return counts(frame_); }
   Mask coverage(std::string_view effect);

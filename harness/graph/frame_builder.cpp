@@ -30,12 +30,17 @@ uint32_t constant_bits(const SpecConstantInfo& constant, const std::string& text
   char* end = nullptr;
   const double value = text == "true" ? 1 : text == "false" ? 0 : std::strtod(begin, &end);
   if (end && (end == begin || *end))
-    throw Error(ErrorKind::bad_input, "variants", where, fmt::format("constant '{}' must be a number, not '{}'", constant.name, text));
+    throw Error(ErrorKind::bad_input, "variants", where,
+                fmt::format("constant '{}' must be a number, not '{}'", constant.name, text));
   switch (constant.type) {
-    case SpecConstantInfo::Type::boolean: return value != 0;
-    case SpecConstantInfo::Type::integer: return static_cast<uint32_t>(static_cast<int32_t>(value));
-    case SpecConstantInfo::Type::unsigned_integer: return static_cast<uint32_t>(value);
-    case SpecConstantInfo::Type::real: return std::bit_cast<uint32_t>(static_cast<float>(value));
+    case SpecConstantInfo::Type::boolean:
+      return value != 0;
+    case SpecConstantInfo::Type::integer:
+      return static_cast<uint32_t>(static_cast<int32_t>(value));
+    case SpecConstantInfo::Type::unsigned_integer:
+      return static_cast<uint32_t>(value);
+    case SpecConstantInfo::Type::real:
+      return std::bit_cast<uint32_t>(static_cast<float>(value));
   }
   return 0;
 }
@@ -160,13 +165,16 @@ void FrameBuilder::attach(const GraphPass& pass, const GraphDraw& draw, Pass& in
     Target& written = target(pass, name, draw.object);
     const bool turns = reads_target(draw, name);
     if (turns && !written.buffers[1])
-      throw Error(ErrorKind::bad_input, "variants", pass.pass->where, fmt::format("reads and writes '{}', which needs buffers = 2", name));
+      throw Error(ErrorKind::bad_input, "variants", pass.pass->where,
+                  fmt::format("reads and writes '{}', which needs buffers = 2", name));
     Attachment attachment;
     attachment.texture = written.buffers[turns ? 1 - written.current : written.current];
     const bool covers_all = pass.pass->draw == DrawKind::fullscreen && pass.pass->blend == Blend::none;
     attachment.load = covers_all ? Load::discard : written.written && !pass.pass->clear ? Load::keep : Load::clear;
-    if (pass.pass->clear) attachment.clear = *pass.pass->clear;
-    else if (name == "frame") attachment.clear = {scene_.background.r, scene_.background.g, scene_.background.b, 0};
+    if (pass.pass->clear)
+      attachment.clear = *pass.pass->clear;
+    else if (name == "frame")
+      attachment.clear = {scene_.background.r, scene_.background.g, scene_.background.b, 0};
     written.written = true;
     into.colors.push_back(attachment);
   }
@@ -176,7 +184,8 @@ void FrameBuilder::attach(const GraphPass& pass, const GraphDraw& draw, Pass& in
   depth.written = true;
 }
 
-Draw FrameBuilder::make_draw(const GraphPass& pass, const GraphDraw& draw, const Pass& into, Frame::Step& step, BufferId pass_uniforms) {
+Draw FrameBuilder::make_draw(const GraphPass& pass, const GraphDraw& draw, const Pass& into, Frame::Step& step,
+                             BufferId pass_uniforms) {
   Draw command;
   bind(pass, draw, pass_uniforms, command);
   command.pipeline = pipeline(pass, draw, into, step, command);
@@ -199,11 +208,13 @@ Draw FrameBuilder::make_draw(const GraphPass& pass, const GraphDraw& draw, const
 }
 
 void FrameBuilder::bind(const GraphPass& pass, const GraphDraw& draw, BufferId pass_uniforms, Draw& command) {
-  for (const ResolvedRead& read : draw.reads) command.textures.push_back({read.binding, texture_of(pass, draw, read.source), read.source.sampler});
+  for (const ResolvedRead& read : draw.reads)
+    command.textures.push_back({read.binding, texture_of(pass, draw, read.source), read.source.sampler});
   std::vector<uint32_t> bound;
   for (const auto& stage : draw.stages)
     for (const ShaderResource& resource : stage->reflection.resources) {
-      if (resource.kind == BindingKind::texture || std::find(bound.begin(), bound.end(), resource.binding) != bound.end()) continue;
+      if (resource.kind == BindingKind::texture || std::find(bound.begin(), bound.end(), resource.binding) != bound.end())
+        continue;
       bound.push_back(resource.binding);
       if (resource.kind == BindingKind::storage_image) {
         const Target& image = target(pass, resource.name, draw.object);
@@ -225,7 +236,8 @@ void FrameBuilder::bind(const GraphPass& pass, const GraphDraw& draw, BufferId p
     }
 }
 
-PipelineId FrameBuilder::pipeline(const GraphPass& pass, const GraphDraw& draw, const Pass& into, Frame::Step& step, Draw& command) {
+PipelineId FrameBuilder::pipeline(const GraphPass& pass, const GraphDraw& draw, const Pass& into, Frame::Step& step,
+                                  Draw& command) {
   PipelineDesc desc;
   desc.name = label_of(pass, scene_, draw.object);
   std::string key = fmt::format("{}|{}", pass.variant->effect, desc.name.substr(0, desc.name.find('.')));
@@ -233,7 +245,8 @@ PipelineId FrameBuilder::pipeline(const GraphPass& pass, const GraphDraw& draw, 
   for (const auto& stage : draw.stages) {
     desc.stages.push_back({stage->stage, stage->spirv});
     key += fmt::format("|{}", static_cast<const void*>(stage.get()));
-    for (const ShaderResource& resource : stage->reflection.resources) desc.bindings.push_back({resource.binding, resource.kind});
+    for (const ShaderResource& resource : stage->reflection.resources)
+      desc.bindings.push_back({resource.binding, resource.kind});
     if (stage->stage == Stage::vertex) desc.vertex_locations = stage->reflection.input_locations;
   }
   for (const std::string& name : pass.pass->writes)
@@ -262,7 +275,8 @@ void FrameBuilder::count(const GraphPass& pass, const GraphDraw& draw, Frame::St
     const CompiledShader& shader = *draw.stages[i];
     const uint32_t coverage = shader.stage == Stage::fragment ? step.coverage_word : 0;
     CountingShader counting = add_counters(shader, backend_.info().api, {binding, next_word_, coverage});
-    Frame::Counted& counted = step.counted.emplace_back(Frame::Counted{shader.stage, next_word_, {}, counting.early_fragment_tests});
+    Frame::Counted& counted =
+        step.counted.emplace_back(Frame::Counted{shader.stage, next_word_, {}, counting.early_fragment_tests});
     next_word_ += counting.words;
     for (const uint32_t slot : counting.slots)
       for (const ResolvedRead& read : draw.reads)
@@ -280,7 +294,8 @@ std::vector<SpecConstant> FrameBuilder::constants(const GraphPass& pass, const G
   for (const auto& stage : draw.stages)
     for (const SpecConstantInfo& constant : stage->reflection.constants) {
       std::optional<std::string> text;
-      if (const auto found = pass.pass->constants.find(constant.name); found != pass.pass->constants.end()) text = found->second;
+      if (const auto found = pass.pass->constants.find(constant.name); found != pass.pass->constants.end())
+        text = found->second;
       for (const ParameterManifest& parameter : pass.variant->parameters)
         if (parameter.name == constant.name) text = fmt::format("{}", parameter.value);
       if (const auto set = parameters_.find(constant.name); set != parameters_.end()) text = fmt::format("{}", set->second);
@@ -292,20 +307,22 @@ std::vector<SpecConstant> FrameBuilder::constants(const GraphPass& pass, const G
 FrameBuilder::Target& FrameBuilder::target(const GraphPass& pass, const std::string& name, Object object) {
   if (name == "frame" || name == "depth") return targets_.at({nullptr, name, {}});
   const TargetManifest* manifest = pass.variant->target(name);
-  if (!manifest) throw Error(ErrorKind::bad_input, "variants", pass.pass->where, fmt::format("'{}' is not a target of this variant", name));
+  if (!manifest)
+    throw Error(ErrorKind::bad_input, "variants", pass.pass->where, fmt::format("'{}' is not a target of this variant", name));
   const Object owner = manifest->scope == Scope::object ? object : std::nullopt;
   const Key key{pass.variant, name, owner};
   if (const auto found = targets_.find(key); found != targets_.end()) return found->second;
   const auto [width, height] = size_of(manifest->size, owner);
   bool storage = false;
   for (const PassManifest& other : pass.variant->passes)
-    storage = storage || (other.draw == DrawKind::compute && std::find(other.writes.begin(), other.writes.end(), name) != other.writes.end());
+    storage = storage || (other.draw == DrawKind::compute &&
+                          std::find(other.writes.begin(), other.writes.end(), name) != other.writes.end());
   const std::string label = pass.variant->name + "." + name + (owner ? "." + scene_.objects[*owner].name : "");
   return targets_[key] = make_target(label, width, height, manifest->format, manifest->mips, manifest->buffers, storage);
 }
 
-FrameBuilder::Target FrameBuilder::make_target(const std::string& label, uint32_t width, uint32_t height, Format format, bool mips,
-                                               uint32_t buffers, bool storage) {
+FrameBuilder::Target FrameBuilder::make_target(const std::string& label, uint32_t width, uint32_t height, Format format,
+                                               bool mips, uint32_t buffers, bool storage) {
   Target made;
   made.width = width;
   made.height = height;
@@ -324,7 +341,8 @@ std::pair<uint32_t, uint32_t> FrameBuilder::size_of(const SizeRule& rule, Object
   if (rule.kind == SizeRule::Kind::texture) {
     const auto texture = object_texture(scene_.objects[*object], rule.texture);
     if (!texture)
-      throw Error(ErrorKind::bad_input, "variants", rule.texture, fmt::format("object '{}' has no texture of this name", scene_.objects[*object].name));
+      throw Error(ErrorKind::bad_input, "variants", rule.texture,
+                  fmt::format("object '{}' has no texture of this name", scene_.objects[*object].name));
     width = texture->width, height = texture->height;
   }
   const auto scaled = [&](double size) { return static_cast<uint32_t>(std::max(1.0, size * rule.scale + 0.5)); };
@@ -367,7 +385,8 @@ Format FrameBuilder::format_of(const GraphPass& pass, const GraphDraw& draw, con
 }
 
 TextureId FrameBuilder::texture_of(const GraphPass& pass, const GraphDraw& draw, const Source& source) {
-  if (source.kind == Source::Kind::object_texture) return frame_.resources_.texture(object_texture(scene_.objects[*draw.object], source.name));
+  if (source.kind == Source::Kind::object_texture)
+    return frame_.resources_.texture(object_texture(scene_.objects[*draw.object], source.name));
   const Target& read = target(pass, source.name, draw.object);
   return read.buffers[read.current];
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Turns a graph into a Frame: makes targets, buffers and pipelines, and writes the lists of backend passes.
 //
-// Loads: the first pass of a sequence that writes a target clears it (the frame to the scene's background with alpha 0, others to 0,
-// or to the manifest's `clear`), later ones keep what is there; a full-screen pass that does not blend discards instead. A pass that
-// reads a target it also writes gets the target's other buffer to write, and later passes read that.
+// Loads: the first pass of a sequence that writes a target clears it (the frame to the scene's background with alpha 0, others
+// to 0, or to the manifest's `clear`), later ones keep what is there; a full-screen pass that does not blend discards instead.
+// A pass that reads a target it also writes gets the target's other buffer to write, and later passes read that.
 #pragma once
 
 #include <map>
@@ -49,7 +49,8 @@ class FrameBuilder {
   void give_counters(Frame::Step& step, size_t first_pass, Frame::Sequence& sequence);
 
   Target& target(const GraphPass& pass, const std::string& name, Object object);
-  Target make_target(const std::string& label, uint32_t width, uint32_t height, Format format, bool mips, uint32_t buffers, bool storage);
+  Target make_target(const std::string& label, uint32_t width, uint32_t height, Format format, bool mips, uint32_t buffers,
+                     bool storage);
   BufferId storage_buffer(const GraphPass& pass, const std::string& name, Object object);
   BufferId iteration_uniforms(uint32_t iteration, uint32_t count);
   std::pair<uint32_t, uint32_t> size_of(const SizeRule& rule, Object object) const;

@@ -19,7 +19,8 @@ bool is_per_object(const PassManifest& pass, const VariantManifest& variant) {
   return false;
 }
 
-Source resolve_source(const VariantManifest& variant, const PassManifest& pass, const std::string& sampler, const Object* object) {
+Source resolve_source(const VariantManifest& variant, const PassManifest& pass, const std::string& sampler,
+                      const Object* object) {
   const auto declared = pass.reads.find(sampler);
   const ReadManifest read = declared != pass.reads.end() ? declared->second : ReadManifest{sampler, {}, {}};
   Source source;
@@ -35,7 +36,8 @@ Source resolve_source(const VariantManifest& variant, const PassManifest& pass, 
     source.kind = Source::Kind::depth;
     source.sampler = {Filter::nearest, Wrap::clamp};
     if (pass.depth != Depth::none)
-      throw Error(ErrorKind::bad_input, "variants", pass.where, "a pass cannot read 'depth' while it tests against it: set depth = \"none\"");
+      throw Error(ErrorKind::bad_input, "variants", pass.where,
+                  "a pass cannot read 'depth' while it tests against it: set depth = \"none\"");
   } else if (object && object_texture(*object, read.source)) {
     source.sampler = object_sampler;
   } else {
@@ -59,7 +61,8 @@ void check_constants(const GraphPass& pass, const GraphDraw& draw) {
       throw Error(ErrorKind::bad_input, "variants", pass.pass->where, unknown_name("specialization constant", name, known));
 }
 
-GraphDraw make_draw(const GraphPass& pass, const EffectManifest& effect, const Object* object, std::optional<size_t> index, ShaderCache& shaders) {
+GraphDraw make_draw(const GraphPass& pass, const EffectManifest& effect, const Object* object, std::optional<size_t> index,
+                    ShaderCache& shaders) {
   GraphDraw draw;
   draw.object = index;
   std::map<std::string, std::string> defines = object ? feature_defines(effect, *object) : std::map<std::string, std::string>{};
@@ -73,7 +76,8 @@ GraphDraw make_draw(const GraphPass& pass, const EffectManifest& effect, const O
   for (const auto& stage : draw.stages)
     for (const ShaderResource& resource : stage->reflection.resources)
       if (resource.kind == BindingKind::texture && seen.insert(resource.binding).second)
-        draw.reads.push_back({resource.binding, resource.name, resolve_source(*pass.variant, *pass.pass, resource.name, object)});
+        draw.reads.push_back(
+            {resource.binding, resource.name, resolve_source(*pass.variant, *pass.pass, resource.name, object)});
   for (const auto& [sampler, read] : pass.pass->reads) {
     std::vector<std::string> samplers;
     for (const ResolvedRead& resolved : draw.reads) samplers.push_back(resolved.sampler);
@@ -128,7 +132,8 @@ void drop_unread(Graph& graph) {
     for (const GraphDraw& draw : pass->draws) {
       const std::vector<Resource> storage = touched_storage(*pass, draw);
       bool wanted = std::any_of(storage.begin(), storage.end(), [&](const Resource& r) { return needed.contains(r); });
-      for (const std::string& name : pass->pass->writes) wanted = wanted || name == "frame" || needed.contains(written(*pass, draw, name));
+      for (const std::string& name : pass->pass->writes)
+        wanted = wanted || name == "frame" || needed.contains(written(*pass, draw, name));
       if (!wanted) continue;
       draws.push_back(draw);
       needed.insert(storage.begin(), storage.end());
@@ -158,7 +163,9 @@ std::shared_ptr<const CompiledShader> ShaderCache::get(const std::filesystem::pa
   std::string key = fmt::format("{}|{}", file.string(), static_cast<int>(stage));
   for (const auto& [name, text] : defines) key += fmt::format("|{}={}", name, text);
   auto& entry = compiled_[key];
-  if (!entry) entry = std::make_shared<const CompiledShader>(compile_shader({file, stage, api_, defines, {shaders_, file.parent_path()}}));
+  if (!entry)
+    entry =
+        std::make_shared<const CompiledShader>(compile_shader({file, stage, api_, defines, {shaders_, file.parent_path()}}));
   return entry;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The passes of one configuration, resolved: shaders compiled with the definitions that each object calls for, every texture they
-// can reach traced to its source, and what nobody reads left out. No device is needed; frame.h makes a frame of it.
+// The passes of one configuration, resolved: shaders compiled with the definitions that each object calls for, every texture
+// they can reach traced to its source, and what nobody reads left out. No device is needed; frame.h makes a frame of it.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,8 @@ namespace lamina {
 class ShaderCache {
  public:
   ShaderCache(Api api, std::filesystem::path shaders) : api_(api), shaders_(std::move(shaders)) {}
-  std::shared_ptr<const CompiledShader> get(const std::filesystem::path& file, Stage stage, const std::map<std::string, std::string>& defines);
+  std::shared_ptr<const CompiledShader> get(const std::filesystem::path& file, Stage stage,
+                                            const std::map<std::string, std::string>& defines);
   Api api() const { return api_; }
 
  private:
@@ -60,8 +61,8 @@ struct Graph {
   std::set<std::string> shader_hashes() const;
 };
 
-// Throws Error(bad_input) for a shader that does not compile or reads what there is not, Error(failed) for an object that cannot be
-// drawn as a pass needs it (unwrapped without a unique unwrap).
+// Throws Error(bad_input) for a shader that does not compile or reads what there is not, Error(failed) for an object that
+// cannot be drawn as a pass needs it (unwrapped without a unique unwrap).
 Graph make_graph(const Plan& plan, const Configuration& configuration, const Scene& scene, ShaderCache& shaders);
 
 // The object's texture of that name, or null. Names: outer_albedo, outer_normal, inner_albedo, albedo.

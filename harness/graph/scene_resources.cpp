@@ -14,13 +14,15 @@ SceneResources::SceneResources(Backend& backend, const Scene& scene, uint32_t wi
     const ObjectUniforms uniforms = object_uniforms(object);
     mesh.vertices = backend.create_buffer(object.name + " vertices", BufferUse::vertex, vertices.size(), vertices);
     mesh.indices = backend.create_buffer(object.name + " indices", BufferUse::index, indices.size(), indices);
-    mesh.uniforms = backend.create_buffer(object.name + " uniforms", BufferUse::uniform, sizeof uniforms, std::as_bytes(std::span(&uniforms, 1)));
+    mesh.uniforms = backend.create_buffer(object.name + " uniforms", BufferUse::uniform, sizeof uniforms,
+                                          std::as_bytes(std::span(&uniforms, 1)));
     mesh.index_count = static_cast<uint32_t>(object.mesh.indices.size());
     meshes_.push_back(mesh);
   }
   for (const View& view : scene.views) {
     const FrameUniforms uniforms = frame_uniforms(scene, view, width_px, height_px);
-    views_.push_back(backend.create_buffer("view " + view.name, BufferUse::uniform, sizeof uniforms, std::as_bytes(std::span(&uniforms, 1))));
+    views_.push_back(backend.create_buffer("view " + view.name, BufferUse::uniform, sizeof uniforms,
+                                           std::as_bytes(std::span(&uniforms, 1))));
   }
 }
 
@@ -35,7 +37,8 @@ TextureId SceneResources::texture(const std::shared_ptr<const TextureImage>& ima
   const auto [entry, is_new] = textures_.try_emplace(image);
   if (is_new) {
     try {
-      const TextureDesc desc{image->name, image->width, image->height, static_cast<uint32_t>(image->levels.size()), image->format, false, false};
+      const TextureDesc desc{image->name,   image->width, image->height, static_cast<uint32_t>(image->levels.size()),
+                             image->format, false,        false};
       entry->second = backend_.create_texture(desc, image->levels);
     } catch (...) {
       textures_.erase(entry);

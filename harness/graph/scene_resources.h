@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene puts on a device and all variants share: meshes, uniforms of objects and views, and the textures that some shader
-// reaches (uploaded at their first use, so that what a plan left out is never there).
+// What a scene puts on a device and all variants share: meshes, uniforms of objects and views, and the textures that some
+// shader reaches (uploaded at their first use, so that what a plan left out is never there).
 #pragma once
 
 #include <map>

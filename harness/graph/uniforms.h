@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Host side of the uniform blocks in shaders/common/frame.glsl, std140: only vec4, ivec4 and mat4, so that C++ lays them out alike.
-// tests/graph holds every name and offset against reflection.
+// Host side of the uniform blocks in shaders/common/frame.glsl, std140: only vec4, ivec4 and mat4, so that C++ lays them out
+// alike. tests/graph holds every name and offset against reflection.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@ namespace lamina {
 
 struct FrameUniforms {
   glm::mat4 clip_from_world;
-  glm::vec4 eye_world;      // w = time in seconds
+  glm::vec4 eye_world;  // w = time in seconds
   glm::vec4 ambient;
-  glm::vec4 frame_size_px;  // width, height, 1/width, 1/height
-  glm::ivec4 light_count;   // x
+  glm::vec4 frame_size_px;                           // width, height, 1/width, 1/height
+  glm::ivec4 light_count;                            // x
   std::array<glm::vec4, max_lights> light_position;  // w = 1 point, 0 direction towards the light
   std::array<glm::vec4, max_lights> light_radiance;
 };

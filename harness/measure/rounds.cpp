@@ -39,7 +39,8 @@ void run_arm(const Arm& arm, ArmSamples& samples, double& device_ms) {
 
 }  // namespace
 
-RoundsResult run_rounds(const std::vector<Arm>& arms, const RoundOptions& options, const std::function<void(double)>& progress) {
+RoundsResult run_rounds(const std::vector<Arm>& arms, const RoundOptions& options,
+                        const std::function<void(double)>& progress) {
   RoundsResult result;
   result.arms.resize(arms.size());
   std::vector<size_t> order(arms.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Timing by shuffled, interleaved rounds: one round runs every arm once, in random order, so that drift of the machine cancels in
-// ratios taken within a round. Stops when every ratio is known precisely enough (not when it is significant, which would bias it), or
-// at the budget.
+// Timing by shuffled, interleaved rounds: one round runs every arm once, in random order, so that drift of the machine cancels
+// in ratios taken within a round. Stops when every ratio is known precisely enough (not when it is significant, which would
+// bias it), or at the budget.
 #pragma once
 
 #include <functional>
@@ -15,8 +15,8 @@
 namespace lamina {
 
 struct Arm {
-  std::function<FrameTimes()> run;      // one timed frame
-  std::optional<size_t> baseline;       // the arm that its ratio is taken to
+  std::function<FrameTimes()> run;  // one timed frame
+  std::optional<size_t> baseline;   // the arm that its ratio is taken to
 };
 
 struct ArmSamples {
@@ -28,9 +28,9 @@ struct ArmSamples {
 struct RoundOptions {
   size_t least_rounds = min_rounds_for_95;  // fewer are not accepted
   size_t most_rounds = 1000;
-  double budget_s = 20;         // no round starts later than this
-  double precision = 0.01;      // half width of every ratio's 95% interval, relative to its median
-  uint64_t seed = 1;            // of the order
+  double budget_s = 20;     // no round starts later than this
+  double precision = 0.01;  // half width of every ratio's 95% interval, relative to its median
+  uint64_t seed = 1;        // of the order
 };
 
 struct RoundsResult {
@@ -41,6 +41,7 @@ struct RoundsResult {
 };
 
 // `progress` is called after each round with the fraction done.
-RoundsResult run_rounds(const std::vector<Arm>& arms, const RoundOptions& options, const std::function<void(double)>& progress = {});
+RoundsResult run_rounds(const std::vector<Arm>& arms, const RoundOptions& options,
+                        const std::function<void(double)>& progress = {});
 
 }  // namespace lamina

@@ -13,9 +13,10 @@
 namespace lamina {
 namespace {
 
-constexpr size_t multiples = 4;      // 1x, 2x, 4x, 8x
+constexpr size_t multiples = 4;  // 1x, 2x, 4x, 8x
 constexpr uint32_t size_px = 256;
-constexpr double one_ms = 40;        // of the 1x pass: fixed costs (half a millisecond, measured on lavapipe) stay far below the tolerance
+constexpr double one_ms =
+    40;  // of the 1x pass: fixed costs (half a millisecond, measured on lavapipe) stay far below the tolerance
 constexpr int first_taps = 16, most_taps = 1 << 20;
 constexpr size_t least_rounds = 5, most_rounds = 25;
 
@@ -33,9 +34,16 @@ class Workload {
     for (TextureId& target : targets_)
       target = backend.create_texture({"timer target", size_px, size_px, 1, Format::rgba8_unorm, true, false});
     for (BufferId& taps : taps_) taps = backend.create_buffer("timer taps", BufferUse::uniform, 4 * sizeof(int));
-    pipeline_ = backend.create_pipeline({"timer work", {{Stage::vertex, vertex.spirv}, {Stage::fragment, fragment.spirv}}, {},
-                                         {{3, BindingKind::uniform_buffer}, {4, BindingKind::texture}}, {}, {Format::rgba8_unorm}, {}, Blend::none,
-                                         Depth::none, Cull::none});
+    pipeline_ = backend.create_pipeline({"timer work",
+                                         {{Stage::vertex, vertex.spirv}, {Stage::fragment, fragment.spirv}},
+                                         {},
+                                         {{3, BindingKind::uniform_buffer}, {4, BindingKind::texture}},
+                                         {},
+                                         {Format::rgba8_unorm},
+                                         {},
+                                         Blend::none,
+                                         Depth::none,
+                                         Cull::none});
   }
   ~Workload() {
     backend_.destroy(pipeline_);
@@ -82,7 +90,8 @@ class Workload {
   std::array<BufferId, multiples> taps_;
 };
 
-// Doubles the work until it can be measured, then sets the 1x pass to last one_ms. The first run of each compiles and is not looked at.
+// Doubles the work until it can be measured, then sets the 1x pass to last one_ms. The first run of each compiles and is not
+// looked at.
 void find_base_taps(Workload& work) {
   const std::array<size_t, 1> first = {0};
   const std::array<size_t, multiples> all = {0, 1, 2, 3};
@@ -120,9 +129,12 @@ TimerRow judge_timer(const std::vector<std::vector<double>>& times_ms, const std
     row.attribution = std::max(row.attribution, std::abs(share * whole / multiple - 1));
   }
   row.additivity = median(sums_over_wall);
-  if (!linear) row.reason = "time is not proportional to work";
-  else if (std::abs(row.additivity - 1) > additivity_tolerance) row.reason = "the passes' times do not add up to the wall time";
-  else if (row.attribution > attribution_tolerance) row.reason = "a pass is given another pass's time";
+  if (!linear)
+    row.reason = "time is not proportional to work";
+  else if (std::abs(row.additivity - 1) > additivity_tolerance)
+    row.reason = "the passes' times do not add up to the wall time";
+  else if (row.attribution > attribution_tolerance)
+    row.reason = "a pass is given another pass's time";
   row.ok = row.reason.empty();
   return row;
 }

@@ -54,13 +54,15 @@ SizeRule read_size(const TomlTable& table) {
 TargetManifest read_target(const std::string& name, const TomlTable& table) {
   TargetManifest target;
   target.name = name;
-  if (name == frame_target || name == "depth") throw table.error({}, fmt::format("'{}' is the harness's own target: choose another name", name));
+  if (name == frame_target || name == "depth")
+    throw table.error({}, fmt::format("'{}' is the harness's own target: choose another name", name));
   target.scope = choice(table, "scope", scope_names, Scope::frame);
   target.size = read_size(table);
   if (target.scope == Scope::frame && target.size.kind == SizeRule::Kind::texture)
     throw table.error("size", "only a target with scope = \"object\" can be as large as an object's texture");
   const std::string format = table.string("format");
-  if (const auto known = format_named(format)) target.format = *known;
+  if (const auto known = format_named(format))
+    target.format = *known;
   else {
     std::vector<std::string> names;
     for (int i = 0; i <= static_cast<int>(Format::d32_float); ++i) names.emplace_back(name_of(static_cast<Format>(i)));
@@ -140,33 +142,40 @@ void read_repeat(const TomlTable& table, const VariantManifest& variant, PassMan
   if (!text.starts_with("log2(") || !text.ends_with(")"))
     throw table.error("repeat", "'repeat' must be a number or \"log2(TARGET)\"");
   pass.repeat_log2_of = text.substr(5, text.size() - 6);
-  if (!variant.target(pass.repeat_log2_of)) throw table.error("repeat", fmt::format("'{}' is not a target of this variant", pass.repeat_log2_of));
+  if (!variant.target(pass.repeat_log2_of))
+    throw table.error("repeat", fmt::format("'{}' is not a target of this variant", pass.repeat_log2_of));
 }
 
 // What a pass must have and must not have, by the way it draws.
 void check_pass(const TomlTable& table, const VariantManifest& variant, const PassManifest& pass) {
   const bool raster = pass.draw == DrawKind::objects || pass.draw == DrawKind::unwrapped || pass.draw == DrawKind::fullscreen;
-  if (raster && (pass.vertex.empty() || pass.fragment.empty())) throw table.error({}, "a drawn pass needs 'vertex' and 'fragment' shaders");
+  if (raster && (pass.vertex.empty() || pass.fragment.empty()))
+    throw table.error({}, "a drawn pass needs 'vertex' and 'fragment' shaders");
   if (pass.draw == DrawKind::compute && pass.compute.empty()) throw table.error({}, "a compute pass needs a 'compute' shader");
-  if (pass.writes.empty() && pass.draw != DrawKind::compute) throw table.error({}, "'write' is missing: the targets that the pass draws into");
+  if (pass.writes.empty() && pass.draw != DrawKind::compute)
+    throw table.error({}, "'write' is missing: the targets that the pass draws into");
 
   std::vector<std::string> known = {std::string(frame_target)};
   for (const TargetManifest& target : variant.targets) known.push_back(target.name);
   std::optional<Scope> scope;
   for (const std::string& name : pass.writes) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) throw table.error("write", unknown_name("target", name, known));
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw table.error("write", unknown_name("target", name, known));
     const TargetManifest* target = variant.target(name);
     const Scope its = target ? target->scope : Scope::frame;
     if (scope && *scope != its) throw table.error("write", "a pass writes targets of one scope");
     scope = its;
-    if (pass.draw == DrawKind::mips && (!target || !target->mips)) throw table.error("write", fmt::format("'{}' has no mips", name));
+    if (pass.draw == DrawKind::mips && (!target || !target->mips))
+      throw table.error("write", fmt::format("'{}' has no mips", name));
   }
   if (pass.draw == DrawKind::unwrapped && scope != Scope::object)
-    throw table.error("write", "an unwrapped pass writes targets with scope = \"object\": every object has texture space of its own");
+    throw table.error("write",
+                      "an unwrapped pass writes targets with scope = \"object\": every object has texture space of its own");
   if (pass.draw == DrawKind::objects && scope == Scope::object)
     throw table.error("write", "objects on screen are drawn into targets of the frame's scope");
   const bool depth_allowed = pass.draw == DrawKind::objects;
-  if (pass.depth != Depth::none && !depth_allowed) throw table.error("depth", "only passes that draw objects on screen have depth");
+  if (pass.depth != Depth::none && !depth_allowed)
+    throw table.error("depth", "only passes that draw objects on screen have depth");
 }
 
 PassManifest read_pass(const TomlTable& table, const VariantManifest& variant, const fs::path& shaders) {
@@ -266,7 +275,8 @@ void add_variant(Library& library, VariantManifest variant) {
     for (const VariantManifest& other : effect.variants) {
       if (other.name == variant.name)
         throw Error(ErrorKind::bad_input, "variants", variant.file.string(),
-                    fmt::format("variant '{}' of {} is already defined in {}: choose another name", variant.name, effect.name, other.file.string()));
+                    fmt::format("variant '{}' of {} is already defined in {}: choose another name", variant.name, effect.name,
+                                other.file.string()));
       if (other.baseline && variant.baseline)
         throw Error(ErrorKind::bad_input, "variants", variant.file.string(),
                     fmt::format("{} already has the baseline '{}': remove 'baseline = true'", effect.name, other.name));
@@ -281,7 +291,8 @@ void add_effect_folder(Library& library, const fs::path& folder) {
   library.effects.push_back(read_effect(folder / "effect.toml"));
   const std::string name = library.effects.back().name;
   for (const fs::path& file : sorted_entries(folder))
-    if (file.extension() == ".toml" && file.filename() != "effect.toml") add_variant(library, read_variant(file, name, library.shaders));
+    if (file.extension() == ".toml" && file.filename() != "effect.toml")
+      add_variant(library, read_variant(file, name, library.shaders));
 }
 
 }  // namespace
@@ -309,17 +320,21 @@ Library load_library(const fs::path& home, const std::vector<fs::path>& user_dir
   for (const fs::path& dir : user_dirs) {
     size_t found = 0;
     for (const fs::path& entry : sorted_entries(dir)) {
-      if (fs::is_regular_file(entry / "effect.toml")) add_effect_folder(library, entry), ++found;
-      else if (entry.extension() == ".toml") add_variant(library, read_variant(entry, "", library.shaders)), ++found;
+      if (fs::is_regular_file(entry / "effect.toml"))
+        add_effect_folder(library, entry), ++found;
+      else if (entry.extension() == ".toml")
+        add_variant(library, read_variant(entry, "", library.shaders)), ++found;
     }
-    if (found == 0) throw Error(ErrorKind::bad_input, "variants", dir.string(), "holds no variant manifest (*.toml) and no effect folder");
+    if (found == 0)
+      throw Error(ErrorKind::bad_input, "variants", dir.string(), "holds no variant manifest (*.toml) and no effect folder");
   }
   for (EffectManifest& effect : library.effects) {
     std::stable_partition(effect.variants.begin(), effect.variants.end(), [](const VariantManifest& v) { return v.baseline; });
     if (effect.variants.empty() || !effect.variants.front().baseline)
       throw Error(ErrorKind::bad_input, "variants", effect.name, "has no baseline: one variant must say 'baseline = true'");
   }
-  std::stable_sort(library.effects.begin(), library.effects.end(), [](const auto& a, const auto& b) { return a.order < b.order; });
+  std::stable_sort(library.effects.begin(), library.effects.end(),
+                   [](const auto& a, const auto& b) { return a.order < b.order; });
   return library;
 }
 

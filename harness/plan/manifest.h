@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Effects and variants as data, read from TOML. Names are checked here, once, with file and line; after this they are known good.
+// Effects and variants as data, read from TOML. Names are checked here, once, with file and line; after this they are known
+// good.
 #pragma once
 
 #include <array>
@@ -65,19 +66,19 @@ struct PassManifest {
   DrawKind draw = DrawKind::objects;
   Frequency when = Frequency::frame;
   uint32_t repeat = 1;
-  std::string repeat_log2_of;  // a target: repeat ceil(log2(its longer side)) times
+  std::string repeat_log2_of;                       // a target: repeat ceil(log2(its longer side)) times
   std::filesystem::path vertex, fragment, compute;  // found: absolute
   std::map<std::string, std::string> defines;
-  std::map<std::string, std::string> constants;    // specialization constants by name
-  std::map<std::string, ReadManifest> reads;       // by sampler name, where it differs from the source's
-  std::vector<std::string> writes;                 // targets or "frame"; for compute: storage images by target name
-  std::optional<std::array<float, 4>> clear;       // of the colour targets; absent: see graph/frame.cpp
+  std::map<std::string, std::string> constants;  // specialization constants by name
+  std::map<std::string, ReadManifest> reads;     // by sampler name, where it differs from the source's
+  std::vector<std::string> writes;               // targets or "frame"; for compute: storage images by target name
+  std::optional<std::array<float, 4>> clear;     // of the colour targets; absent: see graph/frame.cpp
   Blend blend = Blend::none;
   Depth depth = Depth::none;
   Cull cull = Cull::none;
-  std::array<uint32_t, 3> groups = {1, 1, 1};      // compute
-  std::string threads_over;                        // compute: one thread a texel of this target ...
-  std::array<uint32_t, 2> local_size = {8, 8};     // ... in groups of this size, as the shader declares it
+  std::array<uint32_t, 3> groups = {1, 1, 1};   // compute
+  std::string threads_over;                     // compute: one thread a texel of this target ...
+  std::array<uint32_t, 2> local_size = {8, 8};  // ... in groups of this size, as the shader declares it
 };
 
 // A number of the variant that users may set: a specialization constant of the same name in its shaders.
@@ -120,8 +121,9 @@ struct Library {
   const EffectManifest& effect(std::string_view name) const;
 };
 
-// `home` holds variants/ and shaders/. Each of `user_dirs` holds variant manifests (which name their effect) and their shaders, or
-// folders of whole effects with an effect.toml like the built-in ones. Throws Error(bad_input, "variants", "FILE:LINE", ...).
+// `home` holds variants/ and shaders/. Each of `user_dirs` holds variant manifests (which name their effect) and their shaders,
+// or folders of whole effects with an effect.toml like the built-in ones. Throws Error(bad_input, "variants", "FILE:LINE",
+// ...).
 Library load_library(const std::filesystem::path& home, const std::vector<std::filesystem::path>& user_dirs = {});
 
 }  // namespace lamina

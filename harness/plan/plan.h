@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene calls for: which effects, on which objects, with which of their features, and why. An effect that is not called for
-// costs nothing: no pass, no target, no texture, no shader code.
+// What a scene calls for: which effects, on which objects, with which of their features, and why. An effect that is not called
+// for costs nothing: no pass, no target, no texture, no shader code.
 #pragma once
 
 #include <map>

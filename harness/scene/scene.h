@@ -22,7 +22,8 @@ struct Vertex {
   glm::vec4 tangent;  // xyz = unit dP/du, orthogonal to the normal; dP/dv lies along w * cross(normal, tangent), w = +1 or -1
   glm::vec2 uv;
 };
-static_assert(sizeof(Vertex) == 48 && offsetof(Vertex, normal) == 12 && offsetof(Vertex, tangent) == 24 && offsetof(Vertex, uv) == 40);
+static_assert(sizeof(Vertex) == 48 && offsetof(Vertex, normal) == 12 && offsetof(Vertex, tangent) == 24 &&
+              offsetof(Vertex, uv) == 40);
 
 struct Mesh {
   std::vector<Vertex> vertices;
@@ -55,7 +56,7 @@ struct Light {
   Kind kind = Kind::directional;
   glm::vec3 direction{0, -1, 0};  // directional: the way the light travels; unit length
   glm::vec3 position{0};          // point
-  glm::vec3 radiance{1};          // colour times intensity: irradiance at normal incidence; a point light's at 1 m, falling as 1/d^2
+  glm::vec3 radiance{1};  // colour times intensity: irradiance at normal incidence; a point light's at 1 m, falling as 1/d^2
 };
 inline constexpr size_t max_lights = 8;
 
@@ -72,10 +73,10 @@ struct Scene {
   float time_s = 0;
   std::vector<Object> objects;
   std::vector<Light> lights;
-  glm::vec3 ambient{0};              // irradiance from all around
-  glm::vec3 background{0.5f};        // linear colour behind everything
+  glm::vec3 ambient{0};        // irradiance from all around
+  glm::vec3 background{0.5f};  // linear colour behind everything
   std::vector<View> views;
-  bool mesh_moves = false;   // some mesh changes from frame to frame
+  bool mesh_moves = false;  // some mesh changes from frame to frame
   bool lights_move = false;
   std::vector<std::string> warnings;  // what the loader had to assume, one sentence each
 };

@@ -13,7 +13,8 @@
 namespace lamina {
 namespace {
 
-// Charts touch along borders whose vertices exporters have rounded: a chart overlaps where it shares more than this of its texels.
+// Charts touch along borders whose vertices exporters have rounded: a chart overlaps where it shares more than this of its
+// texels.
 constexpr double shared_border = 0.02;
 
 // Disjoint sets by path halving: Tarjan and van Leeuwen, "Worst-Case Analysis of Set Union Algorithms", JACM 1984.
@@ -86,12 +87,14 @@ void split_overlapping_objects(std::vector<Object>& objects, std::vector<std::st
   std::vector<Object> settled;
   for (Object& object : objects) {
     std::vector<Mesh> parts;
-    if (object.layers && unwrap_problem(object.mesh).empty() && overlap_fraction(object.mesh) > 0) parts = split_overlaps(object.mesh);
+    if (object.layers && unwrap_problem(object.mesh).empty() && overlap_fraction(object.mesh) > 0)
+      parts = split_overlaps(object.mesh);
     if (parts.size() <= 1) {
       settled.push_back(std::move(object));
       continue;
     }
-    warnings.push_back(fmt::format("Parts of {} share texels; it is drawn as {} objects, each with a light map of its own.", object.name, parts.size()));
+    warnings.push_back(fmt::format("Parts of {} share texels; it is drawn as {} objects, each with a light map of its own.",
+                                   object.name, parts.size()));
     for (size_t i = 0; i < parts.size(); ++i) {
       Object& part = settled.emplace_back(object);
       part.mesh = std::move(parts[i]);

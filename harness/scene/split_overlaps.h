@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mesh whose parts share texels (mirrored halves, say) has no unique unwrap: what is drawn into its texture shows one part's light on
-// all of them. Taken apart into meshes that share none, each can have a light map of its own.
+// A mesh whose parts share texels (mirrored halves, say) has no unique unwrap: what is drawn into its texture shows one part's
+// light on all of them. Taken apart into meshes that share none, each can have a light map of its own.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@ namespace lamina {
 // The most meshes that one is taken apart into; what still overlaps then stays together in the last.
 inline constexpr size_t most_parts = 8;
 
-// Charts (triangles joined by vertices) are put, in order, into the first part in which they cover hardly any texel again. The mesh
-// itself where its charts share none. Triangles keep their order within a part; vertices that no part uses are dropped.
+// Charts (triangles joined by vertices) are put, in order, into the first part in which they cover hardly any texel again. The
+// mesh itself where its charts share none. Triangles keep their order within a part; vertices that no part uses are dropped.
 std::vector<Mesh> split_overlaps(const Mesh& mesh);
 
 // The same for every object with layers: the parts are called NAME, NAME.2, NAME.3 ... Says so in `warnings`.

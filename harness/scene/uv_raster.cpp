@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Works on whole numbers, as hardware does, so that the edge rule is exact: Pineda, "A Parallel Algorithm for Polygon Rasterization",
-// SIGGRAPH 1988.
+// Works on whole numbers, as hardware does, so that the edge rule is exact: Pineda, "A Parallel Algorithm for Polygon
+// Rasterization", SIGGRAPH 1988.
 #include "harness/scene/uv_raster.h"
 
 #include <algorithm>

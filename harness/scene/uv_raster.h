@@ -11,8 +11,8 @@ namespace lamina {
 
 inline constexpr uint32_t uv_raster_size = 512;  // texels on a side
 
-// Row * uv_raster_size + column of every texel whose centre the triangle covers, by the top-left rule: neighbours in the unwrap share
-// none. Parts outside the unit square are left out.
+// Row * uv_raster_size + column of every texel whose centre the triangle covers, by the top-left rule: neighbours in the unwrap
+// share none. Parts outside the unit square are left out.
 std::vector<uint32_t> covered_texels(const Mesh& mesh, size_t triangle);
 
 }  // namespace lamina

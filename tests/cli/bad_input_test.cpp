@@ -50,7 +50,8 @@ TEST_F(BadInput, SizeBeyondTheDevice) {
 }
 
 TEST_F(BadInput, NoSuchDevice) {
-  const Outcome outcome = lamina_program("compare " + square_model() + " --backend vulkan --device nonesuch --out " + (folder_ / "out").string());
+  const Outcome outcome =
+      lamina_program("compare " + square_model() + " --backend vulkan --device nonesuch --out " + (folder_ / "out").string());
   EXPECT_EQ(outcome.status, 4);
   EXPECT_SAYS(outcome.output, "nonesuch");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
@@ -67,7 +68,8 @@ TEST_F(BadInput, UnknownBackendVariantAndOption) {
 
 TEST_F(BadInput, UnwritableFolder) {
   write("file", "in the way");
-  const Outcome outcome = lamina_program("compare " + square_model() + " --backend vulkan --out " + (folder_ / "file" / "out").string());
+  const Outcome outcome =
+      lamina_program("compare " + square_model() + " --backend vulkan --out " + (folder_ / "file" / "out").string());
   EXPECT_EQ(outcome.status, 2);
   EXPECT_SAYS(outcome.output, "--out");
 }

@@ -22,7 +22,8 @@ class Compare : public ProgramTest {
   Record record() const { return read_record(out() / "record.jsonl"); }
   static std::vector<Json> cells(const Record& record, const std::string& variant) {
     std::vector<Json> found;
-    std::copy_if(record.cells.begin(), record.cells.end(), std::back_inserter(found), [&](const Json& cell) { return cell.at("variant") == variant; });
+    std::copy_if(record.cells.begin(), record.cells.end(), std::back_inserter(found),
+                 [&](const Json& cell) { return cell.at("variant") == variant; });
     return found;
   }
   // The picture of a cell as it was written.
@@ -34,7 +35,8 @@ class Compare : public ProgramTest {
   }
   // A machine that is busy with other tests can fail the timer's certificate; then times are refused and the status says so.
   static int expected_status(const Record& record, bool cell_failed) {
-    const bool certified = std::all_of(record.timers.begin(), record.timers.end(), [](const Json& timer) { return timer.at("ok").get<bool>(); });
+    const bool certified =
+        std::all_of(record.timers.begin(), record.timers.end(), [](const Json& timer) { return timer.at("ok").get<bool>(); });
     return cell_failed || !certified ? 1 : 0;
   }
 };
@@ -48,14 +50,16 @@ TEST_F(Compare, HeartOnEveryDefaultBackend) {
   ASSERT_GE(record.cells.size(), 12u);
   const std::map<std::string, double> composite_fetches = {{"light_map", 29}, {"normal_map_taps", 28}, {"vertex_normal", 15}};
   for (const Json& cell : record.cells) {
-    SCOPED_TRACE(cell.at("variant").get<std::string>() + " " + cell.at("backend").get<std::string>() + " " + cell.at("view").get<std::string>());
+    SCOPED_TRACE(cell.at("variant").get<std::string>() + " " + cell.at("backend").get<std::string>() + " " +
+                 cell.at("view").get<std::string>());
     EXPECT_EQ(cell.at("status"), "ok");
     EXPECT_EQ(cell.at("nonfinite_pixels"), 0);
     EXPECT_GT(cell.at("covered_pixels"), 500);
     EXPECT_TRUE(std::filesystem::exists(out() / cell.at("image").get<std::string>()));
     const Json& composite = cell.at("passes").back();
     EXPECT_EQ(composite.at("name"), "composite");
-    EXPECT_EQ(composite.at("fetches").get<double>(), composite_fetches.at(cell.at("variant")) * composite.at("fragments").get<double>());
+    EXPECT_EQ(composite.at("fetches").get<double>(),
+              composite_fetches.at(cell.at("variant")) * composite.at("fragments").get<double>());
     EXPECT_GE(composite.at("fragments"), cell.at("covered_pixels"));
     if (cell.at("baseline")) continue;
     EXPECT_LT(cell.at("error").at("baseline").at("ssim"), 1);
@@ -63,8 +67,9 @@ TEST_F(Compare, HeartOnEveryDefaultBackend) {
   }
   for (const Json& vulkan : record.cells)
     for (const Json& opengl : record.cells) {
-      if (vulkan.at("backend") != "vulkan" || opengl.at("backend") != "osmesa" || vulkan.at("variant") != opengl.at("variant") ||
-          vulkan.at("view") != opengl.at("view")) continue;
+      if (vulkan.at("backend") != "vulkan" || opengl.at("backend") != "osmesa" ||
+          vulkan.at("variant") != opengl.at("variant") || vulkan.at("view") != opengl.at("view"))
+        continue;
       EXPECT_GE(psnr_db(picture(opengl), picture(vulkan)), 45) << vulkan.at("image");
       EXPECT_EQ(opengl.at("fetches"), vulkan.at("fetches")) << vulkan.at("image");
     }
@@ -119,7 +124,8 @@ fragment = "broken.frag"
 write = ["frame"]
 )");
   write("mine/broken.frag", "layout(location = 0) out vec4 color;\nvoid main() {\n  color = nothing;\n}\n");
-  const Outcome outcome = compare(square_model() + " --backend vulkan --variant broken --variant vertex_normal --variants-dir " + mine.string());
+  const Outcome outcome =
+      compare(square_model() + " --backend vulkan --variant broken --variant vertex_normal --variants-dir " + mine.string());
   const Record record = this->record();
   EXPECT_EQ(outcome.status, 1);
   EXPECT_SAYS(outcome.output, "broken.frag:3");
@@ -155,7 +161,8 @@ TEST_F(Compare, HelmetRendersWhereItIsThere) {
   EXPECT_EQ(outcome.status, expected_status(record, false)) << outcome.output;
   for (const Json& cell : record.cells) EXPECT_EQ(cell.at("status"), "ok");
   for (const Json& cell : cells(record, "light_map"))
-    for (const Json& pass : cell.at("passes")) EXPECT_EQ(pass.at("once"), pass.at("name") != "composite") << "nothing moves: one light map";
+    for (const Json& pass : cell.at("passes"))
+      EXPECT_EQ(pass.at("once"), pass.at("name") != "composite") << "nothing moves: one light map";
 }
 
 }  // namespace

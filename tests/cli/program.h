@@ -43,19 +43,22 @@ class ProgramTest : public testing::Test {
   }
   // A model that loads in no time: one square, without textures.
   std::string square_model() {
-    const float corners[4][8] = {{-1, 1, 0, 0, 0, 1, 0, 0}, {1, 1, 0, 0, 0, 1, 1, 0}, {1, -1, 0, 0, 0, 1, 1, 1}, {-1, -1, 0, 0, 0, 1, 0, 1}};
+    const float corners[4][8] = {
+        {-1, 1, 0, 0, 0, 1, 0, 0}, {1, 1, 0, 0, 0, 1, 1, 0}, {1, -1, 0, 0, 0, 1, 1, 1}, {-1, -1, 0, 0, 0, 1, 0, 1}};
     const uint16_t indices[6] = {0, 2, 1, 0, 3, 2};
     std::string bytes(reinterpret_cast<const char*>(corners), sizeof corners);
     bytes.append(reinterpret_cast<const char*>(indices), sizeof indices);
     write("square.bin", bytes);
-    return write("square.gltf", R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"name":"square","mesh":0}],
+    return write("square.gltf",
+                 R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"name":"square","mesh":0}],
       "meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2},"indices":3}]}],
       "buffers":[{"uri":"square.bin","byteLength":140}],
       "bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":128,"byteStride":32},{"buffer":0,"byteOffset":128,"byteLength":12}],
       "accessors":[{"bufferView":0,"byteOffset":0,"componentType":5126,"count":4,"type":"VEC3","min":[-1,-1,0],"max":[1,1,0]},
                    {"bufferView":0,"byteOffset":12,"componentType":5126,"count":4,"type":"VEC3"},
                    {"bufferView":0,"byteOffset":24,"componentType":5126,"count":4,"type":"VEC2"},
-                   {"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}]})").string();
+                   {"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}]})")
+        .string();
   }
   std::filesystem::path folder_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A test on every backend that opens here, with API checking on and silent at the end; a backend that does not open is skipped with
-// its reason.
+// A test on every backend that opens here, with API checking on and silent at the end; a backend that does not open is skipped
+// with its reason.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -52,7 +52,8 @@ class EachBackend : public testing::TestWithParam<std::string_view> {
   std::unique_ptr<Backend> backend_;
 };
 
-inline const auto backend_parameters = testing::ValuesIn(std::vector<std::string_view>(backend_names().begin(), backend_names().end()));
+inline const auto backend_parameters =
+    testing::ValuesIn(std::vector<std::string_view>(backend_names().begin(), backend_names().end()));
 inline std::string backend_test_name(const testing::TestParamInfo<std::string_view>& info) { return std::string(info.param); }
 
 }  // namespace lamina

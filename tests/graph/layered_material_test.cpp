@@ -15,12 +15,15 @@ constexpr std::string_view all_variants[] = {"light_map", "normal_map_taps", "ve
 // Half floats keep 11 bits; albedos are stored in 8.
 constexpr float tolerance = 0.004f;
 
-// The alpha channel is transparency: 1 shows the inner layer, 0 the outer. Head-on, N.V = 1; light is 1, so the picture is the albedo.
+// The alpha channel is transparency: 1 shows the inner layer, 0 the outer. Head-on, N.V = 1; light is 1, so the picture is the
+// albedo.
 TEST_P(LayeredMaterial_, TransparencyOneShowsTheInnerLayerAndZeroTheOuter) {
   for (const std::string_view name : all_variants) {
-    EXPECT_NEAR(pixel(picture(quad_scene({4, 1, glm::vec3(0.5f), glm::vec3(0.25f)}), name), 32, 32).r, 0.25f, tolerance) << name;
+    EXPECT_NEAR(pixel(picture(quad_scene({4, 1, glm::vec3(0.5f), glm::vec3(0.25f)}), name), 32, 32).r, 0.25f, tolerance)
+        << name;
     EXPECT_NEAR(pixel(picture(quad_scene({4, 0, glm::vec3(0.5f), glm::vec3(0.25f)}), name), 32, 32).r, 0.5f, tolerance) << name;
-    EXPECT_NEAR(pixel(picture(quad_scene({4, 0.5f, glm::vec3(0.5f), glm::vec3(0.25f)}), name), 32, 32).r, 0.375f, tolerance) << name;
+    EXPECT_NEAR(pixel(picture(quad_scene({4, 0.5f, glm::vec3(0.5f), glm::vec3(0.25f)}), name), 32, 32).r, 0.375f, tolerance)
+        << name;
   }
 }
 
@@ -35,20 +38,22 @@ TEST_P(LayeredMaterial_, GrazingViewPrefersTheOuterLayer) {
   }
 }
 
-// With a flat normal map the transmitted ray goes on along -V: at angle a it meets the inner layer d tan a texels further on, away from the
-// eye. An inner layer whose red rises by a known slope along u then shows that offset. Texel size is that of the bound texture: 64 and 128
-// texels give offsets of d/64 and d/128 of the texture.
+// With a flat normal map the transmitted ray goes on along -V: at angle a it meets the inner layer d tan a texels further on,
+// away from the eye. An inner layer whose red rises by a known slope along u then shows that offset. Texel size is that of the
+// bound texture: 64 and 128 texels give offsets of d/64 and d/128 of the texture.
 TEST_P(LayeredMaterial_, ParallaxOffsetIsThicknessTimesTangentInTexelsOfTheBoundTexture) {
   for (const uint32_t size : {64u, 128u}) {
     Scene scene = quad_scene({6, 1, glm::vec3(0.0f), glm::vec3(0.0f), size});
     LayeredMaterial& layers = *scene.objects[0].layers;
-    layers.inner_albedo = make_texture("ramp", filled(size, [&](uint32_t x, uint32_t) {
-      return glm::vec4((float(x) + 0.5f) / float(size), 0, 0, 1); }), TexelMeaning::colour);
+    layers.inner_albedo = make_texture(
+        "ramp", filled(size, [&](uint32_t x, uint32_t) { return glm::vec4((float(x) + 0.5f) / float(size), 0, 0, 1); }),
+        TexelMeaning::colour);
     const float angle = float(M_PI) / 4;
     scene.views[0].eye = {10 * std::sin(angle), 0, 10 * std::cos(angle)};
     // The centre of the frame is the middle of four pixels; the mean of the taps' offsets is the disc's own.
     double disc_x = 0;
-    for (const double x : {-0.326212, -0.840144, -0.695914, -0.203345, 0.96234, 0.473434, 0.519456, 0.185461, 0.507431, 0.89642, -0.32194, -0.791559})
+    for (const double x : {-0.326212, -0.840144, -0.695914, -0.203345, 0.96234, 0.473434, 0.519456, 0.185461, 0.507431, 0.89642,
+                           -0.32194, -0.791559})
       disc_x += x / 13;
     const double s = 6 / std::cos(angle);
     const double expected = 0.5 + (-6 * std::tan(angle) + s * disc_x) / size;
@@ -65,13 +70,18 @@ TEST_P(LayeredMaterial_, MappedNormalTurnsTheTransmittedRayByTwiceItsAngle) {
   Scene scene = quad_scene({5, 1, glm::vec3(0.0f), glm::vec3(0.0f)});
   LayeredMaterial& layers = *scene.objects[0].layers;
   const float tilt = 0.2f;
-  layers.outer_normal = make_texture("tilted", filled(64, [&](uint32_t, uint32_t) {
-    return glm::vec4(0.5f + 0.5f * std::sin(tilt), 0.5f, 0.5f + 0.5f * std::cos(tilt), 1); }), TexelMeaning::normal);
-  layers.inner_albedo = make_texture("ramp", filled(64, [&](uint32_t x, uint32_t) { return glm::vec4((float(x) + 0.5f) / 64, 0, 0, 1); }),
-                                     TexelMeaning::colour);
+  layers.outer_normal = make_texture(
+      "tilted",
+      filled(64, [&](uint32_t,
+                     uint32_t) { return glm::vec4(0.5f + 0.5f * std::sin(tilt), 0.5f, 0.5f + 0.5f * std::cos(tilt), 1); }),
+      TexelMeaning::normal);
+  layers.inner_albedo =
+      make_texture("ramp", filled(64, [&](uint32_t x, uint32_t) { return glm::vec4((float(x) + 0.5f) / 64, 0, 0, 1); }),
+                   TexelMeaning::colour);
   const Image image = picture(scene, "vertex_normal");
   double disc_x = 0;
-  for (const double x : {-0.326212, -0.840144, -0.695914, -0.203345, 0.96234, 0.473434, 0.519456, 0.185461, 0.507431, 0.89642, -0.32194, -0.791559})
+  for (const double x : {-0.326212, -0.840144, -0.695914, -0.203345, 0.96234, 0.473434, 0.519456, 0.185461, 0.507431, 0.89642,
+                         -0.32194, -0.791559})
     disc_x += x / 13;
   const double expected = 0.5 + (5 * std::tan(2 * tilt) + 5 / std::cos(2 * tilt) * disc_x) / 64;
   EXPECT_NEAR((pixel(image, 31, 32).r + pixel(image, 32, 32).r) / 2 / std::cos(tilt), expected, 4 * tolerance);
@@ -140,10 +150,10 @@ TEST_P(LayeredMaterial_, CullingDropsFetchesAndTextures) {
     return std::pair(composite.fetches() / composite.fragments, resources.textures_uploaded());
   };
   using Result = std::pair<uint64_t, size_t>;
-  EXPECT_EQ(fetches_per_fragment(bumpy_scene(0, 1), "light_map"), Result(4, 3));       // light, outer, normal, inner
-  EXPECT_EQ(fetches_per_fragment(bumpy_scene(0, 1), "vertex_normal"), Result(3, 3));   // outer, normal, inner
-  EXPECT_EQ(fetches_per_fragment(bumpy_scene(6, 0), "normal_map_taps"), Result(2, 2)); // outer, normal
-  EXPECT_EQ(fetches_per_fragment(bumpy_scene(6, 0), "light_map").second, 2u);          // the inner layer's texture is never there
+  EXPECT_EQ(fetches_per_fragment(bumpy_scene(0, 1), "light_map"), Result(4, 3));        // light, outer, normal, inner
+  EXPECT_EQ(fetches_per_fragment(bumpy_scene(0, 1), "vertex_normal"), Result(3, 3));    // outer, normal, inner
+  EXPECT_EQ(fetches_per_fragment(bumpy_scene(6, 0), "normal_map_taps"), Result(2, 2));  // outer, normal
+  EXPECT_EQ(fetches_per_fragment(bumpy_scene(6, 0), "light_map").second, 2u);  // the inner layer's texture is never there
 }
 
 // A still scene makes one light map; a moving one makes one every frame.
@@ -159,18 +169,22 @@ TEST_P(LayeredMaterial_, StillSceneMakesItsLightMapOnce) {
     return std::pair(frame.once_names(), frame.frame_names());
   };
   using Names = std::vector<std::string>;
-  EXPECT_EQ(names(false), std::pair(Names({"chart_seeds", "chart_distance", "light", "dilate", "light_mips"}), Names({"composite"})));
-  EXPECT_EQ(names(true), std::pair(Names({"chart_seeds", "chart_distance"}), Names({"light", "dilate", "light_mips", "composite"})));
+  EXPECT_EQ(names(false),
+            std::pair(Names({"chart_seeds", "chart_distance", "light", "dilate", "light_mips"}), Names({"composite"})));
+  EXPECT_EQ(names(true),
+            std::pair(Names({"chart_seeds", "chart_distance"}), Names({"light", "dilate", "light_mips", "composite"})));
 }
 
-// A chart over a quarter of the texture, lit with 1: with dilation no tap, however far the layer's thickness offsets it, reads background.
+// A chart over a quarter of the texture, lit with 1: with dilation no tap, however far the layer's thickness offsets it, reads
+// background.
 TEST_P(LayeredMaterial_, NoTapReadsBackgroundBeyondTheCharts) {
   Scene scene = quad_scene({30, 1, glm::vec3(0.5f), glm::vec3(0.25f)});
   for (Vertex& vertex : scene.objects[0].mesh.vertices) vertex.uv = vertex.uv * 0.5f + 0.25f;
   scene.views[0].eye = {3, 2, 5};
   scene.views[0].fov_y_degrees = 15;
   scene.objects[0].layers->outer_albedo = constant_texture("white", {1, 1, 1, 1}, TexelMeaning::colour);
-  scene.objects[0].layers->inner_albedo = make_texture("inner", filled(64, [](uint32_t, uint32_t) { return glm::vec4(1); }), TexelMeaning::colour);
+  scene.objects[0].layers->inner_albedo =
+      make_texture("inner", filled(64, [](uint32_t, uint32_t) { return glm::vec4(1); }), TexelMeaning::colour);
   const Image image = picture(scene, "light_map");
   size_t drawn = 0;
   for (size_t i = 0; i < image.rgba.size(); i += 4) {
@@ -213,8 +227,8 @@ TEST(LayeredMaterialAcrossBackends, OpenGlAgreesWithVulkan) {
         for (int y = 0; y < image.height; ++y)
           for (int x = 0; x < image.width; ++x)
             for (int c = 0; c < 4; ++c)
-              flipped.rgba[size_t((y * image.width + x) * 4 + c)] =
-                  image.rgba[size_t(((in_x ? y : image.height - 1 - y) * image.width + (in_x ? image.width - 1 - x : x)) * 4 + c)];
+              flipped.rgba[size_t((y * image.width + x) * 4 + c)] = image.rgba[size_t(
+                  ((in_x ? y : image.height - 1 - y) * image.width + (in_x ? image.width - 1 - x : x)) * 4 + c)];
         EXPECT_LT(psnr_db(to_display(flipped), reference), 30) << backend << " " << name;
       }
     }

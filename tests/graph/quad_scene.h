@@ -39,10 +39,13 @@ inline Scene quad_scene(const QuadOptions& options) {
   object.mesh = unit_square();
   object.albedo = constant_texture("albedo", {options.outer, 1}, TexelMeaning::colour);
   LayeredMaterial layers;
-  layers.outer_albedo = make_texture("outer", filled(options.size, [&](uint32_t, uint32_t) { return glm::vec4(options.outer, options.transparency); }),
-                                     TexelMeaning::colour);
-  layers.outer_normal = make_texture("normal", filled(options.size, [](uint32_t, uint32_t) { return glm::vec4(0.5f, 0.5f, 1, 1); }), TexelMeaning::normal);
-  layers.inner_albedo = make_texture("inner", filled(options.size, [&](uint32_t, uint32_t) { return glm::vec4(options.inner, 1); }), TexelMeaning::colour);
+  layers.outer_albedo = make_texture(
+      "outer", filled(options.size, [&](uint32_t, uint32_t) { return glm::vec4(options.outer, options.transparency); }),
+      TexelMeaning::colour);
+  layers.outer_normal = make_texture(
+      "normal", filled(options.size, [](uint32_t, uint32_t) { return glm::vec4(0.5f, 0.5f, 1, 1); }), TexelMeaning::normal);
+  layers.inner_albedo = make_texture(
+      "inner", filled(options.size, [&](uint32_t, uint32_t) { return glm::vec4(options.inner, 1); }), TexelMeaning::colour);
   layers.thickness_texels = options.thickness_texels;
   layers.max_transparency = options.transparency;
   object.layers = layers;
@@ -57,7 +60,8 @@ inline Scene quad_scene(const QuadOptions& options) {
   return scene;
 }
 
-// Lit from the left by a directional light, with a bumpy normal map and textures that have structure, tilted: not symmetric in x or y.
+// Lit from the left by a directional light, with a bumpy normal map and textures that have structure, tilted: not symmetric in
+// x or y.
 inline Scene bumpy_scene(float thickness_texels, float transparency) {
   QuadOptions options;
   options.thickness_texels = thickness_texels;
@@ -65,14 +69,26 @@ inline Scene bumpy_scene(float thickness_texels, float transparency) {
   Scene scene = quad_scene(options);
   LayeredMaterial& layers = *scene.objects[0].layers;
   const auto wave = [](uint32_t x, uint32_t y, float f) { return 0.5f + 0.5f * std::sin(f * float(x) + 0.7f * f * float(y)); };
-  layers.outer_albedo = make_texture("outer", filled(64, [&](uint32_t x, uint32_t y) {
-    return glm::vec4(0.2f + 0.01f * float(x), 0.9f - 0.01f * float(y), wave(x, y, 0.2f), transparency * wave(y, x, 0.13f)); }), TexelMeaning::colour);
-  layers.outer_normal = make_texture("normal", filled(64, [&](uint32_t x, uint32_t y) {
-    return glm::vec4(0.5f + 0.3f * (wave(x, y, 0.6f) - 0.5f), 0.5f + 0.3f * (wave(y, x, 0.4f) - 0.5f), 0.9f, 1); }), TexelMeaning::normal);
-  layers.inner_albedo = make_texture("inner", filled(64, [&](uint32_t x, uint32_t y) {
-    return glm::vec4((x / 8 + y / 8) % 2 ? 0.8f : 0.1f, 0.1f, 0.3f, 1); }), TexelMeaning::colour);
+  layers.outer_albedo = make_texture("outer",
+                                     filled(64,
+                                            [&](uint32_t x, uint32_t y) {
+                                              return glm::vec4(0.2f + 0.01f * float(x), 0.9f - 0.01f * float(y),
+                                                               wave(x, y, 0.2f), transparency * wave(y, x, 0.13f));
+                                            }),
+                                     TexelMeaning::colour);
+  layers.outer_normal = make_texture("normal",
+                                     filled(64,
+                                            [&](uint32_t x, uint32_t y) {
+                                              return glm::vec4(0.5f + 0.3f * (wave(x, y, 0.6f) - 0.5f),
+                                                               0.5f + 0.3f * (wave(y, x, 0.4f) - 0.5f), 0.9f, 1);
+                                            }),
+                                     TexelMeaning::normal);
+  layers.inner_albedo = make_texture(
+      "inner", filled(64, [&](uint32_t x, uint32_t y) { return glm::vec4((x / 8 + y / 8) % 2 ? 0.8f : 0.1f, 0.1f, 0.3f, 1); }),
+      TexelMeaning::colour);
   scene.ambient = glm::vec3(0.1f);
-  scene.lights.push_back({"key", Light::Kind::directional, glm::normalize(glm::vec3(0.6f, -0.3f, -0.8f)), {}, {1.2f, 1.1f, 1.0f}});
+  scene.lights.push_back(
+      {"key", Light::Kind::directional, glm::normalize(glm::vec3(0.6f, -0.3f, -0.8f)), {}, {1.2f, 1.1f, 1.0f}});
   scene.lights.push_back({"lamp", Light::Kind::point, {}, {0.4f, 0.3f, 0.5f}, {0.1f, 0.15f, 0.2f}});
   scene.views[0].eye = {0.9f, -0.6f, 1.1f};
   scene.views[0].fov_y_degrees = 40;

@@ -36,7 +36,8 @@ TEST(Uniforms, HostLayoutIsTheShaders) {
               (Offsets{{"world_from_object", offsetof(ObjectUniforms, world_from_object)},
                        {"world_from_object_normal", offsetof(ObjectUniforms, world_from_object_normal)},
                        {"layer", offsetof(ObjectUniforms, layer)}}));
-    EXPECT_EQ(declared(api, Stage::fragment, "layered_material/jump_flood.frag", "Pass"), (Offsets{{"iteration", offsetof(PassUniforms, iteration)}}));
+    EXPECT_EQ(declared(api, Stage::fragment, "layered_material/jump_flood.frag", "Pass"),
+              (Offsets{{"iteration", offsetof(PassUniforms, iteration)}}));
   }
 }
 

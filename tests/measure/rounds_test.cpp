@@ -14,7 +14,12 @@ FrameTimes frame(std::vector<double> pass_ms) { return {std::move(pass_ms), 0}; 
 TEST(Rounds, EveryRoundRunsEveryArmOnceInShuffledOrder) {
   std::vector<size_t> calls;
   std::vector<Arm> arms(4);
-  for (size_t i = 0; i < arms.size(); ++i) arms[i] = {[&calls, i] { calls.push_back(i); return frame({1, 2}); }, 0};
+  for (size_t i = 0; i < arms.size(); ++i)
+    arms[i] = {[&calls, i] {
+                 calls.push_back(i);
+                 return frame({1, 2});
+               },
+               0};
   RoundOptions options;
   options.least_rounds = options.most_rounds = 50;
   const RoundsResult result = run_rounds(arms, options);
@@ -39,7 +44,12 @@ TEST(Rounds, SameSeedSameOrder) {
   const auto order = [](uint64_t seed) {
     std::vector<size_t> calls;
     std::vector<Arm> arms(5);
-    for (size_t i = 0; i < arms.size(); ++i) arms[i] = {[&calls, i] { calls.push_back(i); return frame({1}); }, {}};
+    for (size_t i = 0; i < arms.size(); ++i)
+      arms[i] = {[&calls, i] {
+                   calls.push_back(i);
+                   return frame({1});
+                 },
+                 {}};
     RoundOptions options;
     options.seed = seed;
     options.most_rounds = options.least_rounds = 10;
@@ -81,7 +91,8 @@ TEST(Rounds, AnArmThatFailsIsLeftOutAndTheOthersGoOn) {
                                  {[&call]() -> FrameTimes {
                                     if (++call == 3) throw Error(ErrorKind::failed, "test", "arm", "lost");
                                     return frame({1});
-                                  }, 0}};
+                                  },
+                                  0}};
   const RoundsResult result = run_rounds(arms, {});
   EXPECT_EQ(call, 3);
   EXPECT_TRUE(result.arms[1].frame_ms.empty());

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The certificate's judgement on made-up times: a good timer, and each of the ways in which timers have lied.
-#include "harness/measure/timer_certificate.h"
-
 #include <gtest/gtest.h>
 
 #include "harness/core/error.h"
+#include "harness/measure/timer_certificate.h"
 
 namespace lamina {
 namespace {
@@ -30,10 +29,13 @@ TEST(Timer, TimesAPassLateAreRefused) {
 }
 
 TEST(Timer, MissingTimeDoesNotAddUp) {
-  EXPECT_EQ(judge_timer(Times(6, {10, 20, 40, 80}), std::vector<double>(6, 170)).reason, "the passes' times do not add up to the wall time");
+  EXPECT_EQ(judge_timer(Times(6, {10, 20, 40, 80}), std::vector<double>(6, 170)).reason,
+            "the passes' times do not add up to the wall time");
 }
 
-TEST(Timer, DoubleCountingDoesNotAddUpEither) { EXPECT_FALSE(judge_timer(Times(6, {10, 20, 40, 80}), std::vector<double>(6, 130)).ok); }
+TEST(Timer, DoubleCountingDoesNotAddUpEither) {
+  EXPECT_FALSE(judge_timer(Times(6, {10, 20, 40, 80}), std::vector<double>(6, 130)).ok);
+}
 
 TEST(Timer, AFewDisturbedRoundsDoNotMatter) {
   Times times(7, {10, 20, 40, 80});

@@ -36,7 +36,8 @@ class UserVariant : public testing::Test {
 
 const std::string head = "[variant]\nname = \"mine\"\neffect = \"layered_material\"\n";
 const std::string pass =
-    "[[pass]]\nname = \"composite\"\ndraw = \"objects\"\nvertex = \"common/object.vert\"\nfragment = \"surface/lambert.frag\"\nwrite = [\"frame\"]\n";
+    "[[pass]]\nname = \"composite\"\ndraw = \"objects\"\nvertex = \"common/object.vert\"\nfragment = "
+    "\"surface/lambert.frag\"\nwrite = [\"frame\"]\n";
 
 #define EXPECT_SAYS(text, words) EXPECT_NE((text).find(words), std::string::npos) << (text)
 
@@ -70,14 +71,17 @@ TEST_F(UserVariant, ShaderBesideTheManifestComesFirst) {
   write("surface/lambert.frag", "void main() {}");
   write("mine.toml", head + pass);
   const Library library = load_library(LAMINA_SOURCE_DIR, {folder_});
-  EXPECT_EQ(library.effect("layered_material").variants.back().passes[0].fragment, fs::weakly_canonical(folder_ / "surface/lambert.frag"));
+  EXPECT_EQ(library.effect("layered_material").variants.back().passes[0].fragment,
+            fs::weakly_canonical(folder_ / "surface/lambert.frag"));
 }
 
 TEST_F(UserVariant, MistakesAreNamedWithFileAndLine) {
   EXPECT_SAYS(refusal(head + "titel = \"x\"\n" + pass), "mine.toml:4: unknown key 'titel' (did you mean 'title'?)");
-  EXPECT_SAYS(refusal(head + pass + "blend = \"aditive\"\n"), "mine.toml:10: unknown blend 'aditive' (did you mean 'additive'?)");
+  EXPECT_SAYS(refusal(head + pass + "blend = \"aditive\"\n"),
+              "mine.toml:10: unknown blend 'aditive' (did you mean 'additive'?)");
   EXPECT_SAYS(refusal(head + pass + "fetches = 3\n"), "mine.toml:10: unknown key 'fetches'");
-  EXPECT_SAYS(refusal(head + "[targets.a]\nformat = \"rgba16_flot\"\n" + pass), "mine.toml:5: unknown format 'rgba16_flot' (did you mean 'rgba16_float'?)");
+  EXPECT_SAYS(refusal(head + "[targets.a]\nformat = \"rgba16_flot\"\n" + pass),
+              "mine.toml:5: unknown format 'rgba16_flot' (did you mean 'rgba16_float'?)");
   EXPECT_SAYS(refusal("[variant]\nname = \"mine\"\n" + pass), "'effect' is missing");
   EXPECT_SAYS(refusal("[variant]\nname = \"mine\"\neffect = \"skinn\"\n" + pass), "unknown effect 'skinn'");
   EXPECT_SAYS(refusal(head), "at least one [[pass]]");
@@ -92,7 +96,8 @@ TEST_F(UserVariant, PassesAreHeldToWhatTheyCanDo) {
     std::string text = head + pass;
     return text.replace(text.find(from), from.size(), to);
   };
-  EXPECT_SAYS(refusal(with("surface/lambert.frag", "surface/lambrt.frag")), "mine.toml:8: shader 'surface/lambrt.frag' is neither in");
+  EXPECT_SAYS(refusal(with("surface/lambert.frag", "surface/lambrt.frag")),
+              "mine.toml:8: shader 'surface/lambrt.frag' is neither in");
   EXPECT_SAYS(refusal(with("\"frame\"", "\"fram\"")), "unknown target 'fram' (did you mean 'frame'?)");
   EXPECT_SAYS(refusal(with("\"objects\"", "\"unwrapped\"")), "scope = \"object\"");
   EXPECT_SAYS(refusal(with("write = [\"frame\"]\n", "")), "'write' is missing");

@@ -12,7 +12,8 @@ namespace {
 void add_square(Mesh& mesh, glm::vec2 corner, float side, float z, bool mirrored = false) {
   const auto base = static_cast<uint32_t>(mesh.vertices.size());
   for (const glm::vec2 at : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)})
-    mesh.vertices.push_back({{at.x, at.y, z}, {0, 0, 1}, {1, 0, 0, 1}, corner + side * glm::vec2(mirrored ? 1 - at.x : at.x, at.y)});
+    mesh.vertices.push_back(
+        {{at.x, at.y, z}, {0, 0, 1}, {1, 0, 0, 1}, corner + side * glm::vec2(mirrored ? 1 - at.x : at.x, at.y)});
   for (const uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(base + i);
 }
 

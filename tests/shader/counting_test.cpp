@@ -34,7 +34,8 @@ TEST_F(Counting, SlotsAreTheTexturesBindingsInOrder) {
     const CountingShader counting = add_counters(compile(Stage::fragment, api, three_taps), api, {.binding = 9});
     EXPECT_EQ(counting.slots, (std::vector<uint32_t>{1, 4}));
     EXPECT_EQ(counting.words, 6u);
-    EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u * (1 + 2)) << "two halves: of the invocation and of each texture, however often it is read";
+    EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u * (1 + 2))
+        << "two halves: of the invocation and of each texture, however often it is read";
   }
 }
 
