@@ -53,6 +53,8 @@ TEST(Plan, SaysWhyAFeatureIsOffAndOnHowManyObjectsItIsOn) {
   const EffectPlan effect = *make_plan(library, scene).of("layered_material");
   EXPECT_EQ(effect.features[1].define, "LAYER_DEPTH");
   EXPECT_EQ(effect.features[1].reason, "the layers are apart (on 1 of 2 objects)");
+  scene.objects = {layered(8, 1)};
+  EXPECT_EQ(make_plan(library, scene).of("layered_material")->features[1].reason, "the layers are apart");
   scene.objects = {layered(0, 1)};
   EXPECT_EQ(make_plan(library, scene).of("layered_material")->features[1].reason,
             "the thickness is 0, or the inner layer is not seen");

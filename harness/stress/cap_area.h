@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What two spherical caps share, as a reference for the shaders' approximations.
+// Angular radii r0, r1 in (0, pi], distance of the centres d in [0, pi], in radians (pi may be binary32's, which is above it);
+// areas in steradians on the unit sphere.
+#pragma once
+
+namespace lamina {
+
+// Whether these are radii and a distance: finite, and in the ranges above.
+bool are_caps(double r0, double r1, double d);
+
+// Oracle: the Gauss-Bonnet lens with three arc cosines, in 400 bits, so that its cancellations do not reach a double. About a
+// third of a millisecond. Throws Error(bad_input) for arguments outside the ranges above.
+double cap_intersection_oracle(double r0, double r1, double d);
+
+// The same in double, fast: two circular segments (see shaders/cap_intersection/exact_cap.glsl). Within 4 eps max(1, kappa) of
+// the oracle, relative; eps = 2^-52. The same arguments, not checked.
+double cap_intersection_area(double r0, double r1, double d);
+
+// Area of the smaller cap.
+double smaller_cap_area(double r0, double r1);
+
+// How much relative errors of the arguments are amplified: the sum over arguments of |argument * derivative / area|, with the
+// derivatives d/dr0 = 2 A sin r0, d/dr1 = 2 B sin r1, d/dd = -2 sin r0 sin A; 0 where the caps are apart.
+double cap_intersection_condition(double r0, double r1, double d);
+
+}  // namespace lamina

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/stress/cap_stress.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <random>
+
+#include "harness/shader/shader.h"
+#include "harness/stress/cap_area.h"
+
+namespace lamina {
+namespace {
+
+constexpr uint32_t group_size = 64;  // as in caps.comp
+constexpr int few_calls = 4, many_calls = 36;
+constexpr double eps = 0x1p-23;
+
+}  // namespace
+
+std::vector<std::string> cap_variants(const std::filesystem::path& shaders) {
+  constexpr std::string_view ending = "_cap.glsl", baseline = "exact_cap";
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(shaders / "cap_intersection"))
+    if (entry.path().filename().string().ends_with(ending)) names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
+    return std::pair(a != baseline, a) < std::pair(b != baseline, b);
+  });
+  return names;
+}
+
+CapRunner::CapRunner(Backend& backend, const std::filesystem::path& shaders, const std::string& variant) : backend_(backend) {
+  const CompiledShader compute = compile_shader(
+      {shaders / "stress/caps.comp", Stage::compute, backend.info().api, {{"CAP_INTERSECTION", variant}}, {shaders}});
+  PipelineDesc desc;
+  desc.name = variant;
+  desc.stages = {{Stage::compute, compute.spirv}};
+  desc.bindings = {{0, BindingKind::storage_buffer}, {1, BindingKind::storage_buffer}, {2, BindingKind::uniform_buffer}};
+  pipeline_ = backend.create_pipeline(desc);
+  work_ = backend.create_buffer("cap work", BufferUse::uniform, 4 * sizeof(int32_t));
+}
+
+CapRunner::~CapRunner() {
+  for (const BufferId buffer : {inputs_, areas_, work_})
+    if (buffer) backend_.destroy(buffer);
+  backend_.destroy(pipeline_);
+}
+
+std::vector<float> CapRunner::areas(std::span<const CapInput> inputs) {
+  for (const BufferId buffer : {inputs_, areas_})
+    if (buffer) backend_.destroy(buffer);
+  std::vector<std::array<float, 4>> padded;
+  for (const CapInput& input : inputs) padded.push_back({input.r0, input.r1, input.d, 0});
+  count_ = inputs.size();
+  inputs_ = backend_.create_buffer("cap inputs", BufferUse::storage, padded.size() * sizeof(padded[0]),
+                                   std::as_bytes(std::span(padded)));
+  areas_ = backend_.create_buffer("cap areas", BufferUse::storage, count_ * sizeof(float));
+  run(1, Timing::off, nullptr);
+  const std::vector<std::byte> bytes = backend_.read_buffer(areas_);
+  std::vector<float> areas(count_);
+  std::memcpy(areas.data(), bytes.data(), count_ * sizeof(float));
+  return areas;
+}
+
+double CapRunner::time_ms(int calls) {
+  double ms = 0;
+  run(calls, Timing::bracketed, &ms);
+  return ms;
+}
+
+void CapRunner::run(int calls, Timing timing, double* ms) {
+  const std::array<int32_t, 4> work = {static_cast<int32_t>(count_), calls, 0, 0};
+  backend_.write_buffer(work_, std::as_bytes(std::span(work)));
+  Pass pass;
+  pass.name = "caps";
+  pass.kind = PassKind::compute;
+  Draw draw;
+  draw.pipeline = pipeline_;
+  draw.buffers = {{0, inputs_, BindingKind::storage_buffer},
+                  {1, areas_, BindingKind::storage_buffer},
+                  {2, work_, BindingKind::uniform_buffer}};
+  draw.groups = {(static_cast<uint32_t>(count_) + group_size - 1) / group_size, 1, 1};
+  pass.draws = {draw};
+  const RunTimes times = backend_.run({&pass, 1}, timing);
+  if (ms != nullptr) *ms = times.pass_ms.front();
+}
+
+CapErrors judge_caps(std::span<const CapInput> inputs, std::span<const float> areas, std::span<const double> truth,
+                     std::span<const double> condition) {
+  CapErrors errors;
+  size_t finite = 0;
+  for (size_t i = 0; i < inputs.size(); ++i) {
+    const CapInput& input = inputs[i];
+    if (!std::isfinite(areas[i])) {
+      ++errors.nonfinite;
+      continue;
+    }
+    ++finite;
+    errors.negative += areas[i] < 0;
+    errors.not_zero += truth[i] == 0 && areas[i] != 0;
+    const double difference = areas[i] - truth[i], error = difference / smaller_cap_area(input.r0, input.r1);
+    if (error > errors.max_over) errors.max_over = error, errors.worst_over = input;
+    if (error < errors.max_under) errors.max_under = error, errors.worst_under = input;
+    errors.mean_absolute += std::abs(error);
+    errors.rms += error * error;
+    errors.most_eps = std::max(errors.most_eps, std::abs(error) / eps);
+    if (truth[i] > 0)
+      errors.most_eps_kappa =
+          std::max(errors.most_eps_kappa, std::abs(difference) / truth[i] / (eps * std::max(1.0, condition[i])));
+  }
+  if (finite > 0) {
+    errors.mean_absolute /= static_cast<double>(finite);
+    errors.rms = std::sqrt(errors.rms / static_cast<double>(finite));
+  }
+  return errors;
+}
+
+std::vector<Interval> nanoseconds_per_call(std::span<CapRunner* const> runners, size_t rounds, uint64_t seed) {
+  std::vector<std::vector<double>> samples(runners.size());
+  std::vector<size_t> order(runners.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::mt19937_64 random(seed);
+  for (CapRunner* runner : runners) runner->time_ms(many_calls);  // warm-up
+  for (size_t round = 0; round < rounds; ++round) {
+    for (size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);  // Fisher and Yates
+    for (const size_t i : order) {
+      const double few = runners[i]->time_ms(few_calls), many = runners[i]->time_ms(many_calls);
+      samples[i].push_back((many - few) * 1e6 / ((many_calls - few_calls) * static_cast<double>(runners[i]->inputs())));
+    }
+  }
+  std::vector<Interval> intervals;
+  for (const std::vector<double>& sample : samples) intervals.push_back(median_interval(sample));
+  return intervals;
+}
+
+}  // namespace lamina

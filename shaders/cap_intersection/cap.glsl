@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the cap intersections share. Every one takes angular radii r0, r1 in (0, pi) and the distance d of the centres in [0, pi], in
+// radians, and returns the area that both caps cover, in steradians.
+#ifndef CAP_GLSL
+#define CAP_GLSL
+
+const float pi = 3.14159265;
+
+// Area of a cap of angular radius r, without cancellation for small r.
+float cap_area(float r) {
+  float s = sin(0.5 * r);
+  return 4.0 * pi * s * s;
+}
+
+// How far the caps overlap: 1 where the smaller one lies inside the other, 0 where they are apart. Linear in d.
+// Written as a quotient of what cannot be 0 / 0: the smaller radius is above 0.
+float cap_overlap(float r0, float r1, float d) {
+  float smaller = min(r0, r1);
+  return clamp((r0 + r1 - d) / (2.0 * smaller), 0.0, 1.0);
+}
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shaders' functions on every backend against the reference.
+#include "harness/stress/cap_stress.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "harness/stress/cap_area.h"
+
+namespace lamina {
+namespace {
+
+const std::filesystem::path shaders = std::filesystem::path(LAMINA_SOURCE_DIR) / "shaders";
+constexpr size_t inputs_per_set = 20000;
+
+class CapShaders : public ::testing::TestWithParam<std::string_view> {
+ protected:
+  void SetUp() override {
+    try {
+      backend_ = open_backend(GetParam());
+    } catch (const Error& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+  // Errors by set of one variant.
+  std::map<std::string, CapErrors> errors(const std::string& variant) {
+    std::map<std::string, CapErrors> all;
+    CapRunner runner(*backend_, shaders, variant);
+    for (const CapSet& set : make_cap_sets(inputs_per_set, 5)) {
+      std::vector<double> truth, condition;
+      for (const auto& [r0, r1, d] : set.inputs) {
+        truth.push_back(cap_intersection_area(r0, r1, d));
+        condition.push_back(cap_intersection_condition(r0, r1, d));
+      }
+      all[set.name] = judge_caps(set.inputs, runner.areas(set.inputs), truth, condition);
+    }
+    return all;
+  }
+  std::unique_ptr<Backend> backend_;
+};
+
+TEST_P(CapShaders, ExactCapKeepsItsBoundsOnEverySet) {
+  for (const auto& [set, errors] : errors("exact_cap")) {
+    SCOPED_TRACE(set);
+    EXPECT_LE(errors.most_eps, 32);
+    EXPECT_LE(errors.most_eps_kappa, 4);
+    EXPECT_EQ(errors.negative, 0u);
+    EXPECT_EQ(errors.nonfinite, 0u);
+    EXPECT_EQ(errors.not_zero, 0u);
+  }
+}
+
+// Figures for radii up to pi / 2, of the smaller cap, from an independent search of that box.
+TEST_P(CapShaders, ApproximationsErrAsMuchAsTheyAreKnownTo) {
+  for (const auto& [variant, over, under] :
+       {std::tuple{"smoothstep_cap", 0.1605, -0.0962}, {"linear_cap", 0.115, -0.058}, {"fitted_cap", 0.018, -0.017}}) {
+    const CapErrors errors = this->errors(variant)["overlaps"];
+    EXPECT_NEAR(errors.max_over, over, 0.03 * over) << variant;
+    EXPECT_NEAR(errors.max_under, under, -0.03 * under) << variant;
+    EXPECT_EQ(errors.nonfinite + errors.negative, 0u) << variant;
+  }
+}
+
+TEST_P(CapShaders, NaiveFormulaFailsWhereTheExactOneDoesNot) {
+  const auto errors = this->errors("naive_cap");
+  EXPECT_GT(errors.at("tiny").negative + errors.at("tiny").nonfinite, inputs_per_set / 10);
+  EXPECT_GT(errors.at("tangent_outside").most_eps, 1e3);
+}
+
+// d area / d d <= 0: in binary32, by neighbouring distances, up to the rounding of exact_cap.
+TEST_P(CapShaders, ExactCapFallsWithDistance) {
+  CapRunner runner(*backend_, shaders, "exact_cap");
+  for (const auto& [r0, r1] :
+       {std::pair{1.5f, 0.4f}, {1.57079637f, 1.57079637f}, {2.5f, 1.2f}, {1e-4f, 1.2e-4f}, {2.9f, 2.8f}}) {
+    std::vector<CapInput> inputs;
+    for (int i = 0; i <= 4096; ++i)
+      inputs.push_back({r0, r1, std::min(r0 + r1, 3.14159250f) * static_cast<float>(i) / 4096.0f});
+    const std::vector<float> areas = runner.areas(inputs);
+    const double rounding = 32 * 0x1p-23 * smaller_cap_area(r0, r1),
+                 steepest = 2 * std::min(std::sin(double(r0)), std::sin(double(r1)));
+    for (size_t i = 1; i < areas.size(); ++i) {
+      ASSERT_LE(areas[i], areas[i - 1] + rounding) << r0 << " " << r1 << " " << inputs[i].d;
+      ASSERT_LE(areas[i - 1] - areas[i], steepest * (double(inputs[i].d) - inputs[i - 1].d) + rounding)
+          << r0 << " " << r1 << " " << inputs[i].d;
+    }
+  }
+}
+
+TEST_P(CapShaders, ExactCapAtTheEndsOfItsRange) {
+  CapRunner runner(*backend_, shaders, "exact_cap");
+  constexpr float pi = 3.14159274f;
+  const std::vector<CapInput> inputs = {{0, 1, 0.5f},         {1, 1, 0},     {pi, 1, 2}, {pi, pi, pi}, {1, 1, pi},
+                                        {pi / 2, pi / 2, pi}, {1e-30f, 1, 0}};
+  const std::vector<double> expected = {0, 2.8883657975136403, 2.8883657975136403, 12.566370614359172, 0, 0, 0};
+  const std::vector<float> areas = runner.areas(inputs);
+  for (size_t i = 0; i < inputs.size(); ++i) EXPECT_NEAR(areas[i], expected[i], 2e-6) << i;
+}
+
+TEST_P(CapShaders, JudgesByTheSmallerCap) {
+  const std::vector<CapInput> inputs = {{1, 1, 0}, {1, 1, 0}, {1, 1, 3}, {1, 1, 3}};
+  const double cap = smaller_cap_area(1, 1);
+  const std::vector<float> areas = {static_cast<float>(1.5 * cap), static_cast<float>(0.75 * cap), -0.5f, std::nanf("")};
+  const CapErrors errors = judge_caps(inputs, areas, std::vector<double>{cap, cap, 0, 0}, std::vector<double>{1, 1, 0, 0});
+  EXPECT_NEAR(errors.max_over, 0.5, 1e-6);
+  EXPECT_NEAR(errors.max_under, std::min(-0.25, -0.5 / cap), 1e-6);
+  EXPECT_EQ(errors.negative, 1u);
+  EXPECT_EQ(errors.not_zero, 1u);
+  EXPECT_EQ(errors.nonfinite, 1u);
+  EXPECT_NEAR(errors.mean_absolute, (0.5 + 0.25 + 0.5 / cap) / 3, 1e-6);
+  EXPECT_NEAR(errors.most_eps_kappa, 0.5 * 0x1p23, 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, CapShaders, ::testing::ValuesIn(backend_names().begin(), backend_names().end()),
+                         [](const auto& test) { return std::string(test.param); });
+
+}  // namespace
+}  // namespace lamina
