@@ -34,11 +34,23 @@ struct CompareOptions {
   std::string command;  // as the user typed it
 };
 
+struct StressOptions {
+  std::filesystem::path points;  // a file of inputs; empty: the sets of make_cap_sets()
+  size_t count = 100000;         // inputs a set
+  std::vector<std::string> variants;
+  std::vector<std::string> backends = {"vulkan", "osmesa"};
+  std::string device;
+  std::filesystem::path out = "lamina-out";
+  uint64_t seed = 1;
+  bool validation = false;
+};
+
 // Difference pictures are |test - baseline| of display values times this; records and reports state it.
 inline constexpr double difference_gain = 4;
 
 // Each returns the exit status, and throws Error.
 int run_compare(const CompareOptions& options);
+int run_stress_caps(const StressOptions& options);
 int run_plan(const SceneOptions& options);
 int run_list(const SceneOptions& options);
 int run_report(const std::vector<std::filesystem::path>& records);

@@ -98,6 +98,24 @@ int run(int argc, char** argv) {
   compare_command.add_flag("--validation,!--no-validation", compare.validation,
                            "Check API use: Vulkan's validation layers, OpenGL's debug output");
 
+  StressOptions stress;
+  stress.validation = LAMINA_VALIDATION;
+  std::string functions;
+  CLI::App& stress_command = *app.add_subcommand("stress", "Hard inputs through the shaders' functions, against exact values");
+  stress_command.add_option("functions", functions, "caps: the area that two spherical caps share")
+      ->required()
+      ->check(CLI::IsMember({"caps"}));
+  stress_command.add_option("--points", stress.points,
+                            "File of r0,r1,d[,area] (radians, steradians) instead of the built-in sets");
+  stress_command.add_option("--count", stress.count, "Inputs a set")->capture_default_str()->check(CLI::Range(1000, 10000000));
+  stress_command.add_option("--variant", stress.variants, "Only this function (may be given again)");
+  stress_command.add_option("--backend", stress.backends, "vulkan, osmesa or egl (may be given again)")->capture_default_str();
+  stress_command.add_option("--device", stress.device, "Part of a device's name, or its number in 'lamina list'");
+  stress_command.add_option("--out", stress.out, "Folder for stress.csv and pictures of the error")->capture_default_str();
+  stress_command.add_option("--seed", stress.seed, "Seed of the inputs")->capture_default_str();
+  stress_command.add_flag("--validation,!--no-validation", stress.validation,
+                          "Check API use: Vulkan's validation layers, OpenGL's debug output");
+
   SceneOptions plan;
   CLI::App& plan_command = *app.add_subcommand("plan", "What the scene calls for and why, and the passes");
   add_scene_options(plan_command, plan);
@@ -120,6 +138,7 @@ int run(int argc, char** argv) {
     if (compare.quick && precision->count() == 0) compare.precision = 0.05;
     return run_compare(compare);
   }
+  if (stress_command.parsed()) return run_stress_caps(stress);
   if (plan_command.parsed()) return run_plan(plan);
   if (list_command.parsed()) return run_list(list);
   return run_report(records);

@@ -15,10 +15,11 @@ struct TimerRow {
   std::string backend;
   bool ok = false;
   std::vector<double> linearity;  // time of 1x, 2x, 4x, 8x work over that multiple of the 1x time: 1 is perfect
+  double one_ms = 0;              // what the pass of 1x work lasted
   double additivity = 0;          // sum of passes over the wall time
-  double attribution = 0;  // greatest relative error of a pass's share of the frame, the passes' order shuffled every round; a time given
-                           // to the wrong pass breaks linearity, so this one is reported, not judged
-  std::string reason;      // why not ok
+  double attribution = 0;  // greatest relative error of a pass's share of the frame, the passes' order shuffled every round; a
+                           // time given to the wrong pass breaks linearity, so this one is reported, not judged
+  std::string reason;  // why not ok
 };
 
 // Bounds that a certificate holds to.
@@ -31,7 +32,8 @@ inline constexpr double additivity_tolerance = 0.05;
 // where there are no rounds.
 TimerRow judge_timer(const std::vector<std::vector<double>>& times_ms, const std::vector<double>& wall_ms);
 
-// Measures (about a second) and judges. `shaders` is the folder of the built-in shaders.
+// Measures (some seconds; up to half a minute on a machine too busy to pass) and judges. `shaders` is the folder of the
+// built-in shaders.
 TimerRow certify_timer(Backend& backend, const std::filesystem::path& shaders);
 
 }  // namespace lamina

@@ -147,6 +147,7 @@ Json to_json(const TimerRow& timer) {
           {"backend", timer.backend},
           {"ok", timer.ok},
           {"linearity", timer.linearity},
+          {"one_ms", measured ? finite(timer.one_ms, owner, "one_ms") : Json(nullptr)},
           {"additivity", measured ? finite(timer.additivity, owner, "additivity") : Json(nullptr)},
           {"attribution", measured ? finite(timer.attribution, owner, "attribution") : Json(nullptr)},
           {"reason", timer.reason}};

@@ -143,6 +143,7 @@ void check_timer(const Json& line, const std::string& where) {
          {"ok", boolean},
          {"linearity", numbers},
          {"additivity", number_or_null},
+         {"one_ms", number_or_null},
          {"attribution", number_or_null},
          {"reason", text}},
         where);

@@ -62,7 +62,7 @@ struct CellRow {
 // is not timed, fetches a pixel where no pixel is covered. PSNR of equal pictures is null with "identical": true. Throws
 // Error(failed) for a number that is not finite, and as frame_samples_ms() does.
 nlohmann::ordered_json to_json(const CellRow& cell);
-// Additivity and attribution are null where linearity is empty, which is a certificate that never got to measure.
+// one_ms, additivity and attribution are null where linearity is empty, which is a certificate that never got to measure.
 nlohmann::ordered_json to_json(const TimerRow& timer);
 
 // Opens a record afresh and appends lines; its folder must exist. Throws Error(bad_input) where the folder cannot be written.

@@ -15,7 +15,8 @@ namespace lamina {
 namespace {
 
 constexpr uint32_t group_size = 64;  // as in caps.comp
-constexpr int few_calls = 4, many_calls = 36;
+constexpr double long_run_ms = 40;  // of the timed runs; the short ones make an eighth of the calls
+constexpr int most_calls = 1 << 16;
 constexpr double eps = 0x1p-23;
 
 }  // namespace
@@ -122,12 +123,15 @@ std::vector<Interval> nanoseconds_per_call(std::span<CapRunner* const> runners, 
   std::vector<size_t> order(runners.size());
   std::iota(order.begin(), order.end(), size_t{0});
   std::mt19937_64 random(seed);
-  for (CapRunner* runner : runners) runner->time_ms(many_calls);  // warm-up
+  std::vector<int> calls(runners.size(), 8);
+  for (size_t i = 0; i < runners.size(); ++i)
+    while (runners[i]->time_ms(calls[i]) < long_run_ms && calls[i] < most_calls) calls[i] *= 2;
   for (size_t round = 0; round < rounds; ++round) {
     for (size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);  // Fisher and Yates
     for (const size_t i : order) {
-      const double few = runners[i]->time_ms(few_calls), many = runners[i]->time_ms(many_calls);
-      samples[i].push_back((many - few) * 1e6 / ((many_calls - few_calls) * static_cast<double>(runners[i]->inputs())));
+      const int few = calls[i] / 8;
+      const double ms = runners[i]->time_ms(calls[i]) - runners[i]->time_ms(few);
+      samples[i].push_back(ms * 1e6 / ((calls[i] - few) * static_cast<double>(runners[i]->inputs())));
     }
   }
   std::vector<Interval> intervals;

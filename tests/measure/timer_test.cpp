@@ -16,6 +16,7 @@ TEST(Timer, GoodTimerIsCertified) {
   EXPECT_EQ(row.linearity, (std::vector<double>{1, 1, 1, 1}));
   EXPECT_NEAR(row.additivity, 150.0 / 151, 1e-12);
   EXPECT_NEAR(row.attribution, 0, 1e-12);
+  EXPECT_EQ(row.one_ms, 10);
 }
 
 TEST(Timer, LastTileOnlyIsNotLinear) {

@@ -205,7 +205,7 @@ TEST(TimerToJson, HasTheFieldsThatTheDesignFixes) {
   const Json line = to_json(
       TimerRow{.backend = "osmesa", .ok = true, .linearity = {1, 1.01}, .additivity = 0.98, .attribution = 0.01, .reason = ""});
   EXPECT_EQ(names_of(line),
-            (std::set<std::string>{"kind", "backend", "ok", "linearity", "additivity", "attribution", "reason"}));
+            (std::set<std::string>{"kind", "backend", "ok", "linearity", "one_ms", "additivity", "attribution", "reason"}));
   EXPECT_EQ(line["kind"], "timer");
   EXPECT_EQ(line["linearity"], Json({1, 1.01}));
   EXPECT_EQ(line["additivity"], 0.98);

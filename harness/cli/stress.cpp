@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// lamina stress: the shaders' functions over hard inputs, on every backend, against a reference that is better than they are.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "harness/cli/commands.h"
+#include "harness/core/text.h"
+#include "harness/measure/timer_certificate.h"
+#include "harness/stress/cap_area.h"
+#include "harness/stress/cap_pictures.h"
+#include "harness/stress/cap_stress.h"
+
+namespace lamina {
+namespace {
+
+constexpr size_t timing_rounds = 12;
+constexpr size_t timed_inputs = 1 << 16;
+
+struct Reference {
+  std::vector<double> areas, conditions;
+};
+
+Reference reference_of(const CapSet& set) {
+  Reference reference;
+  for (const auto& [r0, r1, d] : set.inputs) {
+    reference.areas.push_back(cap_intersection_area(r0, r1, d));
+    reference.conditions.push_back(cap_intersection_condition(r0, r1, d));
+  }
+  // Areas that a file gives hold where they are given.
+  for (size_t i = 0; i < set.areas.size(); ++i)
+    if (!std::isnan(set.areas[i])) reference.areas[i] = set.areas[i];
+  return reference;
+}
+
+struct Row {
+  std::string backend, variant, set;
+  size_t points = 0;
+  CapErrors errors;
+};
+
+// One line a variant and backend; what an approximation loses, and what a call costs.
+struct Cost {
+  std::string backend, variant;
+  std::optional<Interval> ns;
+};
+
+std::string input_text(const CapInput& input) { return fmt::format("{} {} {}", input.r0, input.r1, input.d); }
+
+void write_csv(const std::filesystem::path& file, const std::vector<Row>& rows, const std::vector<Cost>& costs) {
+  std::string text =
+      "backend,variant,set,points,max_over,max_under,mean_absolute,rms,most_eps,most_eps_kappa,negative,nonfinite,not_zero,"
+      "worst_over_r0,worst_over_r1,worst_over_d,worst_under_r0,worst_under_r1,worst_under_d,ns_per_call,ns_low,ns_high\n";
+  for (const Row& row : rows) {
+    const CapErrors& e = row.errors;
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", row.backend, row.variant, row.set,
+                        row.points, e.max_over, e.max_under, e.mean_absolute, e.rms, e.most_eps, e.most_eps_kappa, e.negative,
+                        e.nonfinite, e.not_zero, e.worst_over.r0, e.worst_over.r1, e.worst_over.d, e.worst_under.r0,
+                        e.worst_under.r1, e.worst_under.d);
+    const auto cost = std::find_if(costs.begin(), costs.end(),
+                                   [&](const Cost& c) { return c.backend == row.backend && c.variant == row.variant; });
+    text +=
+        cost != costs.end() && cost->ns ? fmt::format(",{},{},{}\n", cost->ns->median, cost->ns->low, cost->ns->high) : ",,,\n";
+  }
+  std::ofstream out(file);
+  out << text;
+  if (!out.flush()) throw Error(ErrorKind::failed, "stress", file.string(), "cannot be written");
+}
+
+void print_set(const CapSet& set, const std::vector<Row>& rows) {
+  fmt::print("\n{}: {} ({} points)\n", set.name, set.what, set.inputs.size());
+  fmt::print("{:<16} {:<8} {:>9} {:>9} {:>9} {:>9} {:>10} {:>10} {:>9} {:>10}  {}\n", "variant", "backend", "max over",
+             "max under", "mean", "rms", "eps", "eps kappa", "negative", "non-finite", "worst r0 r1 d");
+  for (const Row& row : rows) {
+    if (row.set != set.name) continue;
+    const CapErrors& e = row.errors;
+    fmt::print("{:<16} {:<8} {:>9.3g} {:>9.3g} {:>9.2g} {:>9.2g} {:>10.3g} {:>10.3g} {:>9} {:>10}  {}\n", row.variant,
+               row.backend, e.max_over, e.max_under, e.mean_absolute, e.rms, e.most_eps, e.most_eps_kappa, e.negative,
+               e.nonfinite, input_text(e.max_over > -e.max_under ? e.worst_over : e.worst_under));
+  }
+}
+
+// Times every variant on the first set's inputs, as many as timed_inputs (they are repeated); nothing where the timer cannot be
+// trusted.
+std::vector<Cost> time_variants(Backend& backend, const std::filesystem::path& shaders,
+                                const std::vector<std::string>& variants, const std::vector<CapInput>& inputs, uint64_t seed) {
+  std::vector<Cost> costs;
+  for (const std::string& variant : variants) costs.push_back({backend.info().backend, variant, std::nullopt});
+  const TimerRow timer = certify_timer(backend, shaders);
+  if (!timer.ok) {
+    fmt::print(stderr, "lamina: {}: no times are given: {} (1x, 2x, 4x, 8x work took {:.3f} of linear)\n", backend.info().backend,
+               timer.reason, fmt::join(timer.linearity, ", "));
+    return costs;
+  }
+  std::vector<CapInput> repeated(timed_inputs);
+  for (size_t i = 0; i < repeated.size(); ++i)
+    repeated[i] = inputs[i * 7919 % inputs.size()];  // a prime: neighbours take different ways
+  std::vector<std::unique_ptr<CapRunner>> runners;
+  std::vector<CapRunner*> pointers;
+  for (const std::string& variant : variants) {
+    runners.push_back(std::make_unique<CapRunner>(backend, shaders, variant));
+    runners.back()->areas(repeated);
+    pointers.push_back(runners.back().get());
+  }
+  const std::vector<Interval> ns = nanoseconds_per_call(pointers, timing_rounds, seed);
+  for (size_t i = 0; i < costs.size(); ++i) costs[i].ns = ns[i];
+  return costs;
+}
+
+}  // namespace
+
+int run_stress_caps(const StressOptions& options) {
+  const std::filesystem::path shaders = home_folder() / "shaders";
+  std::vector<std::string> variants = cap_variants(shaders);
+  for (const std::string& name : options.variants)
+    if (std::find(variants.begin(), variants.end(), name) == variants.end())
+      throw Error(ErrorKind::bad_input, "stress", "--variant", unknown_name("variant", name, variants));
+  if (!options.variants.empty()) variants = options.variants;
+  std::vector<CapSet> sets;
+  if (options.points.empty())
+    sets = make_cap_sets(options.count, options.seed);
+  else
+    sets.push_back(read_cap_points(options.points));
+  std::error_code failure;
+  std::filesystem::create_directories(options.out / "images", failure);
+  if (failure)
+    throw Error(ErrorKind::bad_input, "stress", options.out.string(), "the folder cannot be made; choose another with --out");
+
+  std::vector<Reference> references;
+  for (const CapSet& set : sets) references.push_back(reference_of(set));
+
+  std::vector<Row> rows;
+  std::vector<Cost> costs;
+  bool complained = false;
+  for (const std::string& name : options.backends) {
+    std::unique_ptr<Backend> backend;
+    try {
+      backend = open_backend(name, {options.device, options.validation});
+    } catch (const Error& error) {
+      if (error.kind() == ErrorKind::bad_input) throw;
+      fmt::print(stderr, "lamina: {}\n", error.what());
+      continue;
+    }
+    Progress progress(name);
+    for (size_t i = 0; i < variants.size(); ++i) {
+      progress.show(static_cast<double>(i) / static_cast<double>(variants.size()), variants[i]);
+      CapRunner runner(*backend, shaders, variants[i]);
+      for (size_t s = 0; s < sets.size(); ++s)
+        rows.push_back(
+            {name, variants[i], sets[s].name, sets[s].inputs.size(),
+             judge_caps(sets[s].inputs, runner.areas(sets[s].inputs), references[s].areas, references[s].conditions)});
+      if (options.points.empty()) write_cap_pictures(runner, options.out / "images", fmt::format("{}-{}", variants[i], name));
+    }
+    const std::vector<Cost> timed = time_variants(*backend, shaders, variants, sets.front().inputs, options.seed);
+    costs.insert(costs.end(), timed.begin(), timed.end());
+    for (const std::string& message : backend->take_messages()) {
+      fmt::print(stderr, "lamina: {}: {}\n", name, message);
+      complained = true;
+    }
+  }
+  if (rows.empty())
+    throw Error(ErrorKind::no_device, "stress", "no usable device",
+                "none of the backends could be opened; see the messages above");
+
+  fmt::print(
+      "caps: the area that two spherical caps share. Errors are of the smaller cap's area; eps = 2^-23 of it; eps kappa: of "
+      "the area "
+      "itself, over eps times its condition number.\n");
+  for (const CapSet& set : sets) print_set(set, rows);
+  fmt::print("\nnanoseconds per call [95%], over {} points of '{}'\n", timed_inputs, sets.front().name);
+  for (const Cost& cost : costs)
+    fmt::print("{:<16} {:<8} {}\n", cost.variant, cost.backend,
+               cost.ns ? fmt::format("{:>8.3g} [{:.3g}, {:.3g}]", cost.ns->median, cost.ns->low, cost.ns->high) : "       -");
+  write_csv(options.out / "stress.csv", rows, costs);
+  if (std::string(LAMINA_BUILD_NAME) != "release")
+    fmt::print("warning: the build is '{}', not 'release': its times do not count\n", LAMINA_BUILD_NAME);
+  fmt::print("\ntable: {}\n", (options.out / "stress.csv").string());
+  const bool uncertified = std::any_of(costs.begin(), costs.end(), [](const Cost& cost) { return !cost.ns; });
+  return complained || uncertified ? 1 : 0;
+}
+
+}  // namespace lamina
