@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// lamina stress from end to end.
+#include <sstream>
+#include <vector>
+
+#include "tests/cli/program.h"
+
+namespace lamina {
+namespace {
+
+class Stress : public ProgramTest {
+ protected:
+  std::vector<std::vector<std::string>> table() const {
+    std::vector<std::vector<std::string>> rows;
+    std::ifstream in(folder_ / "out/stress.csv");
+    for (std::string line; std::getline(in, line);) {
+      std::stringstream cells(line);
+      rows.emplace_back();
+      for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
+    }
+    return rows;
+  }
+  Outcome stress(const std::string& arguments) {
+    return lamina_program("stress " + arguments + " --out " + (folder_ / "out").string());
+  }
+};
+
+// One radian each way: what three equal caps' worth of formula gives, to 120 digits cut to 17.
+TEST_F(Stress, PointsOfAFileAreJudgedByTheAreasTheyBring) {
+  const auto file =
+      write("points.csv", "# by hand\nr0,r1,d,area\n1,1,1,1.2381525145977283\n1,1,3,0\n1,1,1,2.4763050291954566\n");
+  const Outcome outcome = stress("caps --backend vulkan --variant exact_cap --points " + file.string());
+  EXPECT_LE(outcome.status, 1) << outcome.output << "a busy machine can fail the timer's certificate";
+  const auto rows = table();
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[1][1], "exact_cap");
+  EXPECT_EQ(rows[1][3], "3");
+  EXPECT_NEAR(std::stod(rows[1][5]), -1.2381525145977283 / 2.8883657975136403, 1e-6) << "the last area is twice the right one";
+  EXPECT_LT(std::stod(rows[1][4]), 4e-7);
+}
+
+TEST_F(Stress, BadInputs) {
+  const std::pair<std::string, std::string> cases[] = {{"r0,r1,d\n1,2\n", "points.csv:2: needs r0,r1,d"},
+                                                       {"1,abc,2\n", "points.csv:1: 'abc' is not a finite number"},
+                                                       {"1,nan,2\n", "points.csv:1: 'nan' is not a finite number"},
+                                                       {"1,1,1\n1,-1,2\n", "points.csv:2: radii must lie above 0"},
+                                                       {"0,1,1\n", "points.csv:1: radii must lie above 0"},
+                                                       {"1,3.2,1\n", "points.csv:1: radii must lie above 0"},
+                                                       {"# nothing\n", "points.csv: holds no points"}};
+  for (const auto& [text, words] : cases) {
+    const Outcome outcome = stress("caps --points " + write("points.csv", text).string());
+    EXPECT_EQ(outcome.status, 2) << text;
+    EXPECT_SAYS(outcome.output, words);
+  }
+  EXPECT_SAYS(stress("caps --points /no/such.csv").output, "/no/such.csv: cannot be read");
+  EXPECT_SAYS(stress("caps --variant exact_cup").output, "exact_cup");
+  EXPECT_EQ(stress("hats").status, 2);
+  EXPECT_EQ(stress("caps --count 5").status, 2);
+  EXPECT_EQ(lamina_program("stress caps --count 1000 --out /proc/nothing").status, 2);
+}
+
+TEST_F(Stress, NoDeviceIsStatusFour) {
+  const Outcome outcome = stress("caps --count 1000 --device no_such_device");
+  EXPECT_EQ(outcome.status, 4) << outcome.output;
+}
+
+}  // namespace
+}  // namespace lamina
