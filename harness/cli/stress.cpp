@@ -91,8 +91,8 @@ std::vector<Cost> time_variants(Backend& backend, const std::filesystem::path& s
   for (const std::string& variant : variants) costs.push_back({backend.info().backend, variant, std::nullopt});
   const TimerRow timer = certify_timer(backend, shaders);
   if (!timer.ok) {
-    fmt::print(stderr, "lamina: {}: no times are given: {} (1x, 2x, 4x, 8x work took {:.3f} of linear)\n", backend.info().backend,
-               timer.reason, fmt::join(timer.linearity, ", "));
+    fmt::print(stderr, "lamina: {}: no times are given: {} (1x, 2x, 4x, 8x work took {:.3f} of linear)\n",
+               backend.info().backend, timer.reason, fmt::join(timer.linearity, ", "));
     return costs;
   }
   std::vector<CapInput> repeated(timed_inputs);

@@ -17,9 +17,9 @@ constexpr size_t multiples = 4;  // 1x, 2x, 4x, 8x
 constexpr uint32_t size_px = 256;
 // What the 1x pass lasts. A pass has a fixed cost too (waking threads: half a millisecond, up to three on a busy machine);
 // where that shows, the work is made longer before the timer is blamed.
-constexpr std::array<double, 3> one_ms = {40, 80, 160};
+constexpr std::array<double, 2> one_ms = {40, 120};
 constexpr int first_taps = 16, most_taps = 1 << 20;
-constexpr size_t least_rounds = 5, most_rounds = 9;
+constexpr size_t least_rounds = 5, most_rounds = 7;
 
 // The passes and all that they need on the device, given back at the end.
 class Workload {

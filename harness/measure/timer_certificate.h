@@ -32,7 +32,7 @@ inline constexpr double additivity_tolerance = 0.05;
 // where there are no rounds.
 TimerRow judge_timer(const std::vector<std::vector<double>>& times_ms, const std::vector<double>& wall_ms);
 
-// Measures (some seconds; up to half a minute on a machine too busy to pass) and judges. `shaders` is the folder of the
+// Measures (some seconds; up to twenty on a machine too busy to pass) and judges. `shaders` is the folder of the
 // built-in shaders.
 TimerRow certify_timer(Backend& backend, const std::filesystem::path& shaders);
 

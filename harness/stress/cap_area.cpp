@@ -96,7 +96,9 @@ double cap_intersection_area(double r0, double r1, double d) {
   if (std::min({triangle.over0, triangle.over1, triangle.over_d}) <= 0) return apart(r0, r1, d) ? 0 : smaller_cap_area(r0, r1);
   const Circle circle0(r0), circle1(r1);
   // -(cos r0 + cos r1), which cancels where the radii add up to pi.
-  const double all_around = 2 * pi * 2 * std::sin(((r0 - pi / 2) + (r1 - pi / 2) - pi_low) / 2) * std::cos((r0 - r1) / 2);
+  const double larger = std::max(r0, r1), smaller = std::min(r0, r1);
+  const double beyond = ((larger - pi) + smaller) - pi_low, to_opposite = ((pi - larger) + pi_low) + smaller;
+  const double all_around = 4 * pi * std::sin(beyond / 2) * std::sin(to_opposite / 2);
   if (triangle.gap <= 0) return std::max(all_around, 0.0);
   const Corner &a = triangle.a, &b = triangle.b;
   if (is_flat(a, circle0) || is_flat(b, circle1)) {

@@ -64,6 +64,12 @@ CapInput covering(Random& random) {
   return input(r0, r1, 2 * pi - r0 - r1 - random.logarithmic(1e-6, 1e-2));
 }
 
+// The complement of the first cap is tiny, and crosses the second cap's edge.
+CapInput nearly_whole(Random& random) {
+  const double left_out = random.logarithmic(1e-5, 1e-1), r1 = random.logarithmic(1e-5, 1e-1);
+  return input(pi - left_out, r1, pi - random.uniform(std::abs(left_out - r1), left_out + r1));
+}
+
 CapInput tiny(Random& random) {
   const double r0 = random.logarithmic(1e-6, 1e-3), r1 = random.logarithmic(1e-6, 1e-3);
   return input(r0, r1, random.uniform(std::abs(r0 - r1), r0 + r1));
@@ -112,6 +118,7 @@ std::vector<CapSet> make_cap_sets(size_t count, uint64_t seed) {
       {"tangent_inside", "just not one in the other", tangent_inside},
       {"equal", "radii equal to a few units in the last place", equal},
       {"hemispheres", "both radii within 1e-2 of pi/2", hemispheres},
+      {"nearly_whole", "all but a tiny cap, and a small one across its edge", nearly_whole},
       {"covering", "just not covering the sphere", covering}};
   std::vector<CapSet> sets = {overlaps(count)};
   for (const auto& [name, what, make] : makers) {

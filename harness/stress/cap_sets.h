@@ -30,6 +30,7 @@ struct CapSet {
 //   tangent_inside  d just above |r0 - r1|
 //   equal           r0 and r1 equal or a few units in the last place apart
 //   hemispheres     both radii within 1e-6 to 1e-2 of pi/2
+//   nearly_whole    r0 within 1e-5 to 1e-1 of pi, r1 as small, across the edge of what r0 leaves out
 //   covering        r0 + r1 + d just below 2 pi
 std::vector<CapSet> make_cap_sets(size_t count, uint64_t seed);
 

@@ -15,7 +15,7 @@ namespace lamina {
 namespace {
 
 constexpr uint32_t group_size = 64;  // as in caps.comp
-constexpr double long_run_ms = 40;  // of the timed runs; the short ones make an eighth of the calls
+constexpr double long_run_ms = 40;   // of the timed runs; the short ones make an eighth of the calls
 constexpr int most_calls = 1 << 16;
 constexpr double eps = 0x1p-23;
 

@@ -106,8 +106,10 @@ float exact_cap(float r0, float r1, float d) {
   if (over_longest <= 0.0) return longest == d ? 0.0 : 2.0 * pi * versine(min(r0, r1));
   Circle circle0 = circle(r0), circle1 = circle(r1);
   // -2 pi (cos r0 + cos r1), which is what two caps share that cover the sphere, as a product: the sum cancels where r0 + r1 is near pi.
-  precise float beyond = ((r0 - half_pi_high) - half_pi_low) + ((r1 - half_pi_high) - half_pi_low);
-  float all_around = 4.0 * pi * sign(beyond) * precise_sin(0.5 * abs(beyond)) * precise_sin(half_pi_high - 0.5 * abs(r0 - r1));
+  float larger = max(r0, r1), smaller = min(r0, r1);
+  precise float beyond = ((larger - 2.0 * half_pi_high) + smaller) - 2.0 * half_pi_low;         // r0 + r1 - pi
+  precise float to_opposite = ((2.0 * half_pi_high - larger) + 2.0 * half_pi_low) + smaller;  // pi - |r0 - r1|
+  float all_around = 4.0 * pi * sign(beyond) * precise_sin(0.5 * abs(beyond)) * precise_sin(0.5 * to_opposite);
   if (gap <= 0.0) return max(all_around, 0.0);
 
   vec3 sides = vec3(r0, r1, d);
