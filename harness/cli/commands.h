@@ -58,6 +58,15 @@ int run_report(const std::vector<std::filesystem::path>& records);
 // The folder that holds variants/ and shaders/: LAMINA_HOME in the environment, else the source folder of this build.
 std::filesystem::path home_folder();
 Library load_library_for(const SceneOptions& options);
+// Throws Error(bad_input) for the first of `wanted` that is not in `known`, with the nearest known name. `stage` is the
+// command.
+void check_variant_names(std::string_view stage, const std::vector<std::string>& wanted, const std::vector<std::string>& known);
+// Makes `out` and its images/, which may be there. Throws Error(bad_input) where they cannot be made or written.
+void make_run_folder(std::string_view stage, const std::filesystem::path& out);
+// The backend, or null where it does not open here: then standard error and `failure` say why. Throws Error(bad_input) for a
+// name that is none.
+std::unique_ptr<Backend> try_open_backend(std::string_view name, const BackendOptions& options, std::string& failure);
+[[noreturn]] void throw_no_backend(std::string_view stage);
 // A scene that has objects and views, or Error(bad_input).
 Scene load_scene_for(const SceneOptions& options);
 

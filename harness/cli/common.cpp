@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cstdlib>
 
 #include "harness/cli/commands.h"
+#include "harness/core/text.h"
 
 namespace lamina {
 
@@ -11,6 +16,37 @@ std::filesystem::path home_folder() {
 }
 
 Library load_library_for(const SceneOptions& options) { return load_library(home_folder(), options.variants_dirs); }
+
+void check_variant_names(std::string_view stage, const std::vector<std::string>& wanted,
+                         const std::vector<std::string>& known) {
+  for (const std::string& name : wanted)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw Error(ErrorKind::bad_input, std::string(stage), "--variant", unknown_name("variant", name, known));
+}
+
+void make_run_folder(std::string_view stage, const std::filesystem::path& out) {
+  std::error_code failure;
+  std::filesystem::create_directories(out / "images", failure);
+  if (failure || ::access(out.c_str(), W_OK) != 0 || ::access((out / "images").c_str(), W_OK) != 0)
+    throw Error(ErrorKind::bad_input, std::string(stage), out.string(),
+                "the folder cannot be made or written; choose another with --out");
+}
+
+std::unique_ptr<Backend> try_open_backend(std::string_view name, const BackendOptions& options, std::string& failure) {
+  try {
+    return open_backend(name, options);
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::bad_input) throw;
+    failure = error.what();
+    fmt::print(stderr, "lamina: {}\n", failure);
+    return nullptr;
+  }
+}
+
+void throw_no_backend(std::string_view stage) {
+  throw Error(ErrorKind::no_device, std::string(stage), "no usable device",
+              "none of the backends could be opened; see the messages above");
+}
 
 Scene load_scene_for(const SceneOptions& options) {
   Scene scene = load_scene(options.scene, options.time_s);

@@ -14,16 +14,6 @@
 namespace lamina {
 namespace {
 
-// The run's folder with its images, empty of an earlier run's. Throws Error(bad_input) where it cannot be written.
-void make_run_folder(const std::filesystem::path& out) {
-  std::error_code failure;
-  std::filesystem::remove_all(out / "images", failure);
-  if (!failure) std::filesystem::create_directories(out / "images", failure);
-  if (failure || ::access(out.c_str(), W_OK) != 0)
-    throw Error(ErrorKind::bad_input, "compare", out.string(),
-                "the folder cannot be made or written; choose another with --out");
-}
-
 // Effects with something to compare; where there are none, whatever the scene calls for, so that its picture and cost are
 // known.
 std::vector<const EffectManifest*> compared_effects(const Plan& plan) {
@@ -36,13 +26,11 @@ std::vector<const EffectManifest*> compared_effects(const Plan& plan) {
   return several.empty() ? all : several;
 }
 
-void check_variant_names(const std::vector<const EffectManifest*>& effects, const std::vector<std::string>& wanted) {
+std::vector<std::string> variant_names(const std::vector<const EffectManifest*>& effects) {
   std::vector<std::string> names;
   for (const EffectManifest* effect : effects)
     for (const VariantManifest& variant : effect->variants) names.push_back(variant.name);
-  for (const std::string& name : wanted)
-    if (std::find(names.begin(), names.end(), name) == names.end())
-      throw Error(ErrorKind::bad_input, "compare", "--variant", unknown_name("variant", name, names));
+  return names;
 }
 
 struct OpenedBackend {
@@ -53,26 +41,18 @@ struct OpenedBackend {
 // Which backends open here. Each is closed again: two OpenGL contexts do not live side by side.
 std::vector<OpenedBackend> probe_backends(const CompareOptions& options) {
   std::vector<OpenedBackend> probed;
-  size_t open = 0;
   for (const std::string& name : options.backends) {
     OpenedBackend& entry = probed.emplace_back();
     entry.name = name;
-    try {
-      entry.info = open_backend(name, {options.device, options.validation})->info();
-      ++open;
-    } catch (const Error& error) {
-      if (error.kind() == ErrorKind::bad_input) throw;
-      entry.failure = error.what();
-      fmt::print(stderr, "lamina: {}\n", error.what());
-    }
+    const auto backend = try_open_backend(name, {options.device, options.validation}, entry.failure);
+    if (backend) entry.info = backend->info();
     if (entry.info && std::max(options.width_px, options.height_px) > entry.info->max_texture_size)
       throw Error(ErrorKind::bad_input, "compare", "--size",
                   fmt::format("{}x{} is larger than {} pixels, the most that {} can draw", options.width_px, options.height_px,
                               entry.info->max_texture_size, name));
   }
-  if (open == 0)
-    throw Error(ErrorKind::no_device, "compare", "no usable device",
-                "none of the backends could be opened; see the messages above");
+  if (std::none_of(probed.begin(), probed.end(), [](const OpenedBackend& entry) { return entry.info.has_value(); }))
+    throw_no_backend("compare");
   return probed;
 }
 
@@ -135,10 +115,12 @@ int run_compare(const CompareOptions& options) {
   const Library library = load_library_for(options.scene);
   const Plan plan = make_plan(library, scene);
   const std::vector<const EffectManifest*> effects = compared_effects(plan);
-  check_variant_names(effects, options.variants);
+  check_variant_names("compare", options.variants, variant_names(effects));
   const std::vector<OpenedBackend> backends = probe_backends(options);
 
-  make_run_folder(options.out);
+  std::error_code not_there;
+  std::filesystem::remove_all(options.out / "images", not_there);  // an earlier run's
+  make_run_folder("compare", options.out);
   RecordWriter record(options.out / "record.jsonl");
   std::vector<DeviceInfo> devices;
   for (const OpenedBackend& backend : backends)

@@ -4,13 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <fstream>
 
 #include "harness/cli/commands.h"
 #include "harness/core/text.h"
 #include "harness/measure/timer_certificate.h"
-#include "harness/stress/cap_area.h"
 #include "harness/stress/cap_pictures.h"
 #include "harness/stress/cap_stress.h"
 
@@ -19,22 +16,6 @@ namespace {
 
 constexpr size_t timing_rounds = 12;
 constexpr size_t timed_inputs = 1 << 16;
-
-struct Reference {
-  std::vector<double> areas, conditions;
-};
-
-Reference reference_of(const CapSet& set) {
-  Reference reference;
-  for (const auto& [r0, r1, d] : set.inputs) {
-    reference.areas.push_back(cap_intersection_area(r0, r1, d));
-    reference.conditions.push_back(cap_intersection_condition(r0, r1, d));
-  }
-  // Areas that a file gives hold where they are given.
-  for (size_t i = 0; i < set.areas.size(); ++i)
-    if (!std::isnan(set.areas[i])) reference.areas[i] = set.areas[i];
-  return reference;
-}
 
 struct Row {
   std::string backend, variant, set;
@@ -65,9 +46,7 @@ void write_csv(const std::filesystem::path& file, const std::vector<Row>& rows, 
     text +=
         cost != costs.end() && cost->ns ? fmt::format(",{},{},{}\n", cost->ns->median, cost->ns->low, cost->ns->high) : ",,,\n";
   }
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) throw Error(ErrorKind::failed, "stress", file.string(), "cannot be written");
+  write_file_atomically(file, text);
 }
 
 void print_set(const CapSet& set, const std::vector<Row>& rows) {
@@ -115,44 +94,35 @@ std::vector<Cost> time_variants(Backend& backend, const std::filesystem::path& s
 int run_stress_caps(const StressOptions& options) {
   const std::filesystem::path shaders = home_folder() / "shaders";
   std::vector<std::string> variants = cap_variants(shaders);
-  for (const std::string& name : options.variants)
-    if (std::find(variants.begin(), variants.end(), name) == variants.end())
-      throw Error(ErrorKind::bad_input, "stress", "--variant", unknown_name("variant", name, variants));
+  check_variant_names("stress", options.variants, variants);
   if (!options.variants.empty()) variants = options.variants;
   std::vector<CapSet> sets;
   if (options.points.empty())
     sets = make_cap_sets(options.count, options.seed);
   else
     sets.push_back(read_cap_points(options.points));
-  std::error_code failure;
-  std::filesystem::create_directories(options.out / "images", failure);
-  if (failure)
-    throw Error(ErrorKind::bad_input, "stress", options.out.string(), "the folder cannot be made; choose another with --out");
+  make_run_folder("stress", options.out);
 
-  std::vector<Reference> references;
-  for (const CapSet& set : sets) references.push_back(reference_of(set));
+  std::vector<CapTruth> truths;
+  for (const CapSet& set : sets) truths.push_back(truth_of(set));
+  std::vector<CapSlice> slices;
+  if (options.points.empty()) slices = make_cap_slices();
 
   std::vector<Row> rows;
   std::vector<Cost> costs;
   bool complained = false;
   for (const std::string& name : options.backends) {
-    std::unique_ptr<Backend> backend;
-    try {
-      backend = open_backend(name, {options.device, options.validation});
-    } catch (const Error& error) {
-      if (error.kind() == ErrorKind::bad_input) throw;
-      fmt::print(stderr, "lamina: {}\n", error.what());
-      continue;
-    }
+    std::string failure;
+    const auto backend = try_open_backend(name, {options.device, options.validation}, failure);
+    if (!backend) continue;
     Progress progress(name);
     for (size_t i = 0; i < variants.size(); ++i) {
       progress.show(static_cast<double>(i) / static_cast<double>(variants.size()), variants[i]);
       CapRunner runner(*backend, shaders, variants[i]);
       for (size_t s = 0; s < sets.size(); ++s)
-        rows.push_back(
-            {name, variants[i], sets[s].name, sets[s].inputs.size(),
-             judge_caps(sets[s].inputs, runner.areas(sets[s].inputs), references[s].areas, references[s].conditions)});
-      if (options.points.empty()) write_cap_pictures(runner, options.out / "images", fmt::format("{}-{}", variants[i], name));
+        rows.push_back({name, variants[i], sets[s].name, sets[s].inputs.size(),
+                        judge_caps(sets[s].inputs, runner.areas(sets[s].inputs), truths[s])});
+      write_cap_pictures(runner, slices, options.out / "images", fmt::format("{}-{}", variants[i], name));
     }
     const std::vector<Cost> timed = time_variants(*backend, shaders, variants, sets.front().inputs, options.seed);
     costs.insert(costs.end(), timed.begin(), timed.end());
@@ -161,14 +131,11 @@ int run_stress_caps(const StressOptions& options) {
       complained = true;
     }
   }
-  if (rows.empty())
-    throw Error(ErrorKind::no_device, "stress", "no usable device",
-                "none of the backends could be opened; see the messages above");
+  if (rows.empty()) throw_no_backend("stress");
 
   fmt::print(
       "caps: the area that two spherical caps share. Errors are of the smaller cap's area; eps = 2^-23 of it; eps kappa: of "
-      "the area "
-      "itself, over eps times its condition number.\n");
+      "the area itself, over eps times its condition number.\n");
   for (const CapSet& set : sets) print_set(set, rows);
   fmt::print("\nnanoseconds per call [95%], over {} points of '{}'\n", timed_inputs, sets.front().name);
   for (const Cost& cost : costs)

@@ -111,9 +111,8 @@ double cap_intersection_area(double r0, double r1, double d) {
   return std::max(2 * (segment(a, circle0) + segment(b, circle1)), 0.0);
 }
 
-double cap_intersection_condition(double r0, double r1, double d) {
+double cap_intersection_condition(double r0, double r1, double d, double area) {
   const Triangle triangle(r0, r1, d);
-  const double area = cap_intersection_area(r0, r1, d);
   if (std::min({triangle.over0, triangle.over1, triangle.over_d}) <= 0) {
     if (apart(r0, r1, d)) return 0;
     const double r = std::min(r0, r1);

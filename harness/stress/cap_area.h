@@ -22,6 +22,7 @@ double smaller_cap_area(double r0, double r1);
 
 // How much relative errors of the arguments are amplified: the sum over arguments of |argument * derivative / area|, with the
 // derivatives d/dr0 = 2 A sin r0, d/dr1 = 2 B sin r1, d/dd = -2 sin r0 sin A; 0 where the caps are apart.
-double cap_intersection_condition(double r0, double r1, double d);
+// `area` is cap_intersection_area() of the same.
+double cap_intersection_condition(double r0, double r1, double d, double area);
 
 }  // namespace lamina

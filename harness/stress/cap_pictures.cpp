@@ -25,20 +25,31 @@ std::array<uint8_t, 3> colour_of(double error) {
 
 }  // namespace
 
-void write_cap_pictures(CapRunner& runner, const std::filesystem::path& folder, const std::string& name) {
+std::vector<CapSlice> make_cap_slices() {
   const auto centre = [](int pixel) { return static_cast<float>(std::numbers::pi * (pixel + 0.5) / size); };
+  std::vector<CapSlice> slices;
   for (const float r1 : {0.1f, 0.5f, 1.0f, 1.5f}) {
-    std::vector<CapInput> inputs;
+    CapSlice& slice = slices.emplace_back();
+    slice.r1 = r1;
     for (int y = 0; y < size; ++y)
-      for (int x = 0; x < size; ++x) inputs.push_back({centre(x), r1, centre(size - 1 - y)});
-    const std::vector<float> areas = runner.areas(inputs);
+      for (int x = 0; x < size; ++x) {
+        const auto& [r0, unused, d] = slice.inputs.emplace_back(CapInput{centre(x), r1, centre(size - 1 - y)});
+        slice.truth.push_back(cap_intersection_area(r0, r1, d));
+      }
+  }
+  return slices;
+}
+
+void write_cap_pictures(CapRunner& runner, std::span<const CapSlice> slices, const std::filesystem::path& folder,
+                        const std::string& name) {
+  for (const CapSlice& slice : slices) {
+    const std::vector<float> areas = runner.areas(slice.inputs);
     DisplayImage picture{size, size, {}};
-    for (size_t i = 0; i < inputs.size(); ++i) {
-      const auto& [r0, unused, d] = inputs[i];
-      const auto colour = colour_of((areas[i] - cap_intersection_area(r0, r1, d)) / smaller_cap_area(r0, r1));
+    for (size_t i = 0; i < areas.size(); ++i) {
+      const auto colour = colour_of((areas[i] - slice.truth[i]) / smaller_cap_area(slice.inputs[i].r0, slice.r1));
       picture.rgb.insert(picture.rgb.end(), colour.begin(), colour.end());
     }
-    write_png((folder / fmt::format("{}-r1-{}.png", name, r1)).string(), picture);
+    write_png((folder / fmt::format("{}-r1-{}.png", name, slice.r1)).string(), picture);
   }
 }
 

@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <numeric>
-#include <random>
 
 #include "harness/shader/shader.h"
 #include "harness/stress/cap_area.h"
@@ -58,20 +56,16 @@ std::vector<float> CapRunner::areas(std::span<const CapInput> inputs) {
   inputs_ = backend_.create_buffer("cap inputs", BufferUse::storage, padded.size() * sizeof(padded[0]),
                                    std::as_bytes(std::span(padded)));
   areas_ = backend_.create_buffer("cap areas", BufferUse::storage, count_ * sizeof(float));
-  run(1, Timing::off, nullptr);
+  run(1, Timing::off);
   const std::vector<std::byte> bytes = backend_.read_buffer(areas_);
   std::vector<float> areas(count_);
   std::memcpy(areas.data(), bytes.data(), count_ * sizeof(float));
   return areas;
 }
 
-double CapRunner::time_ms(int calls) {
-  double ms = 0;
-  run(calls, Timing::bracketed, &ms);
-  return ms;
-}
+double CapRunner::time_ms(int calls) { return run(calls, Timing::bracketed).pass_ms.front(); }
 
-void CapRunner::run(int calls, Timing timing, double* ms) {
+RunTimes CapRunner::run(int calls, Timing timing) {
   const std::array<int32_t, 4> work = {static_cast<int32_t>(count_), calls, 0, 0};
   backend_.write_buffer(work_, std::as_bytes(std::span(work)));
   Pass pass;
@@ -84,12 +78,21 @@ void CapRunner::run(int calls, Timing timing, double* ms) {
                   {2, work_, BindingKind::uniform_buffer}};
   draw.groups = {(static_cast<uint32_t>(count_) + group_size - 1) / group_size, 1, 1};
   pass.draws = {draw};
-  const RunTimes times = backend_.run({&pass, 1}, timing);
-  if (ms != nullptr) *ms = times.pass_ms.front();
+  return backend_.run({&pass, 1}, timing);
 }
 
-CapErrors judge_caps(std::span<const CapInput> inputs, std::span<const float> areas, std::span<const double> truth,
-                     std::span<const double> condition) {
+CapTruth truth_of(const CapSet& set) {
+  CapTruth truth;
+  for (size_t i = 0; i < set.inputs.size(); ++i) {
+    const auto& [r0, r1, d] = set.inputs[i];
+    const double area = cap_intersection_area(r0, r1, d);
+    truth.conditions.push_back(cap_intersection_condition(r0, r1, d, area));
+    truth.areas.push_back(i < set.areas.size() && !std::isnan(set.areas[i]) ? set.areas[i] : area);
+  }
+  return truth;
+}
+
+CapErrors judge_caps(std::span<const CapInput> inputs, std::span<const float> areas, const CapTruth& truth) {
   CapErrors errors;
   size_t finite = 0;
   for (size_t i = 0; i < inputs.size(); ++i) {
@@ -100,16 +103,16 @@ CapErrors judge_caps(std::span<const CapInput> inputs, std::span<const float> ar
     }
     ++finite;
     errors.negative += areas[i] < 0;
-    errors.not_zero += truth[i] == 0 && areas[i] != 0;
-    const double difference = areas[i] - truth[i], error = difference / smaller_cap_area(input.r0, input.r1);
+    errors.not_zero += truth.areas[i] == 0 && areas[i] != 0;
+    const double difference = areas[i] - truth.areas[i], error = difference / smaller_cap_area(input.r0, input.r1);
     if (error > errors.max_over) errors.max_over = error, errors.worst_over = input;
     if (error < errors.max_under) errors.max_under = error, errors.worst_under = input;
     errors.mean_absolute += std::abs(error);
     errors.rms += error * error;
     errors.most_eps = std::max(errors.most_eps, std::abs(error) / eps);
-    if (truth[i] > 0)
+    if (truth.areas[i] > 0)
       errors.most_eps_kappa =
-          std::max(errors.most_eps_kappa, std::abs(difference) / truth[i] / (eps * std::max(1.0, condition[i])));
+          std::max(errors.most_eps_kappa, std::abs(difference) / truth.areas[i] / (eps * std::max(1.0, truth.conditions[i])));
   }
   if (finite > 0) {
     errors.mean_absolute /= static_cast<double>(finite);
@@ -119,23 +122,29 @@ CapErrors judge_caps(std::span<const CapInput> inputs, std::span<const float> ar
 }
 
 std::vector<Interval> nanoseconds_per_call(std::span<CapRunner* const> runners, size_t rounds, uint64_t seed) {
-  std::vector<std::vector<double>> samples(runners.size());
-  std::vector<size_t> order(runners.size());
-  std::iota(order.begin(), order.end(), size_t{0});
-  std::mt19937_64 random(seed);
-  std::vector<int> calls(runners.size(), 8);
-  for (size_t i = 0; i < runners.size(); ++i)
-    while (runners[i]->time_ms(calls[i]) < long_run_ms && calls[i] < most_calls) calls[i] *= 2;
-  for (size_t round = 0; round < rounds; ++round) {
-    for (size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);  // Fisher and Yates
-    for (const size_t i : order) {
-      const int few = calls[i] / 8;
-      const double ms = runners[i]->time_ms(calls[i]) - runners[i]->time_ms(few);
-      samples[i].push_back(ms * 1e6 / ((calls[i] - few) * static_cast<double>(runners[i]->inputs())));
-    }
+  std::vector<Arm> arms;  // of each runner a long one and a short one
+  std::vector<double> calls_apart;
+  for (CapRunner* runner : runners) {
+    int calls = 8;
+    while (runner->time_ms(calls) < long_run_ms && calls < most_calls) calls *= 2;
+    for (const int of_arm : {calls, calls / 8})
+      arms.push_back({[runner, of_arm] { return FrameTimes{{runner->time_ms(of_arm)}, 0}; }, std::nullopt});
+    calls_apart.push_back((calls - calls / 8) * static_cast<double>(runner->inputs()));
   }
+  RoundOptions options;
+  options.least_rounds = options.most_rounds = rounds;
+  options.seed = seed;
+  const RoundsResult result = run_rounds(arms, options);
   std::vector<Interval> intervals;
-  for (const std::vector<double>& sample : samples) intervals.push_back(median_interval(sample));
+  for (size_t i = 0; i < runners.size(); ++i) {
+    const ArmSamples &many = result.arms[2 * i], &few = result.arms[2 * i + 1];
+    if (const std::string& failure = many.failure.empty() ? few.failure : many.failure; !failure.empty())
+      throw Error(ErrorKind::failed, "stress", "timing", failure);
+    std::vector<double> ns;
+    for (size_t round = 0; round < rounds; ++round)
+      ns.push_back((many.frame_ms[round] - few.frame_ms[round]) * 1e6 / calls_apart[i]);
+    intervals.push_back(median_interval(ns));
+  }
   return intervals;
 }
 

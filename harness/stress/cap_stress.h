@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "harness/backend/backend.h"
-#include "harness/measure/statistics.h"
+#include "harness/measure/rounds.h"
 #include "harness/stress/cap_sets.h"
 
 namespace lamina {
@@ -33,13 +33,20 @@ class CapRunner {
   size_t inputs() const { return count_; }
 
  private:
-  void run(int calls, Timing timing, double* ms);
+  RunTimes run(int calls, Timing timing);
 
   Backend& backend_;
   PipelineId pipeline_;
   BufferId inputs_, areas_, work_;
   size_t count_ = 0;
 };
+
+// What the areas are held to, beside a set's inputs: the area that a file gives, else cap_intersection_area(), and
+// cap_intersection_condition().
+struct CapTruth {
+  std::vector<double> areas, conditions;
+};
+CapTruth truth_of(const CapSet& set);
 
 // Errors are (area - truth) / area of the smaller cap, unless they say otherwise.
 struct CapErrors {
@@ -51,10 +58,8 @@ struct CapErrors {
   size_t negative = 0, nonfinite = 0;
   size_t not_zero = 0;  // caps that are apart, but area is not 0
 };
-// Beside each other: inputs, areas, truth, and condition (cap_intersection_condition). What is not finite is counted and in no
-// other figure.
-CapErrors judge_caps(std::span<const CapInput> inputs, std::span<const float> areas, std::span<const double> truth,
-                     std::span<const double> condition);
+// Inputs, areas and truth beside each other. What is not finite is counted and in no other figure.
+CapErrors judge_caps(std::span<const CapInput> inputs, std::span<const float> areas, const CapTruth& truth);
 
 // Nanoseconds of one call in each of `runners`, as the difference of a long and a short run of each, in shuffled rounds.
 std::vector<Interval> nanoseconds_per_call(std::span<CapRunner* const> runners, size_t rounds, uint64_t seed);

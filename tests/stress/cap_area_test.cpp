@@ -69,7 +69,7 @@ TEST_P(CapArea, DoubleFormIsWithinItsBoundOfTheOracle) {
   const CapSet set = make_cap_sets(400, 11)[GetParam()];
   for (const auto& [r0, r1, d] : set.inputs) {
     const double truth = cap_intersection_oracle(r0, r1, d), area = cap_intersection_area(r0, r1, d);
-    ASSERT_LE(std::abs(area - truth), 4 * eps * std::max(1.0, cap_intersection_condition(r0, r1, d)) * truth)
+    ASSERT_LE(std::abs(area - truth), 4 * eps * std::max(1.0, cap_intersection_condition(r0, r1, d, area)) * truth)
         << set.name << " " << r0 << " " << r1 << " " << d << ": " << area << " for " << truth;
   }
 }

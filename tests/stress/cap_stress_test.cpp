@@ -28,14 +28,8 @@ class CapShaders : public ::testing::TestWithParam<std::string_view> {
   std::map<std::string, CapErrors> errors(const std::string& variant) {
     std::map<std::string, CapErrors> all;
     CapRunner runner(*backend_, shaders, variant);
-    for (const CapSet& set : make_cap_sets(inputs_per_set, 5)) {
-      std::vector<double> truth, condition;
-      for (const auto& [r0, r1, d] : set.inputs) {
-        truth.push_back(cap_intersection_area(r0, r1, d));
-        condition.push_back(cap_intersection_condition(r0, r1, d));
-      }
-      all[set.name] = judge_caps(set.inputs, runner.areas(set.inputs), truth, condition);
-    }
+    for (const CapSet& set : make_cap_sets(inputs_per_set, 5))
+      all[set.name] = judge_caps(set.inputs, runner.areas(set.inputs), truth_of(set));
     return all;
   }
   std::unique_ptr<Backend> backend_;
@@ -102,7 +96,7 @@ TEST_P(CapShaders, JudgesByTheSmallerCap) {
   const std::vector<CapInput> inputs = {{1, 1, 0}, {1, 1, 0}, {1, 1, 3}, {1, 1, 3}};
   const double cap = smaller_cap_area(1, 1);
   const std::vector<float> areas = {static_cast<float>(1.5 * cap), static_cast<float>(0.75 * cap), -0.5f, std::nanf("")};
-  const CapErrors errors = judge_caps(inputs, areas, std::vector<double>{cap, cap, 0, 0}, std::vector<double>{1, 1, 0, 0});
+  const CapErrors errors = judge_caps(inputs, areas, CapTruth{{cap, cap, 0, 0}, {1, 1, 0, 0}});
   EXPECT_NEAR(errors.max_over, 0.5, 1e-6);
   EXPECT_NEAR(errors.max_under, std::min(-0.25, -0.5 / cap), 1e-6);
   EXPECT_EQ(errors.negative, 1u);
