@@ -9,6 +9,7 @@ packages=(
   glslang-dev spirv-tools spirv-headers libspirv-cross-c-shared-dev       # shaders
   libopenimageio-dev libopencv-contrib-dev libtinygltf-dev                # images, metrics, models
   libglm-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev
+  libembree-dev libtbb-dev                                                # casting rays for bakes and truths
   libboost-dev                                                            # references to hundreds of bits
   libgtest-dev libbenchmark-dev                                           # tests, benchmarks
 )

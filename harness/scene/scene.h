@@ -40,11 +40,22 @@ struct LayeredMaterial {
   float max_transparency = 1;  // the greatest transparency of any texel of outer_albedo that the mesh shows
 };
 
+// How the visibility of an object's points is baked into apertures (Oat and Sander, "Ambient Aperture Lighting"). The object must
+// not move or change its shape.
+struct ApertureBake {
+  enum class Baker : uint8_t { rays, spherical_harmonics } baker = Baker::rays;
+  uint32_t map_texels = 0;      // side of the map over the object's unwrap; 0: a point is a vertex
+  uint32_t rays = 1024;         // a point
+  uint64_t seed = 1;
+  std::optional<float> bias_m;  // how far rays start above the surface; else a fraction of the scene's size
+};
+
 struct Object {
   std::string name;
   Mesh mesh;  // in object space, at the scene's time
   glm::mat4 world_from_object{1};
   std::optional<LayeredMaterial> layers;
+  std::optional<ApertureBake> apertures;       // lit through baked apertures; not beside layers
   std::shared_ptr<const TextureImage> albedo;  // rgba8_srgb; what an object without layers shows; never null
   // Empty, or why this mesh cannot be drawn unwrapped into its own texture ("texture coordinates span 3 tiles ...").
   std::string unwrap_problem;
@@ -57,6 +68,9 @@ struct Light {
   glm::vec3 direction{0, -1, 0};  // directional: the way the light travels; unit length
   glm::vec3 position{0};          // point
   glm::vec3 radiance{1};  // colour times intensity: irradiance at normal incidence; a point light's at 1 m, falling as 1/d^2
+  // The light is a sphere, and seen as a spherical cap. Effects that know no area lights take its centre.
+  float angular_radius = 0;  // directional: radians, from 0 (a point) to pi / 2 (a hemisphere)
+  float radius_m = 0;        // point: of the sphere; 0 or more
 };
 inline constexpr size_t max_lights = 8;
 
