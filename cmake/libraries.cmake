@@ -19,6 +19,11 @@ target_link_libraries(lib_images INTERFACE ${OPENIMAGEIO} ${OPENIMAGEIO_UTIL})
 add_library(lib_gltf INTERFACE)
 target_link_libraries(lib_gltf INTERFACE tinygltf)
 
+find_package(embree 3 REQUIRED)
+find_package(TBB REQUIRED)
+add_library(lib_embree INTERFACE)
+target_link_libraries(lib_embree INTERFACE embree TBB::tbb)
+
 find_package(tomlplusplus REQUIRED)
 add_library(lib_toml INTERFACE)
 target_link_libraries(lib_toml INTERFACE tomlplusplus::tomlplusplus)

@@ -45,6 +45,19 @@ Image Frame::picture() {
   return image_from_rgba16(resources_.width_px(), resources_.height_px(), backend_.read_texture(picture_));
 }
 
+Image Frame::target(const std::string& name) {
+  const auto found = targets_.find(name);
+  const Format format = found == targets_.end() ? Format::r8_unorm : found->second.second;
+  if (format != Format::rgba16_float && format != Format::rgba32_float)
+    throw Error(ErrorKind::failed, "graph", name, "is no target of four floats as large as the frame");
+  const std::vector<std::byte> bytes = backend_.read_texture(found->second.first);
+  if (format == Format::rgba16_float) return image_from_rgba16(resources_.width_px(), resources_.height_px(), bytes);
+  Image image{static_cast<int>(resources_.width_px()), static_cast<int>(resources_.height_px()), {}};
+  image.rgba.resize(bytes.size() / sizeof(float));
+  std::memcpy(image.rgba.data(), bytes.data(), bytes.size());
+  return image;
+}
+
 std::vector<PassCounts> Frame::counts(Sequence& sequence) {
   std::vector<PassCounts> all;
   for (const Step& step : sequence.steps) {

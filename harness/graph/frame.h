@@ -45,6 +45,10 @@ class Frame {
   // The picture of the last run(): linear light; alpha as the passes left it.
   Image picture();
 
+  // A target as large as the frame after the last run(), as floats: rgba16_float or rgba32_float. Throws Error(failed) for any
+  // other.
+  Image target(const std::string& name);
+
   // Counting build only: what the last run_once() and run() executed, in the order of the names; and the pixels of the frame in
   // which the passes of `effect` shaded at least one fragment.
   std::vector<PassCounts> once_counts() { return counts(once_); }
@@ -84,6 +88,7 @@ class Frame {
   Build build_;
   Sequence once_, frame_;
   TextureId picture_;
+  std::map<std::string, std::pair<TextureId, Format>> targets_;  // as large as the frame, by name
   std::vector<TextureId> textures_;
   std::vector<BufferId> buffers_;
   std::vector<PipelineId> pipelines_;

@@ -318,7 +318,11 @@ FrameBuilder::Target& FrameBuilder::target(const GraphPass& pass, const std::str
     storage = storage || (other.draw == DrawKind::compute &&
                           std::find(other.writes.begin(), other.writes.end(), name) != other.writes.end());
   const std::string label = pass.variant->name + "." + name + (owner ? "." + scene_.objects[*owner].name : "");
-  return targets_[key] = make_target(label, width, height, manifest->format, manifest->mips, manifest->buffers, storage);
+  Target& made = targets_[key] =
+      make_target(label, width, height, manifest->format, manifest->mips, manifest->buffers, storage);
+  if (!owner && width == frame_.resources_.width_px() && height == frame_.resources_.height_px())
+    frame_.targets_[name] = {made.buffers[0], made.format};
+  return made;
 }
 
 FrameBuilder::Target FrameBuilder::make_target(const std::string& label, uint32_t width, uint32_t height, Format format,
@@ -351,6 +355,10 @@ std::pair<uint32_t, uint32_t> FrameBuilder::size_of(const SizeRule& rule, Object
 
 BufferId FrameBuilder::storage_buffer(const GraphPass& pass, const std::string& name, Object object) {
   std::vector<std::string> names;
+  if (pass.variant->apertures && object) {
+    if (name == "Apertures") return frame_.resources_.vertex_apertures(*object, *pass.variant->apertures);
+    names.push_back("Apertures");
+  }
   for (const BufferManifest& manifest : pass.variant->buffers) {
     names.push_back(manifest.name);
     if (manifest.name != name) continue;
@@ -381,12 +389,15 @@ BufferId FrameBuilder::iteration_uniforms(uint32_t iteration, uint32_t count) {
 
 Format FrameBuilder::format_of(const GraphPass& pass, const GraphDraw& draw, const Source& source) {
   if (source.kind == Source::Kind::object_texture) return object_texture(scene_.objects[*draw.object], source.name)->format;
+  if (source.kind == Source::Kind::aperture_map) return SceneResources::aperture_map_format;
   return target(pass, source.name, draw.object).format;
 }
 
 TextureId FrameBuilder::texture_of(const GraphPass& pass, const GraphDraw& draw, const Source& source) {
   if (source.kind == Source::Kind::object_texture)
     return frame_.resources_.texture(object_texture(scene_.objects[*draw.object], source.name));
+  if (source.kind == Source::Kind::aperture_map)
+    return frame_.resources_.aperture_map(*draw.object, *pass.variant->apertures, source.aperture);
   const Target& read = target(pass, source.name, draw.object);
   return read.buffers[read.current];
 }

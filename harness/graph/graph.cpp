@@ -12,6 +12,16 @@ const std::vector<std::string> object_textures = {"outer_albedo", "outer_normal"
 // Textures of objects repeat, as glTF's default sampler does.
 constexpr Sampler object_sampler = {Filter::trilinear, Wrap::repeat};
 
+// Maps are of the unit tile, and radii must not be mixed with what lies across its border.
+constexpr Sampler aperture_sampler = {Filter::linear, Wrap::clamp};
+
+// The samplers of a variant's aperture maps are aperture_0, aperture_1, ...
+std::optional<uint32_t> aperture_named(const VariantManifest& variant, std::string_view sampler) {
+  for (uint32_t i = 0; variant.apertures && i < variant.apertures->count; ++i)
+    if (sampler == fmt::format("aperture_{}", i)) return i;
+  return std::nullopt;
+}
+
 bool is_per_object(const PassManifest& pass, const VariantManifest& variant) {
   if (pass.draw == DrawKind::objects || pass.draw == DrawKind::unwrapped) return true;
   for (const std::string& name : pass.writes)
@@ -40,6 +50,10 @@ Source resolve_source(const VariantManifest& variant, const PassManifest& pass, 
                   "a pass cannot read 'depth' while it tests against it: set depth = \"none\"");
   } else if (object && object_texture(*object, read.source)) {
     source.sampler = object_sampler;
+  } else if (const auto aperture = aperture_named(variant, read.source)) {
+    source.kind = Source::Kind::aperture_map;
+    source.aperture = *aperture;
+    source.sampler = aperture_sampler;
   } else {
     std::vector<std::string> names = {"frame", "depth"};
     for (const TargetManifest& known : variant.targets) names.push_back(known.name);
@@ -66,6 +80,10 @@ GraphDraw make_draw(const GraphPass& pass, const EffectManifest& effect, const O
   GraphDraw draw;
   draw.object = index;
   std::map<std::string, std::string> defines = object ? feature_defines(effect, *object) : std::map<std::string, std::string>{};
+  if (pass.variant->apertures) {
+    defines["APERTURES"] = fmt::format("{}", pass.variant->apertures->count);
+    if (pass.variant->apertures->anti) defines["ANTI_APERTURE"] = "1";
+  }
   for (const auto& [name, text] : pass.pass->defines) defines[name] = text;
   if (!pass.pass->vertex.empty() && pass.pass->draw != DrawKind::mips) {
     draw.stages.push_back(shaders.get(pass.pass->vertex, Stage::vertex, defines));
@@ -88,9 +106,15 @@ GraphDraw make_draw(const GraphPass& pass, const EffectManifest& effect, const O
   return draw;
 }
 
+bool has_truth_passes(const VariantManifest& variant) {
+  return std::any_of(variant.passes.begin(), variant.passes.end(),
+                     [](const PassManifest& pass) { return pass.when == Frequency::truth; });
+}
+
 std::string frequency_words(const PassManifest& pass, const Scene& scene, bool& once) {
   once = pass.when == Frequency::once;
   if (pass.when == Frequency::once) return "once for the scene";
+  if (pass.when == Frequency::truth) return "for the truth alone";
   if (pass.when == Frequency::frame) return "every frame";
   once = !scene.mesh_moves && !scene.lights_move;
   if (once) return "once: meshes and lights are still";
@@ -131,7 +155,8 @@ void drop_unread(Graph& graph) {
     std::vector<GraphDraw> draws;
     for (const GraphDraw& draw : pass->draws) {
       const std::vector<Resource> storage = touched_storage(*pass, draw);
-      bool wanted = std::any_of(storage.begin(), storage.end(), [&](const Resource& r) { return needed.contains(r); });
+      bool wanted = pass->pass->when == Frequency::truth ||
+                    std::any_of(storage.begin(), storage.end(), [&](const Resource& r) { return needed.contains(r); });
       for (const std::string& name : pass->pass->writes)
         wanted = wanted || name == "frame" || needed.contains(written(*pass, draw, name));
       if (!wanted) continue;
@@ -186,11 +211,14 @@ std::shared_ptr<const TextureImage> object_texture(const Object& object, std::st
   return nullptr;
 }
 
-Graph make_graph(const Plan& plan, const Configuration& configuration, const Scene& scene, ShaderCache& shaders) {
+Graph make_graph(const Plan& plan, const Configuration& configuration, const Scene& scene, ShaderCache& shaders,
+                 Purpose purpose) {
   Graph graph;
   for (const VariantManifest* variant : configuration) {
     const EffectPlan& effect = *plan.of(variant->effect);
+    const bool truth = purpose == Purpose::truth && has_truth_passes(*variant);
     for (const PassManifest& manifest : variant->passes) {
+      if ((manifest.when == Frequency::truth) != truth) continue;
       GraphPass pass;
       pass.variant = variant;
       pass.pass = &manifest;

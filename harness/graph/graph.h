@@ -29,8 +29,9 @@ class ShaderCache {
 
 // Where a texture that a shader reads comes from.
 struct Source {
-  enum class Kind : uint8_t { object_texture, target, frame, depth } kind = Kind::object_texture;
+  enum class Kind : uint8_t { object_texture, aperture_map, target, frame, depth } kind = Kind::object_texture;
   std::string name;                          // of the object's texture or of the target
+  uint32_t aperture = 0;                     // aperture_map: which
   const VariantManifest* variant = nullptr;  // whose target it is
   Sampler sampler;
 };
@@ -61,9 +62,16 @@ struct Graph {
   std::set<std::string> shader_hashes() const;
 };
 
+// What the passes are for.
+enum class Purpose : uint8_t {
+  frame,  // pictures and times
+  truth,  // a variant that has passes for the truth runs those in place of its others
+};
+
 // Throws Error(bad_input) for a shader that does not compile or reads what there is not, Error(failed) for an object that
 // cannot be drawn as a pass needs it (unwrapped without a unique unwrap).
-Graph make_graph(const Plan& plan, const Configuration& configuration, const Scene& scene, ShaderCache& shaders);
+Graph make_graph(const Plan& plan, const Configuration& configuration, const Scene& scene, ShaderCache& shaders,
+                 Purpose purpose = Purpose::frame);
 
 // The object's texture of that name, or null. Names: outer_albedo, outer_normal, inner_albedo, albedo.
 std::shared_ptr<const TextureImage> object_texture(const Object& object, std::string_view name);

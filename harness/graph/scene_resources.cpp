@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/graph/scene_resources.h"
 
+#include <glm/gtc/packing.hpp>
+
 #include "harness/graph/uniforms.h"
 
 namespace lamina {
 
-SceneResources::SceneResources(Backend& backend, const Scene& scene, uint32_t width_px, uint32_t height_px)
-    : backend_(backend), scene_(scene), width_px_(width_px), height_px_(height_px) {
+SceneResources::SceneResources(Backend& backend, const Scene& scene, uint32_t width_px, uint32_t height_px, Bakes* bakes)
+    : backend_(backend), scene_(scene), width_px_(width_px), height_px_(height_px), bakes_(bakes) {
   for (const Object& object : scene.objects) {
     MeshBuffers mesh;
     const auto vertices = std::as_bytes(std::span(object.mesh.vertices));
@@ -31,6 +33,8 @@ SceneResources::~SceneResources() {
     for (const BufferId id : {mesh.vertices, mesh.indices, mesh.uniforms}) backend_.destroy(id);
   for (const BufferId id : views_) backend_.destroy(id);
   for (const auto& [image, id] : textures_) backend_.destroy(id);
+  for (const auto& [key, id] : vertex_apertures_) backend_.destroy(id);
+  for (const auto& [key, id] : aperture_maps_) backend_.destroy(id);
 }
 
 TextureId SceneResources::texture(const std::shared_ptr<const TextureImage>& image) {
@@ -46,6 +50,30 @@ TextureId SceneResources::texture(const std::shared_ptr<const TextureImage>& ima
     }
   }
   return entry->second;
+}
+
+BufferId SceneResources::vertex_apertures(size_t object, ApertureKind kind) {
+  BufferId& id = vertex_apertures_[{object, kind}];
+  if (!id) {
+    const auto bytes = std::as_bytes(std::span(bakes_->apertures(object, kind)));
+    id = backend_.create_buffer(scene_.objects[object].name + " apertures", BufferUse::storage, bytes.size(), bytes);
+  }
+  return id;
+}
+
+TextureId SceneResources::aperture_map(size_t object, ApertureKind kind, uint32_t i) {
+  TextureId& id = aperture_maps_[{object, kind, i}];
+  if (!id) {
+    std::vector<uint64_t> halves;
+    for (const Aperture& aperture : bakes_->map(object, kind, i)) halves.push_back(glm::packHalf4x16(aperture));
+    const uint32_t side = bakes_->surface(object).map_texels;
+    const TextureDesc desc{
+        fmt::format("{} aperture {}", scene_.objects[object].name, i), side, side, 1, aperture_map_format, false, false};
+    const auto bytes = std::as_bytes(std::span(halves));
+    const std::vector<std::byte> level(bytes.begin(), bytes.end());
+    id = backend_.create_texture(desc, {&level, 1});
+  }
+  return id;
 }
 
 }  // namespace lamina

@@ -20,7 +20,7 @@ FrameUniforms frame_uniforms(const Scene& scene, const View& view, uint32_t widt
     const Light& light = scene.lights[i];
     const bool point = light.kind == Light::Kind::point;
     uniforms.light_position[i] = point ? glm::vec4(light.position, 1) : glm::vec4(-light.direction, 0);
-    uniforms.light_radiance[i] = glm::vec4(light.radiance, 0);
+    uniforms.light_radiance[i] = glm::vec4(light.radiance, point ? light.radius_m : light.angular_radius);
   }
   return uniforms;
 }

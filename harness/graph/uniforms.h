@@ -18,7 +18,7 @@ struct FrameUniforms {
   glm::vec4 frame_size_px;                           // width, height, 1/width, 1/height
   glm::ivec4 light_count;                            // x
   std::array<glm::vec4, max_lights> light_position;  // w = 1 point, 0 direction towards the light
-  std::array<glm::vec4, max_lights> light_radiance;
+  std::array<glm::vec4, max_lights> light_radiance;  // w = angular radius of a directional light, radius in metres of a point
 };
 static_assert(sizeof(FrameUniforms) == 64 + 4 * 16 + 2 * 16 * max_lights);
 

@@ -91,6 +91,15 @@ BufferManifest read_buffer(const std::string& name, const TomlTable& table) {
   return buffer;
 }
 
+ApertureKind read_apertures(const TomlTable& table) {
+  ApertureKind kind;
+  kind.count = static_cast<uint32_t>(table.optional_number("count", 1, most_apertures).value_or(1));
+  kind.anti = table.optional_bool("anti").value_or(false);
+  if (kind.anti && kind.count > 1) throw table.error("count", "an anti-aperture is one cap a point; leave out 'count'");
+  table.refuse_unknown_keys();
+  return kind;
+}
+
 ParameterManifest read_parameter(const std::string& name, const TomlTable& table) {
   ParameterManifest parameter;
   parameter.name = name;
@@ -185,7 +194,7 @@ PassManifest read_pass(const TomlTable& table, const VariantManifest& variant, c
   pass.where = table.where();
   table.string("draw");
   pass.draw = choice(table, "draw", {"objects", "unwrapped", "fullscreen", "compute", "mips"}, DrawKind::objects);
-  pass.when = choice(table, "when", {"frame", "mesh_or_lights_move", "once"}, Frequency::frame);
+  pass.when = choice(table, "when", {"frame", "mesh_or_lights_move", "once", "truth"}, Frequency::frame);
   read_repeat(table, variant, pass);
   pass.vertex = find_shader(table, "vertex", folder, shaders);
   if (pass.draw == DrawKind::fullscreen && pass.vertex.empty()) pass.vertex = shaders / "common/fullscreen.vert";
@@ -232,6 +241,7 @@ VariantManifest read_variant(const fs::path& file, std::string effect, const fs:
   head.refuse_unknown_keys();
   for (const auto& [name, table] : root.tables("targets")) variant.targets.push_back(read_target(name, table));
   for (const auto& [name, table] : root.tables("buffers")) variant.buffers.push_back(read_buffer(name, table));
+  if (root.has("apertures")) variant.apertures = read_apertures(root.table("apertures"));
   for (const auto& [name, table] : root.tables("parameters")) variant.parameters.push_back(read_parameter(name, table));
   for (const TomlTable& table : root.array_of_tables("pass")) variant.passes.push_back(read_pass(table, variant, shaders));
   if (variant.passes.empty()) throw root.error({}, "a variant needs at least one [[pass]]");

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "harness/backend/backend.h"
+#include "harness/bake/bakes.h"
 
 namespace lamina {
 
@@ -19,6 +20,7 @@ enum class Frequency : uint8_t {
   frame,                // every frame
   mesh_or_lights_move,  // every frame while a mesh or a light moves, else once
   once,                 // once for a scene
+  truth,                // never in a frame: tells the offline truth what each pixel shows
 };
 enum class DrawKind : uint8_t {
   objects,     // the effect's objects on screen
@@ -93,6 +95,7 @@ struct VariantManifest {
   std::filesystem::path file;
   std::vector<TargetManifest> targets;
   std::vector<BufferManifest> buffers;
+  std::optional<ApertureKind> apertures;  // baked for each object: block Apertures, or samplers aperture_0 to aperture_3
   std::vector<ParameterManifest> parameters;
   std::vector<PassManifest> passes;
 

@@ -23,9 +23,11 @@ const EffectPlan* Plan::of(std::string_view effect) const {
 }
 
 std::map<std::string, double> facts_of(const Object& object) {
-  const bool layers = object.layers.has_value();
+  const bool layers = object.layers.has_value(), apertures = object.apertures.has_value();
   return {{"layers", layers},
-          {"plain", !layers},
+          {"apertures", apertures},
+          {"aperture_texels", apertures ? object.apertures->map_texels : 0},
+          {"plain", !layers && !apertures},
           {"seen_thickness", layers && object.layers->max_transparency > 0 ? object.layers->thickness_texels : 0},
           {"transparency", layers ? object.layers->max_transparency : 0}};
 }

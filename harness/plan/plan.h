@@ -34,6 +34,8 @@ struct Plan {
 
 // What is known of an object, as numbers that manifests can ask about:
 //   layers          1 where it has a layered material, else 0
+//   apertures       1 where it is lit through baked apertures, else 0
+//   aperture_texels texels on a side of its aperture map; 0 where apertures are of vertices
 //   plain           1 where no effect of its own draws it, else 0
 //   transparency    greatest transparency of the outer layer wherever it is seen, 0 to 1
 //   seen_thickness  texels of the inner layer's base level; 0 where the inner layer is nowhere seen

@@ -9,10 +9,10 @@
 
 namespace lamina {
 
-inline constexpr uint32_t uv_raster_size = 512;  // texels on a side
+inline constexpr uint32_t uv_raster_size = 512;  // texels on a side, for checks of unwraps
 
-// Row * uv_raster_size + column of every texel whose centre the triangle covers, by the top-left rule: neighbours in the unwrap
-// share none. Parts outside the unit square are left out.
-std::vector<uint32_t> covered_texels(const Mesh& mesh, size_t triangle);
+// Row * side + column of every texel whose centre the triangle covers, of `side` texels on a side, by the top-left rule:
+// neighbours in the unwrap share none. Parts outside the unit square are left out.
+std::vector<uint32_t> covered_texels(const Mesh& mesh, size_t triangle, uint32_t side = uv_raster_size);
 
 }  // namespace lamina

@@ -5,7 +5,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include "harness/core/error.h"
-#include "harness/stress/cap_area.h"
+#include "harness/caps/cap_area.h"
 
 namespace lamina {
 namespace {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "harness/quality/quality.h"
-#include "harness/stress/cap_area.h"
+#include "harness/caps/cap_area.h"
 
 namespace lamina {
 namespace {

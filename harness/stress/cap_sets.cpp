@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "harness/core/error.h"
-#include "harness/stress/cap_area.h"
+#include "harness/caps/cap_area.h"
 
 namespace lamina {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "harness/shader/shader.h"
-#include "harness/stress/cap_area.h"
+#include "harness/caps/cap_area.h"
 
 namespace lamina {
 namespace {

@@ -12,7 +12,8 @@ layout(std140, binding = 0) uniform Frame {
   vec4 frame_size_px;                // width, height, 1/width, 1/height
   ivec4 light_count;                 // x
   vec4 light_position[max_lights];   // w = 1: a point light's position; w = 0: unit direction towards a directional light
-  vec4 light_radiance[max_lights];   // rgb irradiance at normal incidence; a point light's at 1 m
+  vec4 light_radiance[max_lights];   // rgb irradiance at normal incidence; a point light's at 1 m; w = the sphere's size: angular
+                                     // radius of a directional light in radians, radius of a point light in metres
 };
 
 layout(std140, binding = 1) uniform Object {

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/bake/occluders.h"
+
+#include <cstring>
+
+#include "harness/bake/occluders_embree.h"
+#include "harness/core/error.h"
+#include "harness/core/text.h"
+#include "harness/scene/default_views.h"
+
+namespace lamina {
+namespace {
+
+constexpr float bias_of_radius = 1e-4f;
+
+void add_object(RTCDevice device, RTCScene scene, const Object& object, std::string& hashed) {
+  if (object.mesh.indices.empty()) return;
+  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                                sizeof(glm::vec3), object.mesh.vertices.size()));
+  auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                 3 * sizeof(uint32_t), object.mesh.indices.size() / 3));
+  if (!positions || !indices)
+    throw Error(ErrorKind::failed, "bake", fmt::format("object '{}'", object.name),
+                "Embree has no memory left for its triangles");
+  for (size_t i = 0; i < object.mesh.vertices.size(); ++i) {
+    const glm::vec3 world = object.world_from_object * glm::vec4(object.mesh.vertices[i].position, 1);
+    std::memcpy(positions + 3 * i, &world, sizeof world);
+  }
+  std::memcpy(indices, object.mesh.indices.data(), object.mesh.indices.size() / 3 * 3 * sizeof(uint32_t));
+  hashed += hash_hex({reinterpret_cast<const char*>(positions), object.mesh.vertices.size() * sizeof(glm::vec3)});
+  hashed += hash_hex({reinterpret_cast<const char*>(indices), object.mesh.indices.size() / 3 * 3 * sizeof(uint32_t)});
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+}  // namespace
+
+Occluders::Occluders(const Scene& scene) {
+  auto handles = std::make_shared<Handles>();
+  handles->device = rtcNewDevice(nullptr);
+  if (!handles->device) throw Error(ErrorKind::failed, "bake", "Embree", "cannot be started");
+  handles->scene = rtcNewScene(handles->device);
+  // No ray slips through an edge that two triangles share.
+  rtcSetSceneFlags(handles->scene, RTC_SCENE_FLAG_ROBUST);
+  std::string hashed;
+  for (const Object& object : scene.objects) add_object(handles->device, handles->scene, object, hashed);
+  rtcCommitScene(handles->scene);
+  if (const RTCError error = rtcGetDeviceError(handles->device); error != RTC_ERROR_NONE)
+    throw Error(ErrorKind::failed, "bake", "Embree",
+                fmt::format("cannot build its hierarchy (error {})", static_cast<int>(error)));
+  handles_ = std::move(handles);
+  hash_ = hash_hex(hashed);
+  default_bias_m_ = bias_of_radius * bounding_sphere(scene.objects).radius;
+}
+
+uint32_t Occluders::free_rays(glm::vec3 origin, const Packet& directions, size_t count) const {
+  alignas(32) std::array<int, packet> valid;
+  RTCRay8 rays;
+  for (size_t i = 0; i < packet; ++i) {
+    valid[i] = i < count ? -1 : 0;
+    rays.org_x[i] = origin.x;
+    rays.org_y[i] = origin.y;
+    rays.org_z[i] = origin.z;
+    rays.dir_x[i] = directions[0][i];
+    rays.dir_y[i] = directions[1][i];
+    rays.dir_z[i] = directions[2][i];
+    rays.tnear[i] = 0;
+    rays.tfar[i] = std::numeric_limits<float>::infinity();
+    rays.time[i] = 0;
+    rays.mask[i] = ~0u;
+    rays.flags[i] = 0;
+  }
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcOccluded8(valid.data(), handles_->scene, &context, &rays);
+  uint32_t free = 0;
+  for (size_t i = 0; i < count; ++i) free |= uint32_t{rays.tfar[i] > 0} << i;  // blocked: minus infinity
+  return free;
+}
+
+bool Occluders::is_free(glm::vec3 origin, glm::vec3 direction, float distance_m) const {
+  RTCRay ray{};
+  ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
+  ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
+  ray.tfar = distance_m;
+  ray.mask = ~0u;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(handles_->scene, &context, &ray);
+  return ray.tfar >= 0;
+}
+
+}  // namespace lamina
