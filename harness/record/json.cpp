@@ -17,8 +17,7 @@ std::string name_of(const CellRow& cell) {
 // JSON has neither NaN nor infinity, and the library would write a silent null.
 Json finite(double value, const std::string& owner, std::string_view what) {
   if (!std::isfinite(value))
-    throw Error(ErrorKind::failed, "record", owner,
-                fmt::format("{} is not a finite number; this cell must be a failed one", what));
+    throw Error(ErrorKind::failed, "record", owner, fmt::format("{} is not a finite number; record a failure instead", what));
   return value;
 }
 
@@ -128,12 +127,16 @@ Json to_json(const CellRow& cell) {
       cell.covered_pixels == 0 ? Json(nullptr) : finite(cell.fetches_per_pixel, owner, "fetches_per_pixel");
   line["error"] = {{"baseline", figures_to_json(cell.error_covered, owner)},
                    {"frame", figures_to_json(cell.error_frame, owner)},
-                   {"truth", nullptr}};
+                   {"truth", figures_to_json(cell.error_truth, owner)}};
   line["nonfinite_pixels"] = count(cell.nonfinite_pixels);
   line["covered_pixels"] = count(cell.covered_pixels);
   line["image"] = cell.image;
   line["difference"] = cell.difference;
   line["flip"] = cell.flip;
+  if (!cell.truth_image.empty()) line["truth_image"] = cell.truth_image;
+  for (const AssumptionRow& row : cell.assumptions)
+    line["assumptions"].push_back(
+        {{"name", row.name}, {"title", row.title}, {"error", figures_to_json(row.error, owner)}, {"image", row.image}});
   line["image_hash"] = cell.image_hash;
   line["shader_hashes"] = cell.shader_hashes;
   return line;
@@ -151,6 +154,20 @@ Json to_json(const TimerRow& timer) {
           {"additivity", measured ? finite(timer.additivity, owner, "additivity") : Json(nullptr)},
           {"attribution", measured ? finite(timer.attribution, owner, "attribution") : Json(nullptr)},
           {"reason", timer.reason}};
+}
+
+Json to_json(const BakeRow& bake) {
+  const std::string owner = fmt::format("bake of {} of {}", bake.what, bake.object);
+  const bool cast = !bake.from_cache && bake.seconds > 0;
+  return {{"kind", "bake"},
+          {"effect", bake.effect},
+          {"object", bake.object},
+          {"what", bake.what},
+          {"points", bake.points},
+          {"rays", bake.rays},
+          {"seconds", finite(bake.seconds, owner, "seconds")},
+          {"rays_per_second", cast ? Json(static_cast<double>(bake.rays) / bake.seconds) : Json(nullptr)},
+          {"from_cache", bake.from_cache}};
 }
 
 std::vector<PassRow> passes_of(const nlohmann::json& cell) {

@@ -65,6 +65,30 @@ void check(const Json& value, const Fields& fields, const std::string& where, co
   }
 }
 
+void check_figures(const Json& figures, const std::string& where, const std::string& inside) {
+  check(figures,
+        {{"psnr_db", number_or_null},
+         {"identical", boolean},
+         {"ssim", number},
+         {"flip", number},
+         {"rmse_linear", number},
+         {"max_linear", number}},
+        where, inside);
+  if (figures["psnr_db"].is_null() != figures["identical"].get<bool>())
+    refuse(where, fmt::format("'{}psnr_db' must be null for identical pictures and for no others", inside));
+}
+
+// What a cell has only where there is a truth.
+void check_truth(const Json& line, const std::string& where) {
+  if (line.contains("truth_image")) check(line, {{"truth_image", text}}, where);
+  if (!line.contains("assumptions")) return;
+  check(line, {{"assumptions", array}}, where);
+  for (const Json& assumption : line["assumptions"]) {
+    check(assumption, {{"name", text}, {"title", text}, {"error", object}, {"image", text}}, where, "assumptions.");
+    check_figures(assumption["error"], where, "assumptions.error.");
+  }
+}
+
 void check_cell(const Json& line, const std::string& where) {
   check(line,
         {{"scene", text},
@@ -116,18 +140,9 @@ void check_cell(const Json& line, const std::string& where) {
           "ratio_to_baseline.");
   check(line["error"], {{"baseline", object_or_null}, {"frame", object_or_null}, {"truth", object_or_null}}, where, "error.");
   for (const char* against : {"baseline", "frame", "truth"})
-    if (const Json& figures = line["error"][against]; !figures.is_null()) {
-      check(figures,
-            {{"psnr_db", number_or_null},
-             {"identical", boolean},
-             {"ssim", number},
-             {"flip", number},
-             {"rmse_linear", number},
-             {"max_linear", number}},
-            where, fmt::format("error.{}.", against));
-      if (figures["psnr_db"].is_null() != figures["identical"].get<bool>())
-        refuse(where, fmt::format("'error.{}.psnr_db' must be null for identical pictures and for no others", against));
-    }
+    if (const Json& figures = line["error"][against]; !figures.is_null())
+      check_figures(figures, where, fmt::format("error.{}.", against));
+  check_truth(line, where);
   if (line["status"] == "ok") {
     try {
       frame_samples_ms(passes_of(line));
@@ -159,6 +174,19 @@ void check_phase(const Json& line, const std::string& where) {
   check(line, {{"backend", text}, {"effect", text}, {"rounds", count}, {"wall_ms", number}, {"device_ms", number}}, where);
 }
 
+void check_bake(const Json& line, const std::string& where) {
+  check(line,
+        {{"effect", text},
+         {"object", text},
+         {"what", text},
+         {"points", count},
+         {"rays", count},
+         {"seconds", number},
+         {"rays_per_second", number_or_null},
+         {"from_cache", boolean}},
+        where);
+}
+
 void check_run(const Json& line, const std::string& where) {
   check(line, {{"schema", count}}, where);
   if (line["schema"] != record_schema)
@@ -174,24 +202,26 @@ std::string kind_of(const Json& line, const std::string& where) {
 
 void add_line(Record& record, Json line, const std::string& where) {
   const std::string kind = kind_of(line, where);
-  if (kind == "cell") {
-    check_cell(line, where);
-    record.cells.push_back(std::move(line));
-  } else if (kind == "timer") {
-    check_timer(line, where);
-    record.timers.push_back(std::move(line));
-  } else if (kind == "plan") {
-    check_plan(line, where);
-    record.plans.push_back(std::move(line));
-  } else if (kind == "phase") {
-    check_phase(line, where);
-    record.phases.push_back(std::move(line));
-  } else if (kind == "run") {
-    refuse(where, "a second line of kind 'run'; one record holds one run, so split the file before this line");
-  } else {
-    const std::vector<std::string> known = {"run", "timer", "plan", "phase", "cell"};
-    refuse(where, unknown_name("kind of line", kind, known));
+  if (kind == "run") refuse(where, "a second line of kind 'run'; one record holds one run, so split the file before this line");
+  struct Kind {
+    const char* name;
+    void (*check)(const Json&, const std::string&);
+    std::vector<Json>* lines;
+  };
+  const Kind kinds[] = {{"timer", check_timer, &record.timers},
+                        {"plan", check_plan, &record.plans},
+                        {"bake", check_bake, &record.bakes},
+                        {"phase", check_phase, &record.phases},
+                        {"cell", check_cell, &record.cells}};
+  std::vector<std::string> known = {"run"};
+  for (const auto& [name, check_line, lines] : kinds) {
+    known.push_back(name);
+    if (kind != name) continue;
+    check_line(line, where);
+    lines->push_back(std::move(line));
+    return;
   }
+  refuse(where, unknown_name("kind of line", kind, known));
 }
 
 }  // namespace

@@ -36,6 +36,13 @@ struct PassRow {
 // Error(failed) where the passes differ in their numbers of samples, for then there is no pairing by round.
 std::vector<double> frame_samples_ms(std::span<const PassRow> passes);
 
+// What one assumption costs by itself: the picture made with it against the picture made without it, all else being exact.
+struct AssumptionRow {
+  std::string name, title;  // "intersection", "approximate against exact intersection"
+  ErrorFigures error;       // over the pixels that the effect covers
+  std::string image;        // the difference picture's path, relative to the run's folder; "" where there is none
+};
+
 struct CellRow {
   std::string scene, effect, variant, backend, device, view;
   bool baseline = false;
@@ -50,20 +57,35 @@ struct CellRow {
   uint64_t fetches = 0;          // of the frame: sum over passes that are not done once
   double fetches_per_pixel = 0;  // fetches / covered_pixels
   std::optional<ErrorFigures> error_covered,
-      error_frame;  // against the baseline; absent for the baseline itself and failed cells
+      error_frame;                          // against the baseline; absent for the baseline itself and failed cells
+  std::optional<ErrorFigures> error_truth;  // against the truth, covered pixels; absent where there is no truth, or a failure
+  std::vector<AssumptionRow> assumptions;   // none where there is no truth
   uint64_t nonfinite_pixels = 0;
   uint64_t covered_pixels = 0;          // pixels in which the effect's final pass shaded at least once
   std::string image, difference, flip;  // paths relative to the run's folder, "" where there is none
+  std::string truth_image;              // the truth of the same view, likewise
   std::string image_hash;               // of the linear picture's bytes
   std::vector<std::string> shader_hashes;
 };
 
+// Work that is done before the first frame, for one object, and whose result may be kept between runs.
+struct BakeRow {
+  std::string effect, object, what;  // what: "apertures"
+  uint64_t points = 0;               // that were baked
+  uint64_t rays = 0;                 // that were cast, or were once for what came from the cache
+  double seconds = 0;                // wall clock of this run: casting, or reading the cache
+  bool from_cache = false;
+};
+
 // One line of the record. What is not known is null, never 0: figures of a failed cell that are still 0, times of a cell that
-// is not timed, fetches a pixel where no pixel is covered. PSNR of equal pictures is null with "identical": true. Throws
-// Error(failed) for a number that is not finite, and as frame_samples_ms() does.
+// is not timed, fetches a pixel where no pixel is covered. PSNR of equal pictures is null with "identical": true.
+// "truth_image" and "assumptions" are left out where there are none. Throws Error(failed) for a number that is not finite, and
+// as frame_samples_ms() does.
 nlohmann::ordered_json to_json(const CellRow& cell);
 // one_ms, additivity and attribution are null where linearity is empty, which is a certificate that never got to measure.
 nlohmann::ordered_json to_json(const TimerRow& timer);
+// rays_per_second is null where the result came from the cache or took no time that could be measured.
+nlohmann::ordered_json to_json(const BakeRow& bake);
 
 // Opens a record afresh and appends lines; its folder must exist. Throws Error(bad_input) where the folder cannot be written.
 class RecordWriter {
@@ -81,7 +103,8 @@ class RecordWriter {
 // A record as read back: what reports are made of.
 struct Record {
   nlohmann::json run;
-  std::vector<nlohmann::json> timers, plans, cells, phases;  // phases: how long the rounds took beside what they measured
+  std::vector<nlohmann::json> timers, plans, cells, bakes;
+  std::vector<nlohmann::json> phases;  // how long the rounds took beside what they measured
 };
 // Throws Error(bad_input, "record", "FILE:LINE", ...) for a line that is not JSON, another schema, no first line of kind "run",
 // an unknown kind, or a field missing or of the wrong type; what it returns has every field that to_json() writes. A last line

@@ -65,6 +65,17 @@ CellRow cell_row() {
   cell.shader_hashes = {"aa"};
   return cell;
 }
+CellRow cell_row_with_truth() {
+  CellRow cell = cell_row();
+  cell.error_truth = cell.error_frame;
+  cell.truth_image = "images/truth.png";
+  cell.assumptions = {{.name = "intersection", .title = "t", .error = *cell.error_frame, .image = "images/i.png"},
+                      {.name = "cosine", .title = "u", .error = *cell.error_frame, .image = ""}};
+  return cell;
+}
+BakeRow bake_row() {
+  return {.effect = "aperture_lighting", .object = "o", .what = "apertures", .points = 4, .rays = 256, .seconds = 0.5};
+}
 Json cell_line() { return to_json(cell_row()); }
 
 std::string lines(std::initializer_list<Json> all) {
@@ -82,7 +93,8 @@ TEST_F(RecordFile, ReadsBackEveryKindExactly) {
                       {"rounds", 9},     {"wall_ms", 110.5},    {"device_ms", 100.25}};
   {
     RecordWriter writer(file_);
-    for (const Json& one : {run_line(), timer, plan, phase, cell_line()}) writer.append(one);
+    for (const Json& one : {run_line(), timer, plan, to_json(bake_row()), phase, cell_line(), to_json(cell_row_with_truth())})
+      writer.append(one);
   }
   const Record record = read_record(file_);
   EXPECT_EQ(record.run, nlohmann::json(run_line()));
@@ -92,8 +104,11 @@ TEST_F(RecordFile, ReadsBackEveryKindExactly) {
   EXPECT_EQ(record.plans[0], nlohmann::json(plan));
   ASSERT_EQ(record.phases.size(), 1u);
   EXPECT_EQ(record.phases[0], nlohmann::json(phase));
-  ASSERT_EQ(record.cells.size(), 1u);
+  ASSERT_EQ(record.bakes.size(), 1u);
+  EXPECT_EQ(record.bakes[0], nlohmann::json(to_json(bake_row())));
+  ASSERT_EQ(record.cells.size(), 2u);
   EXPECT_EQ(record.cells[0], nlohmann::json(cell_line()));
+  EXPECT_EQ(record.cells[1], nlohmann::json(to_json(cell_row_with_truth())));
   EXPECT_EQ(record.cells[0]["passes"][0]["ms"][2].get<double>(), 1.0 / 3.0);
 }
 
@@ -189,15 +204,34 @@ TEST_F(RecordFile, UnknownKindsAndASecondRunAreRefused) {
   EXPECT_EQ(refusal(lines({run_line(), cell_line(), run_line()})).subject(), line(3));
 }
 
-TEST_F(RecordFile, ACellWithoutAnyOneOfItsFieldsIsRefused) {
-  const Json whole = cell_line();
-  for (const auto& [name, value] : whole.items()) {
-    Json damaged = whole;
-    damaged.erase(name);
-    const Error error = refusal(lines({run_line(), damaged}));
-    EXPECT_EQ(error.subject(), line(2));
-    EXPECT_NE(error.message().find("'" + name + "'"), std::string::npos) << error.what();
-  }
+TEST_F(RecordFile, ALineWithoutAnyOneOfItsFieldsIsRefused) {
+  for (const Json& whole : {cell_line(), to_json(bake_row())})
+    for (const auto& [name, value] : whole.items()) {
+      Json damaged = whole;
+      damaged.erase(name);
+      const Error error = refusal(lines({run_line(), damaged}));
+      EXPECT_EQ(error.subject(), line(2));
+      EXPECT_NE(error.message().find("'" + name + "'"), std::string::npos) << error.what();
+    }
+}
+
+TEST_F(RecordFile, DamagedTruthsAreRefused) {
+  const auto refused = [&](const char* pointer, Json value) {
+    Json cell = to_json(cell_row_with_truth());
+    cell[Json::json_pointer(pointer)] = std::move(value);
+    return refusal(lines({run_line(), cell})).subject() == line(2);
+  };
+  EXPECT_TRUE(refused("/truth_image", 1));
+  EXPECT_TRUE(refused("/error/truth/flip", "x"));
+  EXPECT_TRUE(refused("/assumptions", nullptr));
+  EXPECT_TRUE(refused("/assumptions/1", 3));
+  EXPECT_TRUE(refused("/assumptions/1/title", nullptr));
+  EXPECT_TRUE(refused("/assumptions/0/error", nullptr));
+  EXPECT_TRUE(refused("/assumptions/0/error/ssim", nullptr));
+  EXPECT_TRUE(refused("/assumptions/0/error/identical", true));  // yet its PSNR is a number
+  Json cell = to_json(cell_row_with_truth());
+  cell["assumptions"][0].erase("image");
+  EXPECT_EQ(refusal(lines({run_line(), cell})).subject(), line(2));
 }
 
 TEST_F(RecordFile, FieldsOfTheWrongTypeAreRefused) {
@@ -215,6 +249,9 @@ TEST_F(RecordFile, FieldsOfTheWrongTypeAreRefused) {
   EXPECT_EQ(refusal(damaged("/error/baseline/psnr_db", nullptr)).subject(), line(2));  // null, yet not said to be identical
   EXPECT_EQ(refusal(damaged("/ratio_to_baseline/low", "x")).subject(), line(2));
   EXPECT_EQ(refusal(damaged("/params/scene.time", "noon")).subject(), line(2));
+  Json bake = to_json(bake_row());
+  bake["from_cache"] = "no";
+  EXPECT_EQ(refusal(lines({run_line(), bake})).subject(), line(2));
 }
 
 TEST_F(RecordFile, PassesOfOneFrameWithUnequalRoundsAreRefused) {

@@ -122,6 +122,31 @@ TEST(CellToJson, IdenticalPicturesHaveNullPsnr) {
   EXPECT_EQ(error["frame"]["identical"], false);
 }
 
+CellRow cell_with_truth() {
+  CellRow cell = good_cell();
+  cell.error_truth = ErrorFigures{.psnr_db = 28, .ssim = 0.85, .flip = 0.2, .rmse_linear = 0.04, .max_linear = 0.5};
+  cell.truth_image = "images/truth.png";
+  cell.assumptions = {{.name = "cosine", .title = "one cosine", .error = *cell.error_truth, .image = "images/cosine.png"}};
+  cell.assumptions[0].error.psnr_db = infinity;
+  return cell;
+}
+
+TEST(CellToJson, WhatATruthAdds) {
+  const Json plain = to_json(good_cell()), line = to_json(cell_with_truth());
+  EXPECT_FALSE(plain.contains("truth_image"));
+  EXPECT_FALSE(plain.contains("assumptions"));
+  EXPECT_EQ(line["truth_image"], "images/truth.png");
+  EXPECT_EQ(line["error"]["truth"]["psnr_db"], 28);
+  EXPECT_EQ(line["error"]["truth"]["rmse_linear"], 0.04);
+  EXPECT_EQ(names_of(line["error"]["truth"]), names_of(line["error"]["baseline"]));
+  ASSERT_EQ(line["assumptions"].size(), 1u);
+  EXPECT_EQ(names_of(line["assumptions"][0]), (std::set<std::string>{"name", "title", "error", "image"}));
+  EXPECT_EQ(line["assumptions"][0]["title"], "one cosine");
+  EXPECT_TRUE(line["assumptions"][0]["error"]["psnr_db"].is_null());
+  EXPECT_EQ(line["assumptions"][0]["error"]["identical"], true);
+  EXPECT_EQ(line["assumptions"][0]["error"]["flip"], 0.2);
+}
+
 TEST(CellToJson, AFailedCellHasNullsWhereNothingIsKnown) {
   CellRow cell;
   cell.failed = true;
@@ -184,6 +209,12 @@ TEST(CellToJson, RefusesNumbersThatAreNotFinite) {
   cell = good_cell();
   cell.ratio_to_baseline->high = infinity;
   EXPECT_THROW(to_json(cell), Error);
+  cell = cell_with_truth();
+  cell.error_truth->flip = nan;
+  EXPECT_THROW(to_json(cell), Error);
+  cell = cell_with_truth();
+  cell.assumptions[0].error.rmse_linear = nan;
+  EXPECT_THROW(to_json(cell), Error);
 }
 
 TEST(FrameSamples, RefusesPassesWithDifferentNumbersOfRounds) {
@@ -218,6 +249,23 @@ TEST(TimerToJson, ACertificateThatNeverMeasuredHasNoFigures) {
   EXPECT_EQ(line["ok"], false);
   EXPECT_TRUE(line["additivity"].is_null());
   EXPECT_TRUE(line["attribution"].is_null());
+}
+
+TEST(BakeToJson, GivesRaysASecondOnlyWhereRaysWereCast) {
+  BakeRow bake = {
+      .effect = "aperture_lighting", .object = "ground", .what = "apertures", .points = 10, .rays = 600, .seconds = 3};
+  const Json line = to_json(bake);
+  EXPECT_EQ(names_of(line), (std::set<std::string>{"kind", "effect", "object", "what", "points", "rays", "seconds",
+                                                   "rays_per_second", "from_cache"}));
+  EXPECT_EQ(line["kind"], "bake");
+  EXPECT_EQ(line["points"], 10);
+  EXPECT_EQ(line["rays_per_second"], 200);
+  bake.from_cache = true;
+  EXPECT_TRUE(to_json(bake)["rays_per_second"].is_null());
+  bake.from_cache = false, bake.seconds = 0;
+  EXPECT_TRUE(to_json(bake)["rays_per_second"].is_null());
+  bake.seconds = nan;
+  EXPECT_THROW(to_json(bake), Error);
 }
 
 TEST(PassesOf, GivesBackWhatWasWritten) {
