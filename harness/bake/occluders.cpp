@@ -55,7 +55,7 @@ Occluders::Occluders(const Scene& scene) {
   default_bias_m_ = bias_of_radius * bounding_sphere(scene.objects).radius;
 }
 
-uint32_t Occluders::free_rays(glm::vec3 origin, const Packet& directions, size_t count) const {
+uint32_t Occluders::free_rays(glm::vec3 origin, const Packet& packet_rays, size_t count) const {
   alignas(32) std::array<int, packet> valid;
   RTCRay8 rays;
   for (size_t i = 0; i < packet; ++i) {
@@ -63,11 +63,11 @@ uint32_t Occluders::free_rays(glm::vec3 origin, const Packet& directions, size_t
     rays.org_x[i] = origin.x;
     rays.org_y[i] = origin.y;
     rays.org_z[i] = origin.z;
-    rays.dir_x[i] = directions[0][i];
-    rays.dir_y[i] = directions[1][i];
-    rays.dir_z[i] = directions[2][i];
+    rays.dir_x[i] = packet_rays.direction[0][i];
+    rays.dir_y[i] = packet_rays.direction[1][i];
+    rays.dir_z[i] = packet_rays.direction[2][i];
     rays.tnear[i] = 0;
-    rays.tfar[i] = std::numeric_limits<float>::infinity();
+    rays.tfar[i] = packet_rays.distance_m[i];
     rays.time[i] = 0;
     rays.mask[i] = ~0u;
     rays.flags[i] = 0;
@@ -77,20 +77,8 @@ uint32_t Occluders::free_rays(glm::vec3 origin, const Packet& directions, size_t
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcOccluded8(valid.data(), handles_->scene, &context, &rays);
   uint32_t free = 0;
-  for (size_t i = 0; i < count; ++i) free |= uint32_t{rays.tfar[i] > 0} << i;  // blocked: minus infinity
+  for (size_t i = 0; i < count; ++i) free |= uint32_t{rays.tfar[i] >= 0} << i;  // blocked: minus infinity
   return free;
-}
-
-bool Occluders::is_free(glm::vec3 origin, glm::vec3 direction, float distance_m) const {
-  RTCRay ray{};
-  ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
-  ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
-  ray.tfar = distance_m;
-  ray.mask = ~0u;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(handles_->scene, &context, &ray);
-  return ray.tfar >= 0;
 }
 
 }  // namespace lamina

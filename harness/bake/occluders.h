@@ -5,7 +5,6 @@
 
 #include <array>
 #include <glm/glm.hpp>
-#include <limits>
 #include <memory>
 #include <string>
 
@@ -18,13 +17,15 @@ class Occluders {
   // Throws Error(failed) where Embree has no memory left.
   explicit Occluders(const Scene& scene);
 
-  // Eight rays from one origin, directions as three rows of x, y and z (any length above 0). Bit i is set where ray i meets
-  // nothing; bits of rays beyond `count` are 0.
+  // Eight rays from one origin: rows of x, y and z of unit directions, and of how far each goes in metres. Bit i is set where
+  // ray i meets nothing; bits of rays beyond `count` are 0.
   static constexpr size_t packet = 8;
-  using Packet = std::array<std::array<float, packet>, 3>;
-  uint32_t free_rays(glm::vec3 origin, const Packet& directions, size_t count = packet) const;
-  // One ray, up to `distance_m` along a unit direction.
-  bool is_free(glm::vec3 origin, glm::vec3 direction, float distance_m = std::numeric_limits<float>::infinity()) const;
+  using Row = std::array<float, packet>;
+  struct Packet {
+    std::array<Row, 3> direction{};
+    Row distance_m{};
+  };
+  uint32_t free_rays(glm::vec3 origin, const Packet& rays, size_t count = packet) const;
 
   // Of all triangles; equal where no ray can tell two scenes apart.
   const std::string& hash() const { return hash_; }

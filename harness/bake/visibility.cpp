@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace lamina {
 namespace {
@@ -28,13 +29,15 @@ void Visibility::cast(const Occluders& occluders, float bias_m, const ProgressFu
     const glm::mat3 world = frame(p);
     const glm::vec3 origin = point.position + point.normal * bias_m;
     uint64_t* bits = &bits_[p * words_];
-    Occluders::Packet packet{};
+    Occluders::Packet packet;
+    packet.distance_m.fill(std::numeric_limits<float>::infinity());
     for (size_t first = 0; first < rays(); first += Occluders::packet) {
       const size_t count = std::min(Occluders::packet, rays() - first);
       for (int axis = 0; axis < 3; ++axis) {
         const float x = world[0][axis], y = world[1][axis], z = world[2][axis];
         for (size_t i = 0; i < count; ++i)
-          packet[axis][i] = x * directions_.x[first + i] + y * directions_.y[first + i] + z * directions_.z[first + i];
+          packet.direction[axis][i] =
+              x * directions_.x[first + i] + y * directions_.y[first + i] + z * directions_.z[first + i];
       }
       bits[first / 64] |= uint64_t{occluders.free_rays(origin, packet, count)} << (first % 64);
     }

@@ -99,8 +99,13 @@ Mask either(const Mask& a, const Mask& b) {
 }  // namespace
 
 BackendRun::BackendRun(Backend& backend, SceneResources& resources, const Plan& plan, const EffectManifest& effect,
-                       ShaderCache& shaders, const CompareOptions& options, const std::filesystem::path& images)
-    : resources_(resources), plan_(plan), shaders_(shaders), options_(options), images_(images) {
+                       ShaderCache& shaders, Bakes& bakes, const CompareOptions& options, const std::filesystem::path& images)
+    : resources_(resources),
+      plan_(plan),
+      shaders_(shaders),
+      options_(options),
+      images_(images),
+      truth_(resources, plan, effect, shaders, bakes, options) {
   for (const VariantManifest& manifest : effect.variants) {
     if (!chosen(manifest, options)) continue;
     Variant& variant = variants_.emplace_back();
@@ -187,18 +192,18 @@ void BackendRun::score(Progress& progress) {
     for (Variant& variant : variants_) {
       attempt(variant, [&] {
         if (variant.manifest->baseline) baseline = render(variant, view);
-        score_view(variant, view, baseline ? &*baseline : nullptr);
+        score_view(variant, view, baseline ? &*baseline : nullptr, progress);
       });
     }
   }
 }
 
-void BackendRun::score_view(Variant& variant, size_t view, const Image* baseline) {
+void BackendRun::score_view(Variant& variant, size_t view, const Image* baseline, Progress& progress) {
   CellRow& row = variant.rows[view];
   const bool is_baseline = variant.manifest->baseline;
   const Image picture = is_baseline ? *baseline : render(variant, view);
   const DisplayImage display = to_display(with_marked_nonfinite(picture));
-  const auto write = [&](std::string_view suffix, const DisplayImage& image) {
+  const auto write = [&](const std::string& suffix, const DisplayImage& image) {
     const std::string name = picture_path(row, suffix);
     write_png((images_ / name).string(), image);
     return "images/" + name;
@@ -206,6 +211,10 @@ void BackendRun::score_view(Variant& variant, size_t view, const Image* baseline
   row.image = write("", display);
   row.image_hash = linear_hash(picture);
   row.nonfinite_pixels = nonfinite_pixels(picture);
+  if (row.nonfinite_pixels == 0)
+    truth_.score(*variant.manifest, view, picture, row, write, [&](double fraction) {
+      progress.show(fraction, "casting rays for the truth of view " + resources_.scene().views[view].name);
+    });
   if (is_baseline || !baseline || row.nonfinite_pixels > 0 || nonfinite_pixels(*baseline) > 0) return;
   const Mask covered = either(variant.covered[view], variants_.front().covered[view]);
   if (std::count(covered.on.begin(), covered.on.end(), 1) == 0) return;  // nothing of the effect is in this view

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/truth_run.h"
 #include "harness/graph/frame.h"
 #include "harness/measure/rounds.h"
 #include "harness/record/record.h"
@@ -16,7 +16,7 @@ class BackendRun {
  public:
   // Everything must outlive this. `images` is the folder of the pictures, whose paths in rows begin with "images/".
   BackendRun(Backend& backend, SceneResources& resources, const Plan& plan, const EffectManifest& effect, ShaderCache& shaders,
-             const CompareOptions& options, const std::filesystem::path& images);
+             Bakes& bakes, const CompareOptions& options, const std::filesystem::path& images);
 
   void prepare(Progress& progress);  // pipelines and targets, first frame; what is done once
   void count(Progress& progress);    // by the counting build
@@ -38,7 +38,7 @@ class BackendRun {
   };
   template <class Work>
   void attempt(Variant& variant, Work&& work);
-  void score_view(Variant& variant, size_t view, const Image* baseline);
+  void score_view(Variant& variant, size_t view, const Image* baseline, Progress& progress);
   Image render(Variant& variant, size_t view);
   std::string picture_path(const CellRow& row, std::string_view suffix) const;
 
@@ -47,6 +47,7 @@ class BackendRun {
   ShaderCache& shaders_;
   const CompareOptions& options_;
   const std::filesystem::path& images_;
+  TruthRun truth_;
   std::vector<Variant> variants_;  // the baseline first
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "harness/backend/backend.h"
+#include "harness/core/disk_cache.h"
 #include "harness/plan/plan.h"
 
 namespace lamina {
@@ -30,6 +31,8 @@ struct CompareOptions {
   double budget_s = 20;     // of the timed rounds, a backend and effect
   double precision = 0.01;  // half width of each ratio's interval, relative
   uint64_t seed = 1;
+  size_t truth_rays = 256;                               // a pixel and light; 0: no truth
+  std::filesystem::path cache = default_cache_folder();  // of bakes and truths; empty: none
   bool validation = false;
   std::string command;  // as the user typed it
 };

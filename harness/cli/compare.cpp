@@ -72,21 +72,44 @@ void append_row(RecordWriter& record, const CellRow& row) {
   record.append(line);
 }
 
+// Casts the rays, or reads them, for everything that variants of these effects want. What cannot be baked fails again, with its
+// reason, for the variants that want it.
+void bake(const Plan& plan, const std::vector<const EffectManifest*>& effects, const Scene& scene, Bakes& bakes,
+          RecordWriter& record) {
+  for (const EffectManifest* effect : effects)
+    for (const VariantManifest& variant : effect->variants)
+      for (const size_t object : plan.of(effect->name)->objects) {
+        if (!variant.apertures) continue;
+        const size_t known = bakes.stats().size();
+        try {
+          bakes.apertures(object, *variant.apertures);
+        } catch (const Error&) {
+          continue;
+        }
+        if (bakes.stats().size() == known) continue;
+        const BakeStats& stats = bakes.stats().back();
+        record.append(to_json(BakeRow{effect->name, scene.objects[object].name, "apertures", stats.points,
+                                      stats.points * stats.rays, stats.seconds, stats.from_cache}));
+      }
+  for (const std::string& warning : bakes.cache().take_warnings()) fmt::print(stderr, "lamina: warning: {}\n", warning);
+}
+
 // One backend: certificate, then each effect, which is taken off `effects` when its rows are in the record. Appends every row
 // as it is finished. Returns how many messages the API's checker had.
 size_t run_backend(const OpenedBackend& opened, const Scene& scene, const Library& library, const Plan& plan,
-                   std::vector<const EffectManifest*>& effects, const CompareOptions& options, RecordWriter& record) {
+                   std::vector<const EffectManifest*>& effects, Bakes& bakes, const CompareOptions& options,
+                   RecordWriter& record) {
   const std::filesystem::path images = options.out / "images";
   const std::unique_ptr<Backend> backend = open_backend(opened.name, {options.device, options.validation});
   Progress progress(opened.name);
   progress.show(0, "certifying the timer");
   const TimerRow timer = certify_timer(*backend, library.shaders);
   record.append(to_json(timer));
-  SceneResources resources(*backend, scene, options.width_px, options.height_px);
+  SceneResources resources(*backend, scene, options.width_px, options.height_px, &bakes);
   ShaderCache shaders(backend->info().api, library.shaders);
   while (!effects.empty()) {
     const EffectManifest* effect = effects.front();
-    BackendRun run(*backend, resources, plan, *effect, shaders, options, images);
+    BackendRun run(*backend, resources, plan, *effect, shaders, bakes, options, images);
     run.prepare(progress);
     run.count(progress);
     run.score(progress);
@@ -130,12 +153,17 @@ int run_compare(const CompareOptions& options) {
   record.append(plan_line(plan, scene, shaders));
   for (const std::string& warning : scene.warnings) fmt::print(stderr, "lamina: note: {}\n", warning);
 
+  Progress baking("baking");
+  Bakes bakes(scene, DiskCache(options.cache),
+              [&](double fraction, const std::string& object) { baking.show(fraction, "apertures of " + object); });
+  bake(plan, effects, scene, bakes, record);
+
   size_t messages = 0;
   for (const OpenedBackend& backend : backends) {
     std::string failure = backend.failure;
     std::vector<const EffectManifest*> left = effects;
     try {
-      if (failure.empty()) messages += run_backend(backend, scene, library, plan, left, options, record);
+      if (failure.empty()) messages += run_backend(backend, scene, library, plan, left, bakes, options, record);
     } catch (const Error& error) {
       failure = error.what();
     }

@@ -94,6 +94,11 @@ int run(int argc, char** argv) {
       compare_command.add_option("--precision", compare.precision, "Half width of each ratio's 95% interval to stop at")
           ->capture_default_str()
           ->check(CLI::Range(1e-6, 1.0));
+  CLI::Option* truth_rays =
+      compare_command.add_option("--truth-rays", compare.truth_rays, "Rays a pixel and light for the truth; 0: no truth")
+          ->capture_default_str()
+          ->check(CLI::Range(0, 65536));
+  compare_command.add_option("--cache", compare.cache, "Folder that keeps bakes and truths; \"\": none")->capture_default_str();
   compare_command.add_option("--seed", compare.seed, "Seed of the order of rounds")->capture_default_str();
   compare_command.add_flag("--validation,!--no-validation", compare.validation,
                            "Check API use: Vulkan's validation layers, OpenGL's debug output");
@@ -136,6 +141,7 @@ int run(int argc, char** argv) {
     compare.command = fmt::format("lamina {}", fmt::join(argv + 1, argv + argc, " "));
     if (compare.quick && budget->count() == 0) compare.budget_s = 4;
     if (compare.quick && precision->count() == 0) compare.precision = 0.05;
+    if (compare.quick && truth_rays->count() == 0) compare.truth_rays = 64;
     return run_compare(compare);
   }
   if (stress_command.parsed()) return run_stress_caps(stress);

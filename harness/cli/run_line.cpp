@@ -76,6 +76,7 @@ Json run_line(const CompareOptions& options, const Scene& scene, const std::vect
             {"budget_s", options.budget_s},
             {"precision", options.precision},
             {"seed", options.seed},
+            {"truth_rays", options.truth_rays},
             {"difference_gain", difference_gain},
             {"validation", options.validation}}},
           {"scene", scene.name},

@@ -106,11 +106,6 @@ GraphDraw make_draw(const GraphPass& pass, const EffectManifest& effect, const O
   return draw;
 }
 
-bool has_truth_passes(const VariantManifest& variant) {
-  return std::any_of(variant.passes.begin(), variant.passes.end(),
-                     [](const PassManifest& pass) { return pass.when == Frequency::truth; });
-}
-
 std::string frequency_words(const PassManifest& pass, const Scene& scene, bool& once) {
   once = pass.when == Frequency::once;
   if (pass.when == Frequency::once) return "once for the scene";
@@ -200,6 +195,11 @@ std::set<std::string> Graph::shader_hashes() const {
     for (const GraphDraw& draw : pass.draws)
       for (const auto& stage : draw.stages) hashes.insert(stage->hash);
   return hashes;
+}
+
+bool has_truth_passes(const VariantManifest& variant) {
+  return std::any_of(variant.passes.begin(), variant.passes.end(),
+                     [](const PassManifest& pass) { return pass.when == Frequency::truth; });
 }
 
 std::shared_ptr<const TextureImage> object_texture(const Object& object, std::string_view name) {

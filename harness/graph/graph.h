@@ -73,6 +73,9 @@ enum class Purpose : uint8_t {
 Graph make_graph(const Plan& plan, const Configuration& configuration, const Scene& scene, ShaderCache& shaders,
                  Purpose purpose = Purpose::frame);
 
+// Whether the variant tells a truth what each pixel shows.
+bool has_truth_passes(const VariantManifest& variant);
+
 // The object's texture of that name, or null. Names: outer_albedo, outer_normal, inner_albedo, albedo.
 std::shared_ptr<const TextureImage> object_texture(const Object& object, std::string_view name);
 

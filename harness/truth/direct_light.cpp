@@ -93,41 +93,68 @@ class PointLight {
     return std::clamp(area / hemisphere, 0.0, 1.0);
   }
 
-  bool is_open(glm::vec3 direction, float distance_m) const {
-    if (model_ == LightModel::integrated_cosine) {
-      const auto in = [&](const Aperture& a) { return angle_between(glm::vec3(a), direction) <= a.w; };
-      return anti_ ? !in(apertures_[0]) : std::any_of(apertures_.begin(), apertures_.end(), in);
-    }
-    return occluders_.is_free(origin_, direction, distance_m);
+  bool in_apertures(glm::vec3 direction) const {
+    const auto in = [&](const Aperture& a) { return angle_between(glm::vec3(a), direction) <= a.w; };
+    return anti_ ? !in(apertures_[0]) : std::any_of(apertures_.begin(), apertures_.end(), in);
   }
+
+  // Sum over the open ones of `count` directions of their weights; those of weight 0 are not looked at. `ray(i)` gives
+  // direction, distance in metres and weight.
+  template <class Ray>
+  double sum_open(size_t count, Ray&& ray) const {
+    double sum = 0;
+    Occluders::Packet packet;
+    std::array<double, Occluders::packet> weights{};
+    size_t waiting = 0;
+    const auto cast = [&] {
+      const uint32_t open = occluders_.free_rays(origin_, packet, waiting);
+      for (size_t k = 0; k < waiting; ++k) sum += (open >> k) & 1 ? weights[k] : 0;
+      waiting = 0;
+    };
+    for (size_t i = 0; i < count; ++i) {
+      const auto [direction, distance_m, weight] = ray(i);
+      if (weight == 0) continue;
+      if (model_ == LightModel::integrated_cosine) {
+        sum += in_apertures(direction) ? weight : 0;
+        continue;
+      }
+      for (int axis = 0; axis < 3; ++axis) packet.direction[axis][waiting] = direction[axis];
+      packet.distance_m[waiting] = distance_m;
+      weights[waiting] = weight;
+      if (++waiting == Occluders::packet) cast();
+    }
+    if (waiting > 0) cast();
+    return sum;
+  }
+  struct Ray {
+    glm::vec3 direction;
+    float distance_m;
+    double weight;
+  };
 
   double sampled(const LightCap& cap, const DirectionSet& set, size_t which) const {
     const glm::mat3 frame = turned_frame(cap.direction, options_.seed + 1 + which, point_.pixel);
     const bool whole_cosine = model_ != LightModel::traced_share;
-    double sum = 0;
-    for (size_t i = 0; i < set.size(); ++i) {
+    const double sum = sum_open(set.size(), [&](size_t i) {
       const glm::vec3 direction = frame * set[i];
-      const float cosine = glm::dot(point_.normal, direction);
-      if (cosine <= 0) continue;
-      if (is_open(direction, distance_to(cap, direction))) sum += whole_cosine ? cosine : 1;
-    }
+      const double cosine = std::max(glm::dot(point_.normal, direction), 0.0f);
+      return Ray{direction, distance_to(cap, direction), whole_cosine || cosine == 0 ? cosine : 1};
+    });
     const double mean = sum / static_cast<double>(set.size());
     if (!whole_cosine) return mean * middle_cosine(point_.normal, glm::vec3(apertures_[0]), cap.direction);
-    // Solid angle over pi sin^2 r: 2 pi (1 - cos r) / (pi sin^2 r).
-    return mean * 2 / (1 + std::cos(cap.radius));
+    return mean * 2 / (1 + std::cos(cap.radius));  // the solid angle over pi sin^2 r
   }
 
   double sampled_sky(const DirectionSet& set) const {
     const glm::mat3 frame = turned_frame(point_.normal, options_.seed, point_.pixel);
-    size_t open = 0;
-    for (size_t i = 0; i < set.size(); ++i) {
+    const double open = sum_open(set.size(), [&](size_t i) {
       const glm::vec3 direction = frame * set[i];
       const bool in_light = std::any_of(lights_.begin(), lights_.end(), [&](const LightCap& cap) {
         return glm::dot(cap.direction, direction) >= std::cos(cap.radius);
       });
-      open += !in_light && is_open(direction, std::numeric_limits<float>::infinity());
-    }
-    return static_cast<double>(open) / static_cast<double>(set.size());
+      return Ray{direction, std::numeric_limits<float>::infinity(), in_light ? 0.0 : 1.0};
+    });
+    return open / static_cast<double>(set.size());
   }
 
   const ShadingPoint& point_;

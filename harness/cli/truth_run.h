@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The truth of an effect on one backend: what each pixel shows is asked of the device, the light there is computed offline, and
+// pictures are scored against it; and against it with one assumption of the effect at a time.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "harness/cli/commands.h"
+#include "harness/graph/frame.h"
+#include "harness/record/record.h"
+#include "harness/truth/direct_light.h"
+
+namespace lamina {
+
+class TruthRun {
+ public:
+  // Everything must outlive this.
+  TruthRun(SceneResources& resources, const Plan& plan, const EffectManifest& effect, ShaderCache& shaders, Bakes& bakes,
+           const CompareOptions& options);
+
+  // Writes a picture and returns its path for the record.
+  using Write = std::function<std::string(const std::string& suffix, const DisplayImage& image)>;
+  // Fills in the row's truth and assumptions, where the effect has a truth for the variant's kind of apertures and this view
+  // shows any of it. `picture`: the variant's, of this view, all finite.
+  void score(const VariantManifest& variant, size_t view, const Image& picture, CellRow& row, const Write& write,
+             const std::function<void(double)>& progress);
+
+ private:
+  // Light on the covered pixels, in the points' order.
+  struct Lit {
+    ShadingPoints points;
+    std::map<LightModel, std::vector<glm::vec3>> light;
+    std::vector<AssumptionRow> shared;  // the assumptions that all variants with the same apertures make alike
+    std::string image;
+  };
+  const VariantManifest* teller(const VariantManifest& variant) const;
+  Lit& lit(const VariantManifest& told, size_t view, const std::function<void(double)>& progress);
+  std::vector<glm::vec3> light(const ShadingPoints& points, LightModel model, const std::function<void(double)>& progress);
+
+  SceneResources& resources_;
+  const Plan& plan_;
+  const EffectManifest& effect_;
+  ShaderCache& shaders_;
+  Bakes& bakes_;
+  const CompareOptions& options_;
+  std::map<const VariantManifest*, std::unique_ptr<Graph>> graphs_;
+  std::map<const VariantManifest*, std::unique_ptr<Frame>> frames_;
+  std::map<std::pair<const VariantManifest*, size_t>, Lit> lit_;
+};
+
+}  // namespace lamina
