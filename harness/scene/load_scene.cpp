@@ -5,6 +5,7 @@
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
+#include "harness/scene/builtin_scenes.h"
 #include "harness/scene/default_views.h"
 #include "harness/scene/scene.h"
 #include "harness/scene/scene_file.h"

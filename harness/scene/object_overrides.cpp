@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "harness/core/text.h"
+#include "harness/scene/aperture_keys.h"
 #include "harness/scene/default_layers.h"
 #include "harness/scene/textures.h"
 #include "harness/scene/toml_values.h"
@@ -55,12 +56,18 @@ class Override {
  public:
   Override(const TomlTable& table, const std::filesystem::path& folder)
       : table_(table), outer_(table.table("outer")), inner_(table.table("inner")), folder_(folder) {
-    expect_keys(table_,
-                {"layers", "albedo", "outer", "inner", "thickness", "scattering", "position", "rotation_degrees", "scale"});
+    expect_keys(table_, {"layers", "apertures", "aperture", "albedo", "outer", "inner", "thickness", "scattering", "position",
+                         "rotation_degrees", "scale"});
     expect_keys(outer_, {"albedo", "normal", "transparency"});
     expect_keys(inner_, {"albedo"});
     if (without_layers() && speaks_of_layers())
       throw table_.error("layers", "'layers = false' takes the layers away; leave out outer, inner, thickness and scattering");
+    if (without_apertures() && table_.has("aperture"))
+      throw table_.error("apertures", "'apertures = false' takes the apertures away; leave out aperture");
+    if (table_.has("aperture") && speaks_of_layers())
+      throw table_.error("aperture",
+                         "an object has apertures or layers; leave out aperture, or outer, inner, thickness and scattering");
+    read_aperture(table_.table("aperture"), {});  // refused even where no object takes it
   }
 
   bool speaks_of_layers() const {
@@ -81,15 +88,23 @@ class Override {
 
   void change_look(Object& object) const {
     if (without_layers()) object.layers.reset();
+    if (without_apertures()) object.apertures.reset();
+    if (table_.has("aperture")) {
+      object.apertures = read_aperture(table_.table("aperture"), object.apertures.value_or(ApertureBake{}));
+      object.layers.reset();
+    }
     if (table_.has("albedo"))
       object.albedo = make_texture(object.name + " albedo", picture_or_colour(table_, "albedo", folder_), TexelMeaning::colour);
     if (!speaks_of_layers()) return;
     if (!object.layers) object.layers = new_layers(object.name);
+    object.apertures.reset();
     change_layers(*object.layers, object.name);
   }
 
  private:
   bool without_layers() const { return !table_.optional_bool("layers").value_or(true); }
+
+  bool without_apertures() const { return !table_.optional_bool("apertures").value_or(true); }
 
   glm::vec3 scale() const {
     if (!table_.has("scale")) return glm::vec3(1);

@@ -5,9 +5,9 @@
 
 #include "harness/core/text.h"
 #include "harness/core/toml_table.h"
+#include "harness/scene/builtin_scenes.h"
 #include "harness/scene/default_views.h"
 #include "harness/scene/gltf.h"
-#include "harness/scene/heart.h"
 #include "harness/scene/object_overrides.h"
 #include "harness/scene/toml_values.h"
 
@@ -49,15 +49,17 @@ Light read_light(const std::string& name, const TomlTable& table) {
   Light light;
   light.name = name;
   if (kind == "directional") {
-    expect_keys(table, {"kind", "direction", "color", "intensity"});
+    expect_keys(table, {"kind", "direction", "angular_radius_degrees", "color", "intensity"});
     const glm::vec3 direction = required_vec3(table, "direction");
     if (!(glm::length(direction) > 1e-6f))
       throw table.error("direction", "'direction' has no length; give the way the light travels");
     light.direction = glm::normalize(direction);
+    light.angular_radius = glm::radians(static_cast<float>(table.optional_number("angular_radius_degrees", 0, 90).value_or(0)));
   } else if (kind == "point") {
-    expect_keys(table, {"kind", "position", "color", "intensity"});
+    expect_keys(table, {"kind", "position", "radius", "color", "intensity"});
     light.kind = Light::Kind::point;
     light.position = required_vec3(table, "position");
+    light.radius_m = static_cast<float>(table.optional_number("radius", 0, 1e9).value_or(0));
   } else {
     throw table.error("kind", unknown_name("kind of light", kind, kinds));
   }
@@ -106,18 +108,6 @@ void read_views(Scene& scene, const TomlTable& root) {
 }
 
 }  // namespace
-
-std::vector<std::string> builtin_scenes() { return {"heart"}; }
-
-Scene read_builtin(const std::string& name, float time_s) {
-  const std::vector<std::string> known = builtin_scenes();
-  if (name != "heart") throw Error(ErrorKind::bad_input, "scene", name, unknown_name("built-in scene", name, known));
-  HeartOptions options;
-  options.time_s = time_s;
-  Scene scene = make_heart(options);
-  scene.name = name;
-  return scene;
-}
 
 Scene read_model(const std::filesystem::path& file, float time_s) {
   Scene scene = scene_of_objects(load_gltf(file), time_s);

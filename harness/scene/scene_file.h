@@ -3,7 +3,8 @@
 //
 //   [scene]           model = FILE | builtin = NAME; name; time (seconds); background, ambient = [r, g, b]
 //   [objects.NAME]    see object_overrides.h
-//   [lights.NAME]     kind = "directional" with direction, or "point" with position (metres); color = [r, g, b]; intensity
+//   [lights.NAME]     kind = "directional" with direction and angular_radius_degrees (0 to 90, else a point), or "point" with
+//                     position and radius (metres, else 0); color = [r, g, b]; intensity
 //   [views.NAME]      eye, target, up (metres); fov_y_degrees
 //
 // Any light replaces all the scene's own, and so does any view.
@@ -22,8 +23,5 @@ Scene read_scene_file(const std::filesystem::path& file, std::optional<float> ti
 
 // A model's objects at rest, before lights and views.
 Scene read_model(const std::filesystem::path& file, float time_s);
-
-// A built-in scene as it comes. Throws Error(bad_input) for an unknown name.
-Scene read_builtin(const std::string& name, float time_s);
 
 }  // namespace lamina
