@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "harness/caps/cap_area.h"
 #include "harness/quality/quality.h"
-#include "harness/stress/cap_area.h"
 
 namespace lamina {
 namespace {

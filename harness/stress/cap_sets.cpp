@@ -13,8 +13,8 @@
 #include <tuple>
 #include <utility>
 
+#include "harness/caps/cap_area.h"
 #include "harness/core/error.h"
-#include "harness/stress/cap_area.h"
 
 namespace lamina {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The references: the 400-bit oracle against closed forms and tabulated values, and the double form against the oracle.
-#include "harness/stress/cap_area.h"
+#include "harness/caps/cap_area.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "harness/core/error.h"
+#include "harness/stress/cap_oracle.h"
 #include "harness/stress/cap_sets.h"
 
 namespace lamina {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "harness/stress/cap_area.h"
+#include "harness/caps/cap_area.h"
 
 namespace lamina {
 namespace {
