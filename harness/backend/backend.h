@@ -49,7 +49,9 @@ struct TextureDesc {
   Format format = Format::rgba8_unorm;
   bool target = false;   // drawn into (colour or depth, by format), or has its mips generated
   bool storage = false;  // written by compute as an image
+  uint32_t depth = 1;    // above 1: a 3D texture, sampled only: one level, no target, no storage, no r32_uint, no d32_float
 };
+inline bool is_3d(const TextureDesc& desc) { return desc.depth > 1; }
 
 enum class BufferUse : uint8_t { vertex, index, uniform, storage };  // indices are uint32
 
@@ -71,6 +73,7 @@ enum class BindingKind : uint8_t { texture, uniform_buffer, storage_buffer, stor
 struct BindingSlot {
   uint32_t binding = 0;
   BindingKind kind = BindingKind::texture;
+  uint32_t dimensions = 2;  // of a texture: 2 for a sampler2D, 3 for a sampler3D
   auto operator<=>(const BindingSlot&) const = default;
 };
 
@@ -160,8 +163,9 @@ class Backend {
   virtual ~Backend() = default;
   virtual const DeviceInfo& info() const = 0;
 
-  // `levels` are the texels of levels 0.., tightly packed, or empty for an undefined content. Throws Error(failed) when the
-  // device has no room, Error(bad_input) when the size is over max_texture_size.
+  // `levels` are the texels of levels 0.., tightly packed, row by row and slice by slice, or empty for an undefined content.
+  // Throws Error(failed) when the device has no room, Error(bad_input) when the size is over max_texture_size (3D: over what
+  // the device makes in three dimensions) or a 3D texture asks for what it cannot have.
   virtual TextureId create_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels = {}) = 0;
   virtual BufferId create_buffer(std::string name, BufferUse use, size_t size_bytes, std::span<const std::byte> data = {}) = 0;
   // Throws Error(failed) with the driver's words when the device refuses a shader.

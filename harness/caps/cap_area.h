@@ -9,12 +9,8 @@ namespace lamina {
 // Whether these are radii and a distance: finite, and in the ranges above.
 bool are_caps(double r0, double r1, double d);
 
-// Oracle: the Gauss-Bonnet lens with three arc cosines, in 400 bits, so that its cancellations do not reach a double. About a
-// third of a millisecond. Throws Error(bad_input) for arguments outside the ranges above.
-double cap_intersection_oracle(double r0, double r1, double d);
-
-// The same in double, fast: two circular segments (see shaders/cap_intersection/exact_cap.glsl). Within 4 eps max(1, kappa) of
-// the oracle, relative; eps = 2^-52. The same arguments, not checked.
+// In double: two circular segments (see shaders/cap_intersection/exact_cap.glsl). Within 4 eps max(1, kappa) of the oracle
+// (harness/stress/cap_oracle.h), relative; eps = 2^-52. The arguments are not checked.
 double cap_intersection_area(double r0, double r1, double d);
 
 // Area of the smaller cap.

@@ -33,7 +33,7 @@ uint32_t channels_of(Format format);
 
 enum class Filter : uint8_t {
   nearest,    // one texel of the base level
-  linear,     // bilinear, base level
+  linear,     // bilinear, base level; between slices too where the texture is 3D
   trilinear,  // bilinear in the two nearest levels of the mip chain
 };
 enum class Wrap : uint8_t { clamp, repeat };

@@ -24,12 +24,14 @@ struct Mask {
   std::vector<uint8_t> on;  // width * height
 };
 
-// A texture ready to upload: every level of its mip chain, in `format`. Level 0 first, rows top to bottom, no padding.
+// A texture ready to upload: every level of its mip chain, in `format`. Level 0 first, slices in order, rows top to bottom, no
+// padding.
 struct TextureImage {
   std::string name;
   Format format = Format::rgba8_unorm;
   uint32_t width = 0, height = 0;
   std::vector<std::vector<std::byte>> levels;
+  uint32_t depth = 1;  // above 1: a 3D texture, of one level
 };
 
 }  // namespace lamina

@@ -245,8 +245,7 @@ PipelineId FrameBuilder::pipeline(const GraphPass& pass, const GraphDraw& draw, 
   for (const auto& stage : draw.stages) {
     desc.stages.push_back({stage->stage, stage->spirv});
     key += fmt::format("|{}", static_cast<const void*>(stage.get()));
-    for (const ShaderResource& resource : stage->reflection.resources)
-      desc.bindings.push_back({resource.binding, resource.kind});
+    for (const ShaderResource& resource : stage->reflection.resources) desc.bindings.push_back(resource.slot());
     if (stage->stage == Stage::vertex) desc.vertex_locations = stage->reflection.input_locations;
   }
   for (const std::string& name : pass.pass->writes)

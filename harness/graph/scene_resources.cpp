@@ -42,7 +42,7 @@ TextureId SceneResources::texture(const std::shared_ptr<const TextureImage>& ima
   if (is_new) {
     try {
       const TextureDesc desc{image->name,   image->width, image->height, static_cast<uint32_t>(image->levels.size()),
-                             image->format, false,        false};
+                             image->format, false,        false,         image->depth};
       entry->second = backend_.create_texture(desc, image->levels);
     } catch (...) {
       textures_.erase(entry);

@@ -76,8 +76,12 @@ class Rules {
     if (image.words[3] == spv::DimSubpassData) refuse(name, "is a subpass input, which OpenGL lacks; use a sampler2D");
     if (!combined && image.words[7] != 2) refuse(name, "is a texture without a sampler; use a combined sampler2D");
     if (image.words[4] == 1) refuse(name, "compares depths, which the harness's samplers do not; use a sampler2D");
-    if (image.words[3] != spv::Dim2D || image.words[5] != 0 || image.words[6] != 0)
-      refuse(name, "is no plain 2D texture or image, and the harness binds no others");
+    if (image.words[3] == spv::Dim3D && !combined)
+      refuse(name, "is a 3D image; a 3D texture is only sampled, with a sampler3D");
+    if (image.words[3] == spv::Dim3D && module_.definition(image.words[2]).op() != spv::OpTypeFloat)
+      refuse(name, "is a 3D texture of integers; a 3D texture holds floats, use a sampler3D");
+    if ((image.words[3] != spv::Dim2D && image.words[3] != spv::Dim3D) || image.words[5] != 0 || image.words[6] != 0)
+      refuse(name, "is no plain 2D or 3D texture or image, and the harness binds no others");
   }
 
   void check_constant(const SpirvInstruction& constant) const {

@@ -70,6 +70,9 @@ class Reflector {
     result.name = spvc_compiler_get_name(compiler_, r.id);
     result.binding = spvc_compiler_get_decoration(compiler_, r.id, SpvDecorationBinding);
     result.kind = kind;
+    if (kind == BindingKind::texture)
+      result.dimensions =
+          spvc_type_get_image_dimension(spvc_compiler_get_type_handle(compiler_, r.type_id)) == SpvDim3D ? 3 : 2;
     return result;
   }
 

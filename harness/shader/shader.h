@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // GLSL 450 to SPIR-V 1.0 through glslang, for Vulkan or OpenGL, and what the module asks for, read back from the SPIR-V.
 //
-// Sources: no `set=`, no push constants, combined samplers, 2D textures and images, std140 uniform blocks, no arrays of
-// resources, no uniforms outside blocks, explicit locations and bindings, bindings unique across kinds. #include "path" is
-// looked up beside the including file, then in the include folders. LAMINA_VULKAN or LAMINA_OPENGL is defined (1),
-// LAMINA_VERTEX_INDEX stands for gl_VertexIndex / gl_VertexID and LAMINA_INSTANCE_INDEX for gl_InstanceIndex / gl_InstanceID.
+// Sources: no `set=`, no push constants, combined samplers, 2D textures and images, 3D textures of floats, std140 uniform
+// blocks, no arrays of resources, no uniforms outside blocks, explicit locations and bindings, bindings unique across kinds.
+// #include "path" is looked up beside the including file, then in the include folders. LAMINA_VULKAN or LAMINA_OPENGL is
+// defined (1), LAMINA_VERTEX_INDEX stands for gl_VertexIndex / gl_VertexID and LAMINA_INSTANCE_INDEX for gl_InstanceIndex /
+// gl_InstanceID.
 #pragma once
 
 #include <cstdint>
@@ -35,6 +36,9 @@ struct ShaderResource {
   BindingKind kind = BindingKind::texture;
   uint32_t size_bytes = 0;           // of a block; a uniform block's is padded to 16, a runtime array at the end has none
   std::vector<BlockMember> members;  // of a block, the outermost only
+  uint32_t dimensions = 2;           // of a texture: 2 or 3
+
+  BindingSlot slot() const { return {binding, kind, dimensions}; }
 };
 struct SpecConstantInfo {
   std::string name;

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/quality/quality.h"
 #include "harness/caps/cap_area.h"
+#include "harness/quality/quality.h"
 
 namespace lamina {
 namespace {

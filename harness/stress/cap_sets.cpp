@@ -13,8 +13,8 @@
 #include <tuple>
 #include <utility>
 
-#include "harness/core/error.h"
 #include "harness/caps/cap_area.h"
+#include "harness/core/error.h"
 
 namespace lamina {
 namespace {

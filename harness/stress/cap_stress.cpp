@@ -6,8 +6,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "harness/shader/shader.h"
 #include "harness/caps/cap_area.h"
+#include "harness/caps/cap_table.h"
+#include "harness/shader/shader.h"
 
 namespace lamina {
 namespace {
@@ -16,6 +17,14 @@ constexpr uint32_t group_size = 64;  // as in caps.comp
 constexpr double long_run_ms = 40;   // of the timed runs; the short ones make an eighth of the calls
 constexpr int most_calls = 1 << 16;
 constexpr double eps = 0x1p-23;
+constexpr uint32_t table_binding = 3;
+
+TextureId make_table(Backend& backend) {
+  const TextureImage table = make_cap_table();
+  TextureDesc desc{
+      .name = table.name, .width = table.width, .height = table.height, .format = table.format, .depth = table.depth};
+  return backend.create_texture(desc, table.levels);
+}
 
 }  // namespace
 
@@ -31,12 +40,19 @@ std::vector<std::string> cap_variants(const std::filesystem::path& shaders) {
 }
 
 CapRunner::CapRunner(Backend& backend, const std::filesystem::path& shaders, const std::string& variant) : backend_(backend) {
-  const CompiledShader compute = compile_shader(
-      {shaders / "stress/caps.comp", Stage::compute, backend.info().api, {{"CAP_INTERSECTION", variant}}, {shaders}});
+  const CompiledShader compute =
+      compile_shader({shaders / "stress/caps.comp",
+                      Stage::compute,
+                      backend.info().api,
+                      {{"CAP_INTERSECTION", variant}, {"CAP_TABLE_BINDING", std::to_string(table_binding)}},
+                      {shaders}});
   PipelineDesc desc;
   desc.name = variant;
   desc.stages = {{Stage::compute, compute.spirv}};
-  desc.bindings = {{0, BindingKind::storage_buffer}, {1, BindingKind::storage_buffer}, {2, BindingKind::uniform_buffer}};
+  for (const ShaderResource& resource : compute.reflection.resources) {
+    desc.bindings.push_back(resource.slot());
+    if (resource.kind == BindingKind::texture) table_ = make_table(backend);  // the only texture there is
+  }
   pipeline_ = backend.create_pipeline(desc);
   work_ = backend.create_buffer("cap work", BufferUse::uniform, 4 * sizeof(int32_t));
 }
@@ -44,6 +60,7 @@ CapRunner::CapRunner(Backend& backend, const std::filesystem::path& shaders, con
 CapRunner::~CapRunner() {
   for (const BufferId buffer : {inputs_, areas_, work_})
     if (buffer) backend_.destroy(buffer);
+  if (table_) backend_.destroy(table_);
   backend_.destroy(pipeline_);
 }
 
@@ -76,6 +93,7 @@ RunTimes CapRunner::run(int calls, Timing timing) {
   draw.buffers = {{0, inputs_, BindingKind::storage_buffer},
                   {1, areas_, BindingKind::storage_buffer},
                   {2, work_, BindingKind::uniform_buffer}};
+  if (table_) draw.textures = {{table_binding, table_, {Filter::linear, Wrap::clamp}}};
   draw.groups = {(static_cast<uint32_t>(count_) + group_size - 1) / group_size, 1, 1};
   pass.draws = {draw};
   return backend_.run({&pass, 1}, timing);

@@ -37,6 +37,7 @@ class CapRunner {
 
   Backend& backend_;
   PipelineId pipeline_;
+  TextureId table_;  // of a function that reads one
   BufferId inputs_, areas_, work_;
   size_t count_ = 0;
 };

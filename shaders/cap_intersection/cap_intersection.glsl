@@ -6,6 +6,9 @@
 #include "fast_acos_cap.glsl"
 #include "fitted_cap.glsl"
 #include "linear_cap.glsl"
+#ifdef CAP_TABLE_BINDING
+#include "lut_cap.glsl"
+#endif
 #include "naive_cap.glsl"
 #include "smoothstep_cap.glsl"
 

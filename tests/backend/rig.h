@@ -160,7 +160,7 @@ class BackendTest : public ShaderFiles, public ::testing::WithParamInterface<std
   static void add_stage(PipelineDesc& desc, const CompiledShader& shader) {
     desc.stages.push_back({shader.stage, shader.spirv});
     for (const ShaderResource& resource : shader.reflection.resources) {
-      const BindingSlot slot{resource.binding, resource.kind};
+      const BindingSlot slot = resource.slot();
       if (std::find(desc.bindings.begin(), desc.bindings.end(), slot) == desc.bindings.end()) desc.bindings.push_back(slot);
     }
   }

@@ -156,6 +156,10 @@ TEST_F(Compile, ResourcesOutsideTheRulesAreRefusedByName) {
       {"layout(binding = 0) uniform sampler2DArray bad;", "texture(bad, vec3(0))", "no plain 2D", "no plain 2D"},
       {"layout(binding = 0) uniform sampler2DMS bad;", "texelFetch(bad, ivec2(0), 0)", "no plain 2D", "no plain 2D"},
       {"layout(binding = 0) uniform samplerBuffer bad;", "texelFetch(bad, 0)", "no plain 2D", "no plain 2D"},
+      {"layout(binding = 0) uniform isampler3D bad;", "texture(bad, vec3(0))", "3D texture of integers",
+       "3D texture of integers"},
+      {"layout(binding = 0, rgba8) uniform readonly image3D bad;", "imageLoad(bad, ivec3(0))", "is a 3D image",
+       "is a 3D image"},
       {"layout(binding = 0) uniform sampler2DShadow bad;", "vec4(texture(bad, vec3(0)))", "compares depths", "compares depths"},
   };
   for (const Case& c : cases)

@@ -42,7 +42,7 @@ struct Counts {
   }
 };
 
-// Every texture that a shader binds is 16 x 16, with a full mip chain and texels that differ.
+// Every 2D texture that a shader binds is 16 x 16, with a full mip chain and texels that differ; every 3D one 16 x 8 x 2.
 class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std::string_view> {
  protected:
   void SetUp() override {
@@ -60,6 +60,8 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
       levels.push_back(std::move(texels));
     }
     texture_ = backend_->create_texture(desc, levels);
+    desc = {.name = "volume", .width = 16, .height = 8, .format = Format::rgba8_unorm, .depth = 2};
+    volume_ = backend_->create_texture(desc, std::span(levels).first(1));
   }
   void TearDown() override {
     if (backend_ == nullptr) return;
@@ -137,12 +139,12 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
     draw.buffers.push_back({counter_binding, buffer, BindingKind::storage_buffer});
   }
 
-  // Binds `reflection`'s textures to the one texture, and its storage blocks to a buffer of their own.
+  // Binds `reflection`'s textures to the one texture of their dimensions, and its storage blocks to a buffer of their own.
   void bind(PipelineDesc& desc, Draw& draw, const Reflection& reflection) {
     for (const ShaderResource& r : reflection.resources) {
-      desc.bindings.push_back({r.binding, r.kind});
+      desc.bindings.push_back(r.slot());
       if (r.kind == BindingKind::texture)
-        draw.textures.push_back({r.binding, texture_, Sampler{Filter::trilinear, Wrap::repeat}});
+        draw.textures.push_back({r.binding, r.dimensions == 3 ? volume_ : texture_, Sampler{Filter::trilinear, Wrap::repeat}});
       if (r.kind == BindingKind::storage_buffer) {
         const std::vector<std::byte> zeros(1024);
         draw.buffers.push_back(
@@ -190,7 +192,7 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
   }
 
   std::unique_ptr<Backend> backend_;
-  TextureId texture_;
+  TextureId texture_, volume_;
 };
 
 }  // namespace lamina

@@ -154,6 +154,22 @@ void main() {
   for (uint32_t binding = 0; binding < 7; ++binding) EXPECT_EQ(counts.fetches.at(binding), all_pixels) << "binding " << binding;
 }
 
+TEST_P(CountingRun, TexturesOfThreeDimensionsCountAsOthers) {
+  const Counts counts = run({.fragment = R"(
+layout(binding = 2) uniform sampler3D volume;
+layout(binding = 5) uniform sampler2D plane;
+layout(location = 0) out vec4 o;
+vec4 at(sampler3D s, vec3 where) { return textureLod(s, where, 0.0); }
+void main() {
+  vec3 where = gl_FragCoord.xyz / 16.0;
+  o = texture(volume, where) + at(volume, where.zyx) + texture(plane, where.xy);
+  for (int i = 0; i < int(gl_FragCoord.x) % 4; ++i) o += texelFetch(volume, ivec3(gl_FragCoord.y, i, 1) & ivec3(15, 7, 1), 0);
+}
+)"});
+  EXPECT_EQ(counts.fetches.at(2), all_pixels * 2 + all_pixels / 4 * (0 + 1 + 2 + 3));
+  EXPECT_EQ(counts.fetches.at(5), all_pixels);
+}
+
 TEST_P(CountingRun, AnEarlyReturnCountsWhatCameBefore) {
   const Counts counts = run({.fragment = R"(
 layout(binding = 0) uniform sampler2D t;

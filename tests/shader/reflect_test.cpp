@@ -34,6 +34,21 @@ void main() {
   }
 }
 
+TEST_F(Reflect, TellsThreeDimensionsFromTwo) {
+  for (const Api api : both_apis) {
+    const Reflection r = compile(Stage::fragment, api, R"(
+layout(binding = 1) uniform sampler3D volume;
+layout(binding = 2) uniform sampler2D plane;
+layout(location = 0) out vec4 o;
+void main() { o = texture(volume, vec3(0)) + texture(plane, vec2(0)); }
+)")
+                             .reflection;
+    ASSERT_EQ(r.resources.size(), 2u);
+    EXPECT_EQ(r.resources[0].slot(), (BindingSlot{1, BindingKind::texture, 3}));
+    EXPECT_EQ(r.resources[1].slot(), (BindingSlot{2, BindingKind::texture, 2}));
+  }
+}
+
 // Offsets by OpenGL 4.5 core profile, 7.6.2.2: a vec3 aligns to 16 and is 12 long, arrays stride 16, the block pads to 16.
 TEST_F(Reflect, OffsetsFollowStd140) {
   for (const Api api : both_apis) {

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "harness/core/error.h"
+#include "harness/stress/cap_oracle.h"
 #include "harness/stress/cap_sets.h"
 
 namespace lamina {

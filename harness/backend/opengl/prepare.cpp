@@ -22,6 +22,10 @@ BoundResource resolve(Resources& resources, const Draw& draw, const Pipeline& pi
     case BindingKind::texture: {
       const TextureBinding& given = at_slot(draw.textures, at.slot, pipeline);
       const Texture& texture = resources.textures.at(given.texture);
+      if (is_3d(texture.desc) != (at.slot.dimensions == 3))
+        throw_bad_input(pipeline.desc.name,
+                        fmt::format("binding {} is a sampler{}D, '{}' is a {} texture; give it one of the other kind",
+                                    at.slot.binding, at.slot.dimensions, texture.desc.name, is_3d(texture.desc) ? "3D" : "2D"));
       // An integer texture under a linear sampler is incomplete, even to a shader that only fetches texels.
       const Sampler fetch{Filter::nearest, given.sampler.wrap};
       bound.name = texture.object.name();

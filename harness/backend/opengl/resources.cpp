@@ -6,10 +6,23 @@
 namespace lamina::gl {
 namespace {
 
+void check_3d(const TextureDesc& desc) {
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &most);
+  if (desc.depth == 0 || std::max({desc.width, desc.height, desc.depth}) > static_cast<uint32_t>(most))
+    throw_bad_input(desc.name, fmt::format("{} x {} x {} texels; the device takes 1 to {} on a side of a 3D texture",
+                                           desc.width, desc.height, desc.depth, most));
+  if (desc.levels != 1 || desc.target || desc.storage || desc.format == Format::r32_uint || desc.format == Format::d32_float)
+    throw_bad_input(
+        desc.name,
+        "a 3D texture is sampled only: it has one level, is no target, no storage image, and holds no integers or depths");
+}
+
 void check(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels, uint32_t max_size) {
   if (desc.width == 0 || desc.height == 0 || desc.width > max_size || desc.height > max_size)
     throw_bad_input(desc.name,
                     fmt::format("{} x {} pixels; the device takes 1 to {} on a side", desc.width, desc.height, max_size));
+  if (desc.depth != 1) check_3d(desc);
   const uint32_t most = full_mip_levels(desc.width, desc.height);
   if (desc.levels == 0 || desc.levels > most)
     throw_bad_input(desc.name,
@@ -28,13 +41,19 @@ Texture make_texture(const TextureDesc& desc, std::span<const std::vector<std::b
   check(desc, levels, max_size);
   const GlFormat format = gl_format(desc.format);
   GLuint name = 0;
-  glCreateTextures(GL_TEXTURE_2D, 1, &name);
+  glCreateTextures(is_3d(desc) ? GL_TEXTURE_3D : GL_TEXTURE_2D, 1, &name);
   Texture texture{TextureObject(name), desc};
   label(GL_TEXTURE, name, desc.name);
-  glTextureStorage2D(name, static_cast<GLsizei>(desc.levels), format.internal, static_cast<GLsizei>(desc.width),
-                     static_cast<GLsizei>(desc.height));
+  const auto width = static_cast<GLsizei>(desc.width), height = static_cast<GLsizei>(desc.height),
+             depth = static_cast<GLsizei>(desc.depth), level_count = static_cast<GLsizei>(desc.levels);
+  if (is_3d(desc))
+    glTextureStorage3D(name, level_count, format.internal, width, height, depth);
+  else
+    glTextureStorage2D(name, level_count, format.internal, width, height);
   throw_on_error(desc.name);  // before the upload: there may be no room
-  for (uint32_t level = 0; level < levels.size(); ++level)
+  if (is_3d(desc) && !levels.empty())
+    glTextureSubImage3D(name, 0, 0, 0, 0, width, height, depth, format.layout, format.type, levels[0].data());
+  for (uint32_t level = 0; level < levels.size() && !is_3d(desc); ++level)
     glTextureSubImage2D(name, static_cast<GLint>(level), 0, 0, static_cast<GLsizei>(level_width(desc, level)),
                         static_cast<GLsizei>(level_height(desc, level)), format.layout, format.type, levels[level].data());
   throw_on_error(desc.name);
@@ -96,6 +115,7 @@ Samplers::Samplers() {
       const GLint edge = wrap == Wrap::clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
       glSamplerParameteri(name, GL_TEXTURE_WRAP_S, edge);
       glSamplerParameteri(name, GL_TEXTURE_WRAP_T, edge);
+      glSamplerParameteri(name, GL_TEXTURE_WRAP_R, edge);
       samplers_[index({filter, wrap})] = SamplerObject(name);
     }
   }

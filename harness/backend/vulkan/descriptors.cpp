@@ -67,6 +67,10 @@ Target texture_target(Device& device, const Pipeline& pipeline, const BindingSlo
                       const PassLayouts& layouts, std::span<const SamplerHandle> samplers) {
   const TextureBinding& given = find_binding(draw.textures, slot.binding, pipeline, "texture");
   const Texture& texture = resources.at(given.texture, pipeline.desc.name);
+  if (is_3d(texture.desc) != (slot.dimensions == 3))
+    throw_bad_input(pipeline.desc.name,
+                    fmt::format("binding {} is a sampler{}D, '{}' is a {} texture; give it one of the other kind", slot.binding,
+                                slot.dimensions, texture.desc.name, is_3d(texture.desc) ? "3D" : "2D"));
   const Format format = texture.desc.format;
   if (given.sampler.filter != Filter::nearest &&
       !device.supports(vk_format(format), VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT))

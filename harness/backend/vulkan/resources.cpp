@@ -20,7 +20,7 @@ size_t aligned(size_t bytes) { return (bytes + copy_alignment_bytes - 1) / copy_
 
 size_t level_bytes(const TextureDesc& desc, uint32_t level) {
   const VkExtent2D extent = level_extent(desc, level);
-  return size_t{extent.width} * extent.height * bytes_per_texel(desc.format);
+  return size_t{extent.width} * extent.height * desc.depth * bytes_per_texel(desc.format);
 }
 
 VkBufferImageCopy copy_of(const TextureDesc& desc, uint32_t level, size_t offset) {
@@ -28,7 +28,7 @@ VkBufferImageCopy copy_of(const TextureDesc& desc, uint32_t level, size_t offset
   VkBufferImageCopy copy{};
   copy.bufferOffset = offset;
   copy.imageSubresource = {aspect_of(desc.format), level, 0, 1};
-  copy.imageExtent = {extent.width, extent.height, 1};
+  copy.imageExtent = {extent.width, extent.height, desc.depth};
   return copy;
 }
 
@@ -64,11 +64,25 @@ VkImageUsageFlags usage_of(const TextureDesc& desc) {
   return usage;
 }
 
+VkImageType image_type(const TextureDesc& desc) { return is_3d(desc) ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D; }
+
+void check_3d(const Device& device, const TextureDesc& desc) {
+  const uint32_t most = device.limits().maxImageDimension3D;
+  if (desc.depth == 0 || std::max({desc.width, desc.height, desc.depth}) > most)
+    throw_bad_input(desc.name, fmt::format("{}x{}x{} is not a size that {} can make; each side of a 3D texture must be 1 to {}",
+                                           desc.width, desc.height, desc.depth, device.info().device, most));
+  if (desc.levels != 1 || desc.target || desc.storage || desc.format == Format::r32_uint || is_depth(desc.format))
+    throw_bad_input(
+        desc.name,
+        "a 3D texture is sampled only: it has one level, is no target, no storage image, and holds no integers or depths");
+}
+
 void check_desc(const Device& device, const TextureDesc& desc, std::span<const std::vector<std::byte>> levels) {
   const uint32_t most = device.info().max_texture_size;
   if (desc.width == 0 || desc.height == 0 || desc.width > most || desc.height > most)
     throw_bad_input(desc.name, fmt::format("{}x{} is not a size that {} can make; each side must be 1 to {}", desc.width,
                                            desc.height, device.info().device, most));
+  if (desc.depth != 1) check_3d(device, desc);
   if (desc.levels == 0 || desc.levels > full_mip_levels(desc.width, desc.height))
     throw_bad_input(desc.name, fmt::format("{}x{} has 1 to {} mip levels, not {}", desc.width, desc.height,
                                            full_mip_levels(desc.width, desc.height), desc.levels));
@@ -84,7 +98,7 @@ void check_desc(const Device& device, const TextureDesc& desc, std::span<const s
                                         : desc.target ? "a target"
                                                       : "a texture"));
   VkImageFormatProperties most_of_format{};
-  check(vkGetPhysicalDeviceImageFormatProperties(device.physical(), vk_format(desc.format), VK_IMAGE_TYPE_2D,
+  check(vkGetPhysicalDeviceImageFormatProperties(device.physical(), vk_format(desc.format), image_type(desc),
                                                  VK_IMAGE_TILING_OPTIMAL, usage_of(desc), 0, &most_of_format),
         desc.name, "vkGetPhysicalDeviceImageFormatProperties");
   size_t size_bytes = 0;
@@ -233,9 +247,9 @@ Texture Resources::make_texture(const TextureDesc& desc) {
   Texture texture;
   texture.desc = desc;
   VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
-  info.imageType = VK_IMAGE_TYPE_2D;
+  info.imageType = image_type(desc);
   info.format = vk_format(desc.format);
-  info.extent = {desc.width, desc.height, 1};
+  info.extent = {desc.width, desc.height, desc.depth};
   info.mipLevels = desc.levels;
   info.arrayLayers = 1;
   info.samples = VK_SAMPLE_COUNT_1_BIT;
@@ -252,7 +266,7 @@ Texture Resources::make_texture(const TextureDesc& desc) {
   const auto view_of = [&](uint32_t level, uint32_t count, const std::string& name) {
     VkImageViewCreateInfo view_info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
     view_info.image = image;
-    view_info.viewType = VK_IMAGE_VIEW_TYPE_2D;
+    view_info.viewType = is_3d(desc) ? VK_IMAGE_VIEW_TYPE_3D : VK_IMAGE_VIEW_TYPE_2D;
     view_info.format = info.format;
     view_info.subresourceRange = {aspect_of(desc.format), level, count, 0, 1};
     VkImageView view = VK_NULL_HANDLE;
