@@ -389,6 +389,7 @@ BufferId FrameBuilder::iteration_uniforms(uint32_t iteration, uint32_t count) {
 Format FrameBuilder::format_of(const GraphPass& pass, const GraphDraw& draw, const Source& source) {
   if (source.kind == Source::Kind::object_texture) return object_texture(scene_.objects[*draw.object], source.name)->format;
   if (source.kind == Source::Kind::aperture_map) return SceneResources::aperture_map_format;
+  if (source.kind == Source::Kind::cap_table) return Format::r16_float;
   return target(pass, source.name, draw.object).format;
 }
 
@@ -397,6 +398,7 @@ TextureId FrameBuilder::texture_of(const GraphPass& pass, const GraphDraw& draw,
     return frame_.resources_.texture(object_texture(scene_.objects[*draw.object], source.name));
   if (source.kind == Source::Kind::aperture_map)
     return frame_.resources_.aperture_map(*draw.object, *pass.variant->apertures, source.aperture);
+  if (source.kind == Source::Kind::cap_table) return frame_.resources_.cap_table();
   const Target& read = target(pass, source.name, draw.object);
   return read.buffers[read.current];
 }

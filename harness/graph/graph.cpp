@@ -54,9 +54,13 @@ Source resolve_source(const VariantManifest& variant, const PassManifest& pass, 
     source.kind = Source::Kind::aperture_map;
     source.aperture = *aperture;
     source.sampler = aperture_sampler;
+  } else if (read.source == "cap_table") {
+    source.kind = Source::Kind::cap_table;
+    source.sampler = {Filter::linear, Wrap::clamp};
   } else {
     std::vector<std::string> names = {"frame", "depth"};
     for (const TargetManifest& known : variant.targets) names.push_back(known.name);
+    names.emplace_back("cap_table");
     if (object) names.insert(names.end(), object_textures.begin(), object_textures.end());
     throw Error(ErrorKind::bad_input, "variants", pass.where,
                 fmt::format("pass '{}' samples '{}': {}", pass.name, sampler, unknown_name("texture", read.source, names)));

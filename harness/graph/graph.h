@@ -29,7 +29,7 @@ class ShaderCache {
 
 // Where a texture that a shader reads comes from.
 struct Source {
-  enum class Kind : uint8_t { object_texture, aperture_map, target, frame, depth } kind = Kind::object_texture;
+  enum class Kind : uint8_t { object_texture, aperture_map, cap_table, target, frame, depth } kind = Kind::object_texture;
   std::string name;                          // of the object's texture or of the target
   uint32_t aperture = 0;                     // aperture_map: which
   const VariantManifest* variant = nullptr;  // whose target it is

@@ -3,6 +3,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include "harness/caps/cap_table.h"
 #include "harness/graph/uniforms.h"
 
 namespace lamina {
@@ -33,6 +34,7 @@ SceneResources::~SceneResources() {
     for (const BufferId id : {mesh.vertices, mesh.indices, mesh.uniforms}) backend_.destroy(id);
   for (const BufferId id : views_) backend_.destroy(id);
   for (const auto& [image, id] : textures_) backend_.destroy(id);
+  if (cap_table_) backend_.destroy(cap_table_);
   for (const auto& [key, id] : vertex_apertures_) backend_.destroy(id);
   for (const auto& [key, id] : aperture_maps_) backend_.destroy(id);
 }
@@ -74,6 +76,15 @@ TextureId SceneResources::aperture_map(size_t object, ApertureKind kind, uint32_
     id = backend_.create_texture(desc, {&level, 1});
   }
   return id;
+}
+
+TextureId SceneResources::cap_table() {
+  if (!cap_table_) {
+    const TextureImage table = make_cap_table();
+    const TextureDesc desc{table.name, table.width, table.height, 1, table.format, false, false, table.depth};
+    cap_table_ = backend_.create_texture(desc, table.levels);
+  }
+  return cap_table_;
 }
 
 }  // namespace lamina

@@ -33,6 +33,8 @@ class SceneResources {
   // rgba16_float, over the object's unwrap.
   static constexpr Format aperture_map_format = Format::rgba16_float;
   TextureId aperture_map(size_t object, ApertureKind kind, uint32_t i);
+  // harness/caps/cap_table.h's, of three dimensions, r16_float.
+  TextureId cap_table();
   size_t textures_uploaded() const { return textures_.size(); }
 
   Backend& backend() const { return backend_; }
@@ -48,6 +50,7 @@ class SceneResources {
   std::vector<MeshBuffers> meshes_;
   std::vector<BufferId> views_;
   std::map<std::shared_ptr<const TextureImage>, TextureId> textures_;
+  TextureId cap_table_;
   std::map<std::pair<size_t, ApertureKind>, BufferId> vertex_apertures_;
   std::map<std::tuple<size_t, ApertureKind, uint32_t>, TextureId> aperture_maps_;
 };

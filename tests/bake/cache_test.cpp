@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bakes on disk: read back where nothing has changed, made again where anything has, or where the file is damaged.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "harness/bake/bakes.h"
+#include "harness/core/text.h"
+#include "tests/bake/made_scenes.h"
+
+namespace lamina {
+namespace {
+
+class BakeCache : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              ("lamina-cache-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::remove_all(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  struct Result {
+    std::vector<Aperture> apertures;
+    bool from_cache;
+    std::vector<std::string> warnings;
+  };
+  Result bake(const Scene& scene) {
+    Bakes bakes(scene, DiskCache(folder_));
+    Result result{bakes.apertures(0, {}), bakes.stats().at(0).from_cache, bakes.cache().take_warnings()};
+    return result;
+  }
+  std::filesystem::path file() const { return std::filesystem::directory_iterator(folder_)->path(); }
+  size_t files() const { return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(folder_), {})); }
+
+  std::filesystem::path folder_;
+  Scene scene_ = scene_of({receiver(), ring("lid", 1, 1, 50, 1)});
+};
+
+TEST_F(BakeCache, SecondTimeIsReadAndTheSame) {
+  const Result first = bake(scene_), second = bake(scene_);
+  EXPECT_FALSE(first.from_cache);
+  EXPECT_TRUE(second.from_cache);
+  EXPECT_EQ(first.apertures, second.apertures);
+  EXPECT_EQ(files(), 1u) << "and nothing beside it is left over";
+}
+
+TEST_F(BakeCache, EverythingThatMattersIsInTheKey) {
+  bake(scene_);
+  std::vector<Scene> others(6, scene_);
+  others[0].objects[0].apertures->rays = 512;
+  others[1].objects[0].apertures->seed = 2;
+  others[2].objects[0].apertures->bias_m = 0.01f;
+  others[3].objects[1].mesh.vertices[0].position.y += 0.1f;
+  others[4].objects[1].world_from_object[3].x = 0.5f;
+  others[5].objects[0].mesh.vertices[0].normal = {1, 0, 0};
+  for (size_t i = 0; i < others.size(); ++i) EXPECT_FALSE(bake(others[i]).from_cache) << i;
+  Scene same = scene_;
+  same.name = "other", same.lights.emplace_back(), same.objects[1].albedo = nullptr;
+  EXPECT_TRUE(bake(same).from_cache) << "light and colour do not matter";
+}
+
+TEST_F(BakeCache, DamagedFileIsMadeAgainWithAWarning) {
+  const Result good = bake(scene_);
+  const std::string text = read_file(file(), "test");
+  const std::vector<std::string> damaged = {"",
+                                            text.substr(0, 10),
+                                            text.substr(0, text.size() - 1),
+                                            text + "x",
+                                            text.substr(0, text.size() - 3) + "abc",
+                                            "lamina cache 2" + text.substr(14)};
+  for (size_t i = 0; i < damaged.size(); ++i) {
+    std::ofstream(file(), std::ios::binary) << damaged[i];
+    const Result again = bake(scene_);
+    EXPECT_FALSE(again.from_cache) << i;
+    ASSERT_EQ(again.warnings.size(), 1u) << i;
+    EXPECT_NE(again.warnings[0].find(file().string()), std::string::npos);
+    EXPECT_EQ(again.apertures, good.apertures);
+    EXPECT_EQ(read_file(file(), "test"), text) << "and is whole again";
+  }
+}
+
+TEST_F(BakeCache, FolderThatCannotBeMadeIsAWarning) {
+  std::ofstream(folder_) << "a file stands here";
+  const Result result = bake(scene_);
+  EXPECT_EQ(result.apertures.size(), 3u);
+  ASSERT_EQ(result.warnings.size(), 1u);
+  std::filesystem::remove(folder_);
+}
+
+TEST_F(BakeCache, ProgressRisesFromNothing) {
+  std::vector<double> seen;
+  Bakes bakes(scene_, DiskCache(""), [&](double fraction, const std::string& object) {
+    EXPECT_EQ(object, "receiver");
+    seen.push_back(fraction);
+  });
+  bakes.apertures(0, {});
+  ASSERT_FALSE(seen.empty());
+  EXPECT_EQ(seen.front(), 0);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+}
+
+}  // namespace
+}  // namespace lamina
