@@ -9,7 +9,7 @@ layout(binding = CAP_TABLE_BINDING) uniform sampler3D cap_table;  // linear filt
 // pi - x, without the rounding of pi.
 float supplement(float x) {
   precise float result = (2.0 * half_pi_high - x) + 2.0 * half_pi_low;
-  return max(result, 1e-20);  // no radius is 0
+  return result;
 }
 
 float lut_cap(float r0, float r1, float d) {

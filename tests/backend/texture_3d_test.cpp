@@ -64,7 +64,11 @@ TEST_P(BackendTexture3D, EveryFormatComesBackAsItWent) {
     std::vector<std::byte> texels(width * height * depth * bytes_per_texel(format));
     for (size_t i = 0; i < texels.size(); ++i)
       texels[i] = static_cast<std::byte>(i % 59);  // no half or float that is no number
-    EXPECT_EQ(backend().read_texture(volume(format, texels)), texels);
+    const std::vector<std::byte> reversed(texels.rbegin(), texels.rend());
+    const TextureId first = volume(format, texels),
+                    second = volume(format, reversed);  // what is on its way is not what arrived
+    EXPECT_EQ(backend().read_texture(first), texels);
+    EXPECT_EQ(backend().read_texture(second), reversed);
   }
 }
 

@@ -138,13 +138,14 @@ TEST_F(Counting, TexturesOfThreeDimensionsCountAsOthers) {
   for (const Api api : both_apis) {
     const auto shader = compile(Stage::fragment, api, R"(
 layout(binding = 3) uniform sampler3D volume;
+layout(binding = 1) uniform sampler3D fetched;
 layout(location = 0) out vec4 o;
 float at(sampler3D s, vec3 where) { return textureLod(s, where, 0.0).r; }
-void main() { o = texture(volume, vec3(0)) + at(volume, vec3(1)) + texelFetch(volume, ivec3(0), 0); }
+void main() { o = texture(volume, vec3(0)) + at(volume, vec3(1)) + texelFetch(fetched, ivec3(0), 0); }
 )");
     const CountingShader counting = add_counters(shader, api, {.binding = 9});
-    EXPECT_EQ(counting.slots, std::vector<uint32_t>{3});
-    EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u * (1 + 1));
+    EXPECT_EQ(counting.slots, (std::vector<uint32_t>{1, 3}));
+    EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u * (1 + 2));
   }
 }
 
