@@ -130,12 +130,22 @@ class Land {
     }
   }
 
-  // Every point after its receiver. Water falls, so the order of heights is one.
+  // Every point after its receiver: first those that drain nowhere, then, point by point, those that drain into it.
   void order_upstream() {
-    order_.resize(height_.size());
-    for (uint32_t i = 0; i < order_.size(); ++i) order_[i] = i;
-    std::sort(order_.begin(), order_.end(),
-              [&](uint32_t a, uint32_t b) { return height_[a] != height_[b] ? height_[a] < height_[b] : a < b; });
+    const auto count = static_cast<uint32_t>(height_.size());
+    std::vector<uint32_t> end(count + 1), donors(count);  // the donors of i end before end[i]
+    for (uint32_t i = 0; i < count; ++i)
+      if (receiver_[i] != i) ++end[receiver_[i] + 1];
+    for (uint32_t i = 0; i < count; ++i) end[i + 1] += end[i];
+    for (uint32_t i = 0; i < count; ++i)
+      if (receiver_[i] != i) donors[end[receiver_[i]]++] = i;
+    order_.clear();
+    for (uint32_t i = 0; i < count; ++i)
+      if (receiver_[i] == i) order_.push_back(i);
+    for (size_t next = 0; next < order_.size(); ++next) {
+      const uint32_t i = order_[next];
+      order_.insert(order_.end(), donors.begin() + (i > 0 ? end[i - 1] : 0), donors.begin() + end[i]);
+    }
   }
 
   uint32_t side_;

@@ -140,8 +140,8 @@ Scene make_terrain(float time_s) {
   scene.lights.push_back(sun);
   scene.ambient = day.ambient;
   scene.background = day.background;
-  scene.views = {{"valley", {200, 620, 2250}, {-150, 430, -300}, {0, 1, 0}, 45},
-                 {"grazing", {900, 330, 900}, {-900, 420, -1300}, {0, 1, 0}, 42},
+  scene.views = {{"valley", {200, 620, 2250}, {-170, 390, -300}, {0, 1, 0}, 45},
+                 {"grazing", {-1790, 390, 1260}, {-1450, 330, -900}, {0, 1, 0}, 42},
                  {"above", {0, 8600, 900}, {0, 100, 30}, {0, 0, -1}, 36}};
   const BoundingSphere bounds = bounding_sphere(scene.objects);
   for (View& view : scene.views) fit_depth(view, bounds);
