@@ -11,11 +11,11 @@ namespace {
 
 // A mountain range of the temperate zone in early May.
 const double latitude = glm::radians(44.0), declination = glm::radians(16.0);
-constexpr double noon_s = 4.9;
+constexpr double noon_s = 6.1;
 
 // The sun at the zenith outside the air, and the optical depth of the air over a point by red, green and blue: after Rayleigh
 // scattering and some haze, weakened so that a rising sun still lights the land.
-constexpr glm::vec3 above_air{1.55f, 1.58f, 1.66f}, optical_depth{0.045f, 0.09f, 0.175f};
+constexpr glm::vec3 above_air{1.55f, 1.58f, 1.66f}, optical_depth{0.038f, 0.076f, 0.150f};
 
 struct Sky {
   float elevation_degrees;  // the sun's
@@ -24,8 +24,8 @@ struct Sky {
 // Night, dusk, an hour of low sun, day; linear in between.
 constexpr std::array<Sky, 5> skies = {{{-14, {0.010f, 0.013f, 0.024f}, {0.003f, 0.005f, 0.012f}},
                                        {-4, {0.050f, 0.048f, 0.075f}, {0.080f, 0.060f, 0.090f}},
-                                       {2, {0.115f, 0.095f, 0.110f}, {0.420f, 0.250f, 0.190f}},
-                                       {14, {0.150f, 0.170f, 0.225f}, {0.420f, 0.480f, 0.560f}},
+                                       {2, {0.135f, 0.115f, 0.130f}, {0.450f, 0.290f, 0.220f}},
+                                       {10, {0.180f, 0.205f, 0.265f}, {0.400f, 0.500f, 0.640f}},
                                        {35, {0.190f, 0.230f, 0.310f}, {0.300f, 0.470f, 0.720f}}}};
 
 // Of the air straight up; at the horizon about 38.

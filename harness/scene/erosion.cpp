@@ -11,7 +11,7 @@ namespace lamina {
 namespace {
 
 constexpr uint32_t coarsest = 65, finest_eroded = 129;
-constexpr int coarse_steps = 200, fine_steps = 40, last_steps = 6;  // until the picture hardly changes
+constexpr int coarse_steps = 150, fine_steps = 40, last_steps = 12;  // until the picture hardly changes
 constexpr float uplift = 1, erodibility = 1, step = 0.08f;  // lengths in units of the extent; the relief is set in the end
 
 // One level of detail, in units of the extent.
@@ -27,14 +27,17 @@ class Land {
     }
   }
 
-  // The same land on twice as many points; a little noise between the old ones keeps streams from running straight.
+  // The same land on twice as many points. A new point lies between the two old ones across it, the lower pair of a square's,
+  // so that valleys stay open; where between is noise, which keeps streams from running straight.
   Land refined() const {
     Land fine(2 * side_ - 1, seed_);
     for (uint32_t i = 0; i < fine.height_.size(); ++i) {
       const uint32_t column = i % fine.side_, row = i / fine.side_;
       const uint32_t a = row / 2 * side_ + column / 2, right = column % 2, down = row % 2 * side_;
-      const float mean = (height_[a] + height_[a + right] + height_[a + down] + height_[a + right + down]) / 4;
-      fine.height_[i] = mean + 0.15f * spacing_ * gradient_noise(glm::vec3(0.37f * glm::vec2(column, row), 0.5f), seed_ + 7);
+      const float falling = height_[a] + height_[a + right + down], rising = height_[a + right] + height_[a + down];
+      const float drop = falling < rising ? height_[a] - height_[a + right + down] : height_[a + right] - height_[a + down];
+      const float noise = gradient_noise(glm::vec3(0.37f * glm::vec2(column, row), 0.5f), seed_ + 7);
+      fine.height_[i] = (std::min(falling, rising) + drop * noise) / 2;
     }
     return fine;
   }
@@ -55,11 +58,15 @@ class Land {
     }
   }
 
-  // Lowers what stands steeper over a neighbour than `steepest`, from the outlets up.
+  // Lowers what stands steeper over any point than `steepest`: each height becomes the least of all others' plus the rise that
+  // the way there allows. Two sweeps, as for distance maps (Borgefors, "Distance transformations in digital images", 1986).
   void slide(float steepest) {
     drain();
-    for (const uint32_t i : order_)
+    const auto lower = [&](uint32_t i) {
       for_each_neighbour(i, [&](uint32_t n) { height_[i] = std::min(height_[i], height_[n] + steepest * run(i, n)); });
+    };
+    for (uint32_t i = 0; i < height_.size(); ++i) lower(i);
+    for (uint32_t i = static_cast<uint32_t>(height_.size()); i-- > 0;) lower(i);
   }
 
   float highest() const { return *std::max_element(height_.begin(), height_.end()); }
@@ -107,7 +114,7 @@ class Land {
         if (x != column || y != row) visit(static_cast<uint32_t>(y) * side_ + static_cast<uint32_t>(x));
   }
 
-  // The neighbour down the steepest slope; the point itself in a pit and at the outlet.
+  // The neighbour down the steepest slope, or nearly so; the point itself in a pit and at the outlet.
   void find_receivers() {
     receiver_.resize(height_.size());
     for (uint32_t i = 0; i < height_.size(); ++i) {
@@ -115,18 +122,30 @@ class Land {
       if (is_outlet(i)) continue;
       float steepest = 0;
       for_each_neighbour(i, [&](uint32_t n) {
-        const float slope = (height_[i] - height_[n]) / run(i, n);
+        // Uneven rock: without it, streams on an even slope run straight along the grid.
+        const float uneven = 0.7f + 0.6f * static_cast<float>(hash_lattice({i, n, 0}, seed_) >> 8) * 0x1p-24f;
+        const float slope = uneven * (height_[i] - height_[n]) / run(i, n);
         if (slope > steepest) steepest = slope, receiver_[i] = n;
       });
     }
   }
 
-  // Every point after its receiver. Water falls, so the order of heights is one.
+  // Every point after its receiver: first those that drain nowhere, then, point by point, those that drain into it.
   void order_upstream() {
-    order_.resize(height_.size());
-    for (uint32_t i = 0; i < order_.size(); ++i) order_[i] = i;
-    std::sort(order_.begin(), order_.end(),
-              [&](uint32_t a, uint32_t b) { return height_[a] != height_[b] ? height_[a] < height_[b] : a < b; });
+    const auto count = static_cast<uint32_t>(height_.size());
+    std::vector<uint32_t> end(count + 1), donors(count);  // the donors of i end before end[i]
+    for (uint32_t i = 0; i < count; ++i)
+      if (receiver_[i] != i) ++end[receiver_[i] + 1];
+    for (uint32_t i = 0; i < count; ++i) end[i + 1] += end[i];
+    for (uint32_t i = 0; i < count; ++i)
+      if (receiver_[i] != i) donors[end[receiver_[i]]++] = i;
+    order_.clear();
+    for (uint32_t i = 0; i < count; ++i)
+      if (receiver_[i] == i) order_.push_back(i);
+    for (size_t next = 0; next < order_.size(); ++next) {
+      const uint32_t i = order_[next];
+      order_.insert(order_.end(), donors.begin() + (i > 0 ? end[i - 1] : 0), donors.begin() + end[i]);
+    }
   }
 
   uint32_t side_;

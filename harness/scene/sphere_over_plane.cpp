@@ -78,7 +78,7 @@ Scene make_sphere_over_plane() {
   scene.ambient = {0.26f, 0.30f, 0.36f};
   scene.background = {0.42f, 0.50f, 0.60f};
   scene.views = {{"front", {0.6f, 2.6f, 7.5f}, {0.35f, 0.75f, 0}, {0, 1, 0}, 36},
-                 {"under", {1.6f, 0.32f, 3.4f}, {0, 0.35f, 0}, {0, 1, 0}, 40},
+                 {"under", {2.0f, 0.30f, 4.3f}, {0.2f, 0.55f, 0}, {0, 1, 0}, 40},
                  {"above", {0, 9, 2.5f}, {0.4f, 0, -0.3f}, {0, 0, -1}, 40}};
   const BoundingSphere bounds = bounding_sphere(scene.objects);
   for (View& view : scene.views) {

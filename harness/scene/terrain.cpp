@@ -15,7 +15,7 @@
 namespace lamina {
 namespace {
 
-constexpr Erosion erosion{.side = 257, .extent_m = 5120, .relief_m = 1500, .steepest = 0.82f, .seed = 5};
+constexpr Erosion erosion{.side = 257, .extent_m = 5120, .relief_m = 1650, .steepest = 0.88f, .seed = 5};
 constexpr uint32_t texture_texels = 512;
 
 // Linear, as seen on the ground.
@@ -71,16 +71,16 @@ glm::vec3 ground(glm::vec2 p, float height, glm::vec2 slope, float drained_m2) {
   const float steep = glm::length(slope);
   const float patch = fractal_noise(glm::vec3(p / 300.0f, 0.5f), 5, erosion.seed + 21);
   const float grain = fractal_noise(glm::vec3(p / 45.0f, 0.5f), 3, erosion.seed + 31);
-  const float trees = glm::smoothstep(0.10f, 0.22f, steep) * (1 - glm::smoothstep(520.0f, 680.0f, height + 260 * patch));
+  const float trees = glm::smoothstep(0.08f, 0.20f, steep) * (1 - glm::smoothstep(470.0f, 640.0f, height + 300 * patch));
   const float bare =
-      std::max(glm::smoothstep(0.58f, 0.80f, steep + 0.25f * patch), glm::smoothstep(700.0f, 1000.0f, height + 220 * patch));
-  const float gravel = glm::smoothstep(5.3f, 6.1f, std::log10(drained_m2)) * (1 - glm::smoothstep(0.25f, 0.5f, steep));
+      std::max(glm::smoothstep(0.70f, 0.86f, steep + 0.35f * patch), glm::smoothstep(620.0f, 900.0f, height + 260 * patch));
+  const float gravel = glm::smoothstep(5.9f, 6.5f, std::log10(drained_m2)) * (1 - glm::smoothstep(0.25f, 0.5f, steep));
   // Snow stays where it is high, flat enough, and turned away from the sun.
   const float lies = height + 260 * patch + 130 * slope.y / (1 + steep);
-  const float white = glm::smoothstep(640.0f, 820.0f, lies) * (1 - glm::smoothstep(0.85f, 1.2f, steep + 0.2f * grain));
+  const float white = glm::smoothstep(560.0f, 740.0f, lies) * (1 - glm::smoothstep(0.92f, 1.25f, steep + 0.5f * grain));
   glm::vec3 colour = glm::mix(meadow * (1 + 0.5f * patch), forest, trees);
   colour = glm::mix(colour, glm::mix(scree, rock, glm::smoothstep(0.5f, 0.9f, steep)) * (1 + 0.35f * patch), bare);
-  colour = glm::mix(colour, scree, 0.8f * gravel);
+  colour = glm::mix(colour, scree, 0.65f * gravel);
   return glm::mix(colour * (1 + 0.45f * grain), snow, white);
 }
 
@@ -140,9 +140,9 @@ Scene make_terrain(float time_s) {
   scene.lights.push_back(sun);
   scene.ambient = day.ambient;
   scene.background = day.background;
-  scene.views = {{"valley", {-500, 1000, 2750}, {100, 250, -300}, {0, 1, 0}, 42},
-                 {"grazing", {400, 420, 1500}, {-800, 500, -600}, {0, 1, 0}, 42},
-                 {"above", {0, 9000, 1}, {0, 0, 0}, {0, 0, -1}, 36}};
+  scene.views = {{"valley", {200, 620, 2250}, {-170, 390, -300}, {0, 1, 0}, 45},
+                 {"grazing", {-1790, 390, 1260}, {-1450, 330, -900}, {0, 1, 0}, 42},
+                 {"above", {0, 8600, 900}, {0, 100, 30}, {0, 0, -1}, 36}};
   const BoundingSphere bounds = bounding_sphere(scene.objects);
   for (View& view : scene.views) fit_depth(view, bounds);
   scene.lights_move = true;

@@ -50,7 +50,7 @@ Scene make_two_windows() {
   sun.radiance = {1.35f, 1.20f, 0.98f};
   sun.angular_radius = glm::radians(1.0f);
   scene.lights.push_back(sun);
-  scene.ambient = {0.75f, 0.88f, 1.05f};  // a bright sky: the room sees little of it
+  scene.ambient = {1.20f, 1.38f, 1.60f};  // a bright sky: the room sees little of it
   scene.background = {0.62f, 0.74f, 0.90f};
   scene.views = {{"windows", {0.9f, 1.55f, 3.8f}, {-0.15f, 1.05f, 0}, {0, 1, 0}, 68, 0.05f, 12},
                  {"corner", {-2.25f, 1.9f, 0.25f}, {1.1f, 0.4f, 3.2f}, {0, 1, 0}, 66, 0.05f, 12},

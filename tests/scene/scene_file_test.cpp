@@ -207,6 +207,86 @@ TEST_F(SceneFile, WrongTypesAndValuesAreRefusedWhereTheyStand) {
                       {"'fov_y_degrees'"});
 }
 
+TEST_F(SceneFile, LightsHaveASize) {
+  const Scene scene = load(
+      "[lights.sun]\nkind = \"directional\"\ndirection = [0, -1, 0]\nangular_radius_degrees = 90\n"
+      "[lights.bulb]\nkind = \"point\"\nposition = [1, 2, 3]\nradius = 0.25\n"
+      "[lights.spark]\nkind = \"point\"\nposition = [1, 2, 3]\n");
+  EXPECT_FLOAT_EQ(scene.lights.at(0).angular_radius, float(M_PI / 2));
+  EXPECT_EQ(scene.lights.at(0).radius_m, 0.0f);
+  EXPECT_EQ(scene.lights.at(1).radius_m, 0.25f);
+  EXPECT_EQ(scene.lights.at(2).radius_m, 0.0f);
+}
+
+TEST_F(SceneFile, AnApertureTableTakesTheLayersPlace) {
+  const Scene scene = load(
+      "[objects.wall.aperture]\n"
+      "[objects.floor.aperture]\nbaker = \"spherical_harmonics\"\nmap_texels = 8\nrays = 65536\nseed = 7\nbias = 0.01\n");
+  const ApertureBake wall = named(scene, "wall").apertures.value();
+  EXPECT_FALSE(named(scene, "wall").layers.has_value());
+  EXPECT_EQ(wall.baker, ApertureBake::Baker::rays);
+  EXPECT_EQ(wall.map_texels, 0u);
+  EXPECT_EQ(wall.rays, 1024u);
+  EXPECT_EQ(wall.seed, 1u);
+  EXPECT_FALSE(wall.bias_m.has_value());
+  const ApertureBake floor = named(scene, "floor").apertures.value();
+  EXPECT_EQ(floor.baker, ApertureBake::Baker::spherical_harmonics);
+  EXPECT_EQ(floor.map_texels, 8u);
+  EXPECT_EQ(floor.rays, 65536u);
+  EXPECT_EQ(floor.seed, 7u);
+  EXPECT_EQ(floor.bias_m, 0.01f);
+}
+
+TEST_F(SceneFile, AperturesOfAllAndOfOne) {
+  const Scene scene = load(
+      "[objects.wall.aperture]\nrays = 64\n[objects.\"*\".aperture]\nrays = 32\nseed = 5\n"
+      "[objects.floor]\napertures = false\nalbedo = [1, 0, 0]\n");
+  EXPECT_EQ(named(scene, "wall").apertures.value().rays, 64u) << "the entry that names it comes last";
+  EXPECT_EQ(named(scene, "wall").apertures.value().seed, 5u) << "and keeps what it does not change";
+  EXPECT_FALSE(named(scene, "floor").apertures.has_value());
+  EXPECT_FALSE(named(scene, "floor").layers.has_value());
+  // Layers given back to one take its apertures away.
+  const Scene back = load("[objects.\"*\".aperture]\n[objects.floor.outer]\nalbedo = [0, 1, 0]\n");
+  EXPECT_TRUE(named(back, "wall").apertures.has_value());
+  EXPECT_FALSE(named(back, "floor").apertures.has_value());
+  EXPECT_TRUE(named(back, "floor").layers.has_value());
+}
+
+TEST_F(SceneFile, AperturesAndLayersExcludeEachOther) {
+  expect_refused_at(5, "[objects.wall]\nthickness = 2\n[objects.wall.aperture]\n", {"apertures or layers"});
+  expect_refused_at(3, "[objects.\"*\".aperture]\n[objects.\"*\".outer]\nalbedo = [0, 1, 0]\n", {"apertures or layers"});
+  expect_refused_at(4, "[objects.wall]\napertures = false\n[objects.wall.aperture]\n", {"apertures = false"});
+}
+
+TEST_F(SceneFile, ApertureAndLightSizeValuesAreRefusedWhereTheyStand) {
+  const auto aperture = [&](const char* line, const std::vector<std::string>& parts) {
+    expect_refused_at(4, fmt::format("[objects.wall.aperture]\n{}\n", line), parts);
+  };
+  aperture("baker = \"ray\"", {"unknown baker 'ray'", "'rays'"});
+  aperture("baker = 1", {"'baker'", "string"});
+  aperture("map_texels = 7", {"'map_texels'", "8 to 4096"});
+  aperture("map_texels = 4097", {"'map_texels'", "from 0 to 4096"});
+  aperture("map_texels = 64.5", {"'map_texels'", "whole number"});
+  aperture("rays = 15", {"'rays'", "from 16 to 65536"});
+  aperture("rays = 65537", {"'rays'", "from 16 to 65536"});
+  aperture("rays = nan", {"'rays'", "number"});
+  aperture("seed = -1", {"'seed'", "from 0"});
+  aperture("bias = 0", {"'bias'", "above 0"});
+  aperture("bias = -0.1", {"'bias'", "from 0"});
+  aperture("bais = 1", {"unknown key 'bais'", "'bias'"});
+  expect_refused_at(4, "[objects.wall]\naperture = true\n", {"'aperture'", "table"});
+  expect_refused_at(4, "[objects.wall]\napertures = 0\n", {"'apertures'", "true or false"});
+  for (const char* value : {"-1", "90.5", "nan"})
+    expect_refused_at(
+        6, fmt::format("[lights.a]\nkind = \"directional\"\ndirection = [0, 0, 1]\nangular_radius_degrees = {}\n", value),
+        {"'angular_radius_degrees'", "from 0 to 90"});
+  for (const char* value : {"-0.5", "inf"})
+    expect_refused_at(6, fmt::format("[lights.a]\nkind = \"point\"\nposition = [0, 0, 1]\nradius = {}\n", value),
+                      {"'radius'", "from 0"});
+  expect_refused_at(6, "[lights.a]\nkind = \"point\"\nposition = [0, 0, 1]\nangular_radius_degrees = 1\n",
+                    {"unknown key 'angular_radius_degrees'"});
+}
+
 TEST_F(SceneFile, NoMoreLightsThanAreDrawn) {
   std::string lights;
   for (size_t i = 0; i < max_lights; ++i)
