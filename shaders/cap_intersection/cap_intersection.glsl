@@ -3,11 +3,14 @@
 // before any function sees it: a radius that is not above 0, or is not a number, is no cap; one beyond pi is the whole sphere; a
 // distance outside [0, pi] is the nearer end of it; where it is not a number, nothing is shared.
 #include "cap.glsl"
+#include "close_fit_cap.glsl"
 #include "exact_cap.glsl"
 #include "fast_acos_cap.glsl"
 #include "fitted_cap.glsl"
+#include "folded_fit_cap.glsl"
 #include "linear_cap.glsl"
 #include "naive_cap.glsl"
+#include "quick_fit_cap.glsl"
 #include "smoothstep_cap.glsl"
 
 // Angular radii and distance of the centres in radians; the area in steradians.
