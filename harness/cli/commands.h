@@ -38,7 +38,8 @@ struct CompareOptions {
 };
 
 struct StressOptions {
-  std::filesystem::path points;  // a file of inputs; empty: the sets of make_cap_sets()
+  std::filesystem::path points;  // a file of inputs
+  size_t grid_steps = 0;         // of make_cap_grid(); 0 and no file: the sets of make_cap_sets()
   size_t count = 100000;         // inputs a set
   std::vector<std::string> variants;
   std::vector<std::string> backends = {"vulkan", "osmesa"};

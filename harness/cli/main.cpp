@@ -110,9 +110,17 @@ int run(int argc, char** argv) {
   stress_command.add_option("functions", functions, "caps: the area that two spherical caps share")
       ->required()
       ->check(CLI::IsMember({"caps"}));
-  stress_command.add_option("--points", stress.points,
-                            "File of r0,r1,d[,area] (radians, steradians) instead of the built-in sets");
-  stress_command.add_option("--count", stress.count, "Inputs a set")->capture_default_str()->check(CLI::Range(1000, 10000000));
+  CLI::Option* points = stress_command.add_option("--points", stress.points,
+                                                  "File of r0,r1,d[,area] (radians, steradians) instead of the built-in sets");
+  CLI::Option* count = stress_command.add_option("--count", stress.count, "Inputs a set")
+                           ->capture_default_str()
+                           ->check(CLI::Range(1000, 10000000));
+  stress_command
+      .add_option("--grid", stress.grid_steps,
+                  "A grid of N x N x N radii and distances, N from 2 to 200, instead of the built-in sets")
+      ->check(CLI::Range(2, 200))
+      ->excludes(points)
+      ->excludes(count);
   stress_command.add_option("--variant", stress.variants, "Only this function (may be given again)");
   stress_command.add_option("--backend", stress.backends, "vulkan, osmesa or egl (may be given again)")->capture_default_str();
   stress_command.add_option("--device", stress.device, "Part of a device's name, or its number in 'lamina list'");

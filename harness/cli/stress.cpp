@@ -97,10 +97,12 @@ int run_stress_caps(const StressOptions& options) {
   check_variant_names("stress", options.variants, variants);
   if (!options.variants.empty()) variants = options.variants;
   std::vector<CapSet> sets;
-  if (options.points.empty())
-    sets = make_cap_sets(options.count, options.seed);
-  else
+  if (!options.points.empty())
     sets.push_back(read_cap_points(options.points));
+  else if (options.grid_steps > 0)
+    sets.push_back(make_cap_grid(options.grid_steps));
+  else
+    sets = make_cap_sets(options.count, options.seed);
   make_run_folder("stress", options.out);
 
   std::vector<CapTruth> truths;

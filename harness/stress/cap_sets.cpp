@@ -129,6 +129,16 @@ std::vector<CapSet> make_cap_sets(size_t count, uint64_t seed) {
   return sets;
 }
 
+CapSet make_cap_grid(size_t steps) {
+  CapSet set{"grid", fmt::format("{0} x {0} x {0} radii in (0, pi) and distances in [0, pi]", steps), {}, {}};
+  const auto radius = [&](size_t i) { return pi * static_cast<double>(i + 1) / static_cast<double>(steps + 1); };
+  for (size_t i = 0; i < steps; ++i)
+    for (size_t j = 0; j < steps; ++j)
+      for (size_t k = 0; k < steps; ++k)
+        set.inputs.push_back(input(radius(i), radius(j), pi * static_cast<double>(k) / static_cast<double>(steps - 1)));
+  return set;
+}
+
 CapSet read_cap_points(const std::filesystem::path& file) {
   std::ifstream in(file);
   if (!in) throw Error(ErrorKind::bad_input, "stress", file.string(), "cannot be read; check that the file exists");

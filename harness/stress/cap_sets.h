@@ -34,6 +34,10 @@ struct CapSet {
 //   covering        r0 + r1 + d just below 2 pi
 std::vector<CapSet> make_cap_sets(size_t count, uint64_t seed);
 
+// One set, "grid": `steps` values each of r0 and r1, evenly in (0, pi), and of d, evenly in [0, pi] with both ends. From 2
+// steps.
+CapSet make_cap_grid(size_t steps);
+
 // One set from a file of comma-separated r0,r1,d[,area[,...]]; lines that are empty or begin with # are left out, and so is a
 // first line of names. Throws Error(bad_input) naming file and line for what is no number or out of range. Values are rounded
 // to binary32.

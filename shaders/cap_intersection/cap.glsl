@@ -12,6 +12,14 @@ float cap_area(float r) {
   return 4.0 * pi * s * s;
 }
 
+// The same as a polynomial in s = r^2, for r up to pi: within 1e-6 of it, and far cheaper than a sine. Found by tools/fit_cap.
+float cap_area_polynomial(float s) {
+  return s * (3.1415895 + s * (-0.26178565 + s * (0.008716486 + s * (-0.00015310885 + s * 1.423226e-6))));
+}
+
+// Squared radius of a hemisphere. What is fitted for radii up to that takes it for larger ones too, where a polynomial would run away.
+const float hemisphere_squared = 2.4674011;
+
 // How far the caps overlap: 1 where the smaller one lies inside the other, 0 where they are apart. Linear in d.
 // Written as a quotient of what cannot be 0 / 0: the smaller radius is above 0.
 float cap_overlap(float r0, float r1, float d) {

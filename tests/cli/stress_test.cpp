@@ -59,6 +59,25 @@ TEST_F(Stress, BadInputs) {
   EXPECT_EQ(lamina_program("stress caps --count 1000 --out /proc/nothing").status, 2);
 }
 
+TEST_F(Stress, AGridHasItsNumberOfInputsCubed) {
+  const Outcome outcome = stress("caps --backend vulkan --variant exact_cap --grid 5");
+  EXPECT_LE(outcome.status, 1) << outcome.output << "a busy machine can fail the timer's certificate";
+  const auto rows = table();
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[1][2], "grid");
+  EXPECT_EQ(rows[1][3], "125");
+}
+
+TEST_F(Stress, BadGrids) {
+  for (const char* grid : {"1", "201", "-3", "many"}) EXPECT_EQ(stress(std::string("caps --grid ") + grid).status, 2) << grid;
+  EXPECT_SAYS(stress("caps --grid 201").output, "--grid");
+  for (const char* other : {"--points points.csv", "--count 1000"}) {
+    const Outcome outcome = stress(std::string("caps --grid 5 ") + other);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_SAYS(outcome.output, "excludes --grid");
+  }
+}
+
 TEST_F(Stress, NoDeviceIsStatusFour) {
   const Outcome outcome = stress("caps --count 1000 --device no_such_device");
   EXPECT_EQ(outcome.status, 4) << outcome.output;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "harness/caps/cap_area.h"
@@ -14,6 +15,12 @@ namespace {
 
 const std::filesystem::path shaders = std::filesystem::path(LAMINA_SOURCE_DIR) / "shaders";
 constexpr size_t inputs_per_set = 20000;
+
+// The distances a thousandth of the way to pi larger.
+std::vector<CapInput> moved_apart(std::vector<CapInput> inputs) {
+  for (CapInput& input : inputs) input.d += (3.14159250f - input.d) * 1e-3f;
+  return inputs;
+}
 
 class CapShaders : public ::testing::TestWithParam<std::string_view> {
  protected:
@@ -46,14 +53,45 @@ TEST_P(CapShaders, ExactCapKeepsItsBoundsOnEverySet) {
   }
 }
 
-// Figures for radii up to pi / 2, of the smaller cap, from an independent search of that box.
+// Figures for radii up to pi / 2, of the smaller cap: of the first two from an independent search of that box, of the fits what
+// tools/fit_cap gives them.
 TEST_P(CapShaders, ApproximationsErrAsMuchAsTheyAreKnownTo) {
-  for (const auto& [variant, over, under] :
-       {std::tuple{"smoothstep_cap", 0.1605, -0.0962}, {"linear_cap", 0.115, -0.058}, {"fitted_cap", 0.018, -0.017}}) {
+  for (const auto& [variant, over, under] : {std::tuple{"smoothstep_cap", 0.1605, -0.0962},
+                                             {"linear_cap", 0.115, -0.058},
+                                             {"quick_fit_cap", 0.01575, -0.01575},
+                                             {"fitted_cap", 0.00769, -0.00769},
+                                             {"close_fit_cap", 0.00484, -0.00484}}) {
     const CapErrors errors = this->errors(variant)["overlaps"];
-    EXPECT_NEAR(errors.max_over, over, 0.03 * over) << variant;
-    EXPECT_NEAR(errors.max_under, under, -0.03 * under) << variant;
-    EXPECT_EQ(errors.nonfinite + errors.negative, 0u) << variant;
+    EXPECT_NEAR(errors.max_over, over, 0.02 * over) << variant;
+    EXPECT_NEAR(errors.max_under, under, -0.02 * under) << variant;
+  }
+}
+
+TEST_P(CapShaders, FoldingKeepsTheFitsErrorForAllRadii) {
+  for (const auto& [set, errors] : errors("folded_fit_cap")) {
+    EXPECT_LE(errors.max_over, 1.02 * 0.00769) << set;
+    EXPECT_GE(errors.max_under, -1.02 * 0.00769) << set;
+  }
+}
+
+TEST_P(CapShaders, NoAreaIsNegativeButTheNaiveOnes) {
+  for (const std::string& variant : cap_variants(shaders)) {
+    if (variant == "naive_cap") continue;
+    for (const auto& [set, errors] : errors(variant))
+      EXPECT_EQ(errors.nonfinite + errors.negative, 0u) << variant << " " << set;
+  }
+}
+
+// The area of fitted_cap too, which folded_fit_cap takes for radii up to pi / 2, never grows with the distance.
+TEST_P(CapShaders, FittedAreaFallsWithDistance) {
+  CapRunner runner(*backend_, shaders, "folded_fit_cap");
+  for (const CapSet& set : make_cap_sets(inputs_per_set, 7)) {
+    const std::vector<CapInput> further = moved_apart(set.inputs);
+    const std::vector<float> here = runner.areas(set.inputs), there = runner.areas(further);
+    for (size_t i = 0; i < here.size(); ++i) {
+      const auto& [r0, r1, d] = set.inputs[i];
+      ASSERT_LE(there[i], here[i] + 32 * 0x1p-23 * smaller_cap_area(r0, r1)) << set.name << " " << r0 << " " << r1 << " " << d;
+    }
   }
 }
 
@@ -82,6 +120,23 @@ TEST_P(CapShaders, ExactCapFallsWithDistance) {
   }
 }
 
+// The same from every hard input.
+TEST_P(CapShaders, ExactCapFallsWithDistanceOnEverySet) {
+  CapRunner runner(*backend_, shaders, "exact_cap");
+  for (const CapSet& set : make_cap_sets(inputs_per_set, 7)) {
+    const std::vector<CapInput> further = moved_apart(set.inputs);
+    const std::vector<float> here = runner.areas(set.inputs), there = runner.areas(further);
+    for (size_t i = 0; i < here.size(); ++i) {
+      const auto& [r0, r1, d] = set.inputs[i];
+      const double rounding = 32 * 0x1p-23 * smaller_cap_area(r0, r1),
+                   steepest = 2 * std::min(std::sin(double(r0)), std::sin(double(r1)));
+      ASSERT_LE(there[i], here[i] + rounding) << set.name << " " << r0 << " " << r1 << " " << d;
+      ASSERT_LE(here[i] - there[i], steepest * (double(further[i].d) - d) + rounding)
+          << set.name << " " << r0 << " " << r1 << " " << d;
+    }
+  }
+}
+
 TEST_P(CapShaders, ExactCapAtTheEndsOfItsRange) {
   CapRunner runner(*backend_, shaders, "exact_cap");
   constexpr float pi = 3.14159274f;
@@ -90,6 +145,33 @@ TEST_P(CapShaders, ExactCapAtTheEndsOfItsRange) {
   const std::vector<double> expected = {0, 2.8883657975136403, 2.8883657975136403, 12.566370614359172, 0, 0, 0};
   const std::vector<float> areas = runner.areas(inputs);
   for (size_t i = 0; i < inputs.size(); ++i) EXPECT_NEAR(areas[i], expected[i], 2e-6) << i;
+}
+
+// Every hard input has the area of the sound one that it stands for.
+TEST_P(CapShaders, WhatIsNoCapHasADefinedArea) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity(),
+                  pi = 3.14159274f;
+  const std::vector<float> radii = {0, -0.0f, -1, -infinite, nan, 1e-30f, 1, 1.5f, pi, 4, 1e30f, infinite};
+  const std::vector<float> distances = {nan, -infinite, -1, -0.0f, 0, 0.5f, 2, pi, 4, infinite};
+  std::vector<CapInput> hard, sound;
+  std::vector<bool> none;
+  for (const float r0 : radii)
+    for (const float r1 : radii)
+      for (const float d : distances) {
+        none.push_back(!(r0 > 0) || !(r1 > 0) || std::isnan(d));
+        hard.push_back({r0, r1, d});
+        sound.push_back(none.back() ? CapInput{1, 1, 3}
+                                    : CapInput{std::min(r0, pi), std::min(r1, pi), std::clamp(d, 0.0f, pi)});
+      }
+  for (const std::string& variant : cap_variants(shaders)) {
+    CapRunner runner(*backend_, shaders, variant);
+    const std::vector<float> areas = runner.areas(hard), expected = runner.areas(sound);
+    for (size_t i = 0; i < hard.size(); ++i) {
+      const auto& [r0, r1, d] = hard[i];
+      EXPECT_TRUE(std::isfinite(areas[i])) << variant << " " << r0 << " " << r1 << " " << d;
+      EXPECT_EQ(areas[i], none[i] ? 0 : expected[i]) << variant << " " << r0 << " " << r1 << " " << d;
+    }
+  }
 }
 
 TEST_P(CapShaders, JudgesByTheSmallerCap) {
