@@ -33,6 +33,7 @@ p { max-width: 75ch; }
 .note { color: var(--soft); font-size: .9rem; margin: .4rem 0; max-width: 110ch; }
 .bad { color: var(--bad); }
 .scroll { overflow-x: auto; }
+.scroll + .scroll { margin-top: 1.2rem; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .93rem; }
 caption { text-align: left; color: var(--soft); font-size: .9rem; padding-bottom: .35rem; }
 th, td {
@@ -66,7 +67,7 @@ ul.shares { list-style: none; margin: 0; padding: 0; }
 .strip text { fill: var(--soft); font-size: 9px; }
 .diverging { flex: 0 1 14rem; height: .8rem; border: 1px solid var(--line); background: linear-gradient(to right, #00f, #fff, #f00); }
 .chart { margin: 1rem 0; }
-.chart figcaption { color: var(--soft); font-size: .9rem; max-width: 110ch; }
+.chart figcaption { margin-top: .6rem; color: var(--soft); font-size: .9rem; max-width: 110ch; }
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(34rem, 100%), 35rem)); gap: 1.5rem; }
 .plots svg { overflow: visible; }
 details { margin: .7rem 0; }

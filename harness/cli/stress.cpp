@@ -155,14 +155,14 @@ int run_stress_caps(const StressOptions& options) {
   const std::string baseline = variants.front();
   check_variant_names("stress", options.variants, variants);
   if (!options.variants.empty()) variants = options.variants;
+  const std::filesystem::path record = options.out / "record.jsonl";
+  if (std::filesystem::exists(record)) read_record(record);  // what cannot be added to is said before the work, not after it
   std::vector<CapSet> sets;
   if (options.points.empty())
     sets = make_cap_sets(options.count, options.seed);
   else
     sets.push_back(read_cap_points(options.points));
   make_run_folder("stress", options.out);
-  const std::filesystem::path record = options.out / "record.jsonl";
-  if (std::filesystem::exists(record)) read_record(record);  // what cannot be added to is said before the work, not after it
 
   std::vector<CapTruth> truths;
   for (const CapSet& set : sets) truths.push_back(truth_of(set));
