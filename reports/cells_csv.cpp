@@ -58,11 +58,17 @@ constexpr Column columns[] = {{"/scene"},
                               {"/error/frame/flip"},
                               {"/error/frame/rmse_linear"},
                               {"/error/frame/max_linear"},
+                              {"/error/truth/psnr_db"},
+                              {"/error/truth/ssim"},
+                              {"/error/truth/flip"},
+                              {"/error/truth/rmse_linear"},
+                              {"/error/truth/max_linear"},
                               {"/nonfinite_pixels"},
                               {"/covered_pixels"},
                               {"/image"},
                               {"/difference"},
                               {"/flip"},
+                              {"/truth_image"},
                               {"/image_hash"}};
 
 std::string value_at(const Json& cell, const std::string& pointer) {

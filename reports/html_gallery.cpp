@@ -17,15 +17,10 @@ struct Shots {
   std::vector<const Json*> cells;
 };
 
-bool shows_the_same(const Json& a, const Json& b) {
-  return std::ranges::all_of(std::array{"effect", "backend", "scene", "width", "height", "params", "view"},
-                             [&](const char* field) { return a.at(field) == b.at(field); });
-}
-
 std::vector<Shots> group_shots(const Record& record) {
   std::vector<Shots> groups;
   for (const Json& cell : record.cells) {
-    auto group = std::ranges::find_if(groups, [&](const Shots& known) { return shows_the_same(*known.sample, cell); });
+    auto group = std::ranges::find_if(groups, [&](const Shots& known) { return same_shot(*known.sample, cell); });
     if (group == groups.end()) {
       groups.push_back({.sample = &cell, .cells = {}});
       group = groups.end() - 1;
@@ -71,19 +66,28 @@ std::string figures_row(const char* name, const std::string& covered, const std:
                      escaped_html(covered), escaped_html(frame));
 }
 
-std::string error_figures(const Json& cell) {
-  const auto covered = figures_of(cell.at("error").at("baseline")), frame = figures_of(cell.at("error").at("frame"));
+// Figures against one reference, over the covered pixels and, where there are any, over the frame.
+std::string error_rows(const char* title, const std::optional<ErrorFigures>& covered,
+                       const std::optional<ErrorFigures>& frame) {
   if (!covered && !frame) return "";
   const auto row = [&](const char* name, auto words) {
-    return figures_row(name, covered ? words(*covered) : "-", frame ? words(*frame) : "-");
+    return figures_row(name, covered ? words(*covered) : "-", frame ? words(*frame) : "");
   };
-  return "<tbody><tr><th scope=\"col\">against the baseline</th><th scope=\"col\" class=\"num\">covered</th>"
-         "<th scope=\"col\" class=\"num\">frame</th></tr>\n" +
+  return fmt::format(
+             "<tbody><tr><th scope=\"col\">{}</th><th scope=\"col\" class=\"num\">covered</th>"
+             "<th scope=\"col\" class=\"num\">{}</th></tr>\n",
+             title, frame ? "frame" : "") +
          row("PSNR, dB", [](const ErrorFigures& e) { return words_for_psnr(e.psnr_db); }) +
          row("SSIM", [](const ErrorFigures& e) { return fmt::format("{:.4f}", e.ssim); }) +
          row("FLIP", [](const ErrorFigures& e) { return fmt::format("{:.4f}", e.flip); }) +
          row("RMSE, linear", [](const ErrorFigures& e) { return fmt::format("{:.3g}", e.rmse_linear); }) +
          row("max, linear", [](const ErrorFigures& e) { return fmt::format("{:.3g}", e.max_linear); }) + "</tbody>\n";
+}
+
+std::string error_figures(const Json& cell) {
+  const Json& error = cell.at("error");
+  return error_rows("against the baseline", figures_of(error.at("baseline")), figures_of(error.at("frame"))) +
+         error_rows("against the truth", figures_of(error.at("truth")), std::nullopt);
 }
 
 std::string cost_figures(const Record& record, const Json& cell, const std::vector<double>& samples_ms) {
@@ -128,7 +132,24 @@ std::string shot(const Record& record, const Json& cell, const Json* baseline, d
   return html + "</article>\n";
 }
 
+// The truth of a view, before the pictures that are held to it; the cells of a view share it.
+std::string truth_shot(const std::vector<const Json*>& cells) {
+  const auto with = std::ranges::find_if(cells, [](const Json* cell) { return cell->contains("truth_image"); });
+  if (with == cells.end()) return "";
+  const Json& cell = **with;
+  return fmt::format(
+      "<article class=\"shot\"><h4>truth <small>no frame budget allows it</small></h4>\n<figure>{}<figcaption>what the others "
+      "are "
+      "held to</figcaption></figure>\n</article>\n",
+      image_tag(cell, cell.at("truth_image"), fmt::format("the truth, view {}", cell.at("view").get<std::string>())));
+}
+
 }  // namespace
+
+bool same_shot(const Json& a, const Json& b) {
+  return std::ranges::all_of(std::array{"effect", "backend", "scene", "width", "height", "params", "view"},
+                             [&](const char* field) { return a.at(field) == b.at(field); });
+}
 
 std::string html_strip_plot(const std::vector<double>& samples_ms, double axis_ms) {
   // The axis runs over 300 of 320 units; rounds climb so that equal times stay apart and drift over a run shows as a slant.
@@ -161,6 +182,7 @@ std::string html_gallery(const Record& record) {
         fmt::format("<section>\n<h3>{}, {}, view {}</h3>\n<p class=\"note\">{}</p>\n<div class=\"shots\">\n",
                     escaped_html(sample.at("effect").get<std::string>()), escaped_html(sample.at("backend").get<std::string>()),
                     escaped_html(sample.at("view").get<std::string>()), escaped_html(entries_of(sample.at("params"))));
+    html += truth_shot(shots.cells);
     for (const Json* cell : shots.cells) html += shot(record, *cell, baseline, axis_ms, gain);
     html += "</div>\n</section>\n";
   }

@@ -2,6 +2,7 @@
 // The page: what was found in words, the table, the pictures, the passes, and what was run.
 #include <fmt/format.h>
 
+#include "reports/functions.h"
 #include "reports/html.h"
 
 namespace lamina {
@@ -9,17 +10,19 @@ namespace {
 
 std::string summary_table(const std::vector<SummaryRow>& rows) {
   std::string html;
+  bool truth = false;
   for (size_t i = 0; i < rows.size(); ++i) {
     if (i == 0 || rows[i].effect != rows[i - 1].effect) {
       html += fmt::format("{}<div class=\"scroll\"><table><caption>{}</caption><thead><tr>",
                           i == 0 ? "" : "</tbody></table></div>\n", escaped_html(rows[i].effect));
-      for (size_t column = 0; column < summary_columns.size(); ++column)
-        html +=
-            fmt::format("<th scope=\"col\"{}>{}</th>",
-                        column >= 2 && column + 1 < summary_columns.size() ? " class=\"num\"" : "", summary_columns[column]);
+      truth = has_truth(rows, rows[i].effect);
+      const std::vector<std::string> columns = summary_columns(truth);
+      for (size_t column = 0; column < columns.size(); ++column)
+        html += fmt::format("<th scope=\"col\"{}>{}</th>", column >= 2 && column + 1 < columns.size() ? " class=\"num\"" : "",
+                            columns[column]);
       html += "</tr></thead><tbody>\n";
     }
-    const auto cells = summary_cells(rows[i]);
+    const auto cells = summary_cells(rows[i], truth);
     html += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td>", rows[i].baseline ? " class=\"baseline\"" : "",
                         escaped_html(cells[0]), escaped_html(cells[1]));
     for (size_t column = 2; column + 1 < cells.size(); ++column)
@@ -64,6 +67,7 @@ std::string list(const std::vector<std::string>& lines) {
 }
 
 std::string timer_section(const Record& record) {
+  if (certificates(record).empty()) return "";
   std::string html = "<h2>Timer</h2>\n<ul>\n";
   for (const Certificate& certificate : certificates(record))
     html += fmt::format("<li{}>{}</li>\n", certificate.ok ? "" : " class=\"bad\"", escaped_html(certificate.words));
@@ -140,18 +144,24 @@ std::string html_report(const Record& record) {
   html += "<ul class=\"headlines\">\n";
   for (const Headline& headline : headlines(rows))
     html += fmt::format("<li><strong>{}</strong> {}</li>\n", escaped_html(headline.variant), escaped_html(headline.words));
-  html += "</ul>\n" + summary_table(rows);
-  html +=
-      "<h2>Pictures</h2>\n<p class=\"note\">Click a variant's picture to see the baseline in its place, or press the key b to "
-      "do so "
-      "for all. Differences are of the display values. In the strips, each dot is one round's frame time, the first round at "
-      "the "
-      "bottom.</p>\n";
-  html += html_gallery(record);
-  html += "<h2>Passes</h2>\n" + passes_table(summarize_passes(record));
+  html += "</ul>\n" + (rows.empty() ? "" : summary_table(rows));
+  if (!record.cells.empty())
+    html +=
+        "<h2>Pictures</h2>\n<p class=\"note\">Click a variant's picture to see the baseline in its place, or press the key b "
+        "to do "
+        "so for all. Differences are of the display values. In the strips, each dot is one round's frame time, the first round "
+        "at "
+        "the bottom.</p>\n" +
+        html_gallery(record) + html_assumptions(record) + "<h2>Passes</h2>\n" + passes_table(summarize_passes(record));
+  if (const auto baked = bake_lines(record); !baked.empty()) html += "<h2>What is done once</h2>\n" + list(baked);
+  const std::string functions = html_functions(record);
+  html += functions;
   if (const auto plan = plan_lines(record); !plan.empty()) html += "<h2>What the scene calls for</h2>\n" + list(plan);
   html += failures_section(record) + timer_section(record) + run_section(record);
-  return html + fmt::format("</main>\n<script>{}</script>\n</body>\n</html>\n", html_script);
+  html += fmt::format("</main>\n<script>{}</script>\n", html_script);
+  if (functions.find("<figure class=\"chart\">") != std::string::npos)
+    html += fmt::format("<script>{}</script>\n<script>{}</script>\n", chart_library, chart_script);
+  return html + "</body>\n</html>\n";
 }
 
 }  // namespace lamina

@@ -33,6 +33,7 @@ p { max-width: 75ch; }
 .note { color: var(--soft); font-size: .9rem; margin: .4rem 0; max-width: 110ch; }
 .bad { color: var(--bad); }
 .scroll { overflow-x: auto; }
+.scroll + .scroll { margin-top: 1.2rem; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .93rem; }
 caption { text-align: left; color: var(--soft); font-size: .9rem; padding-bottom: .35rem; }
 th, td {
@@ -64,6 +65,19 @@ ul.shares { list-style: none; margin: 0; padding: 0; }
 }
 .strip { display: block; width: 100%; height: 2.6rem; color: var(--accent); }
 .strip text { fill: var(--soft); font-size: 9px; }
+.diverging { flex: 0 1 14rem; height: .8rem; border: 1px solid var(--line); background: linear-gradient(to right, #00f, #fff, #f00); }
+.chart { margin: 1rem 0; }
+.chart figcaption { margin-top: .6rem; color: var(--soft); font-size: .9rem; max-width: 110ch; }
+.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(34rem, 100%), 35rem)); gap: 1.5rem; }
+.plots svg { overflow: visible; }
+details { margin: .7rem 0; }
+summary { cursor: pointer; color: var(--accent); }
+tr.group th { padding-top: .9rem; color: var(--soft); white-space: normal; }
+.slices { display: grid; grid-template-columns: 9rem repeat(4, minmax(0, 12rem)); gap: .3rem 1rem; align-items: center; margin: .6rem 0; }
+.slices figure { margin: 0; }
+.slices img { display: block; width: 100%; height: auto; border: 1px solid var(--line); }
+.slices figcaption { color: var(--soft); font-size: .85rem; }
+@media (max-width: 40rem) { .slices { grid-template-columns: 1fr 1fr; } .slices h4 { grid-column: 1 / -1; margin: 0; } }
 dl.facts { display: grid; grid-template-columns: max-content 1fr; gap: .25rem 1.25rem; margin: 0; }
 dl.facts dt { color: var(--soft); }
 dl.facts dd { margin: 0; overflow-wrap: anywhere; }

@@ -2,7 +2,7 @@
 // The summary as Markdown with GitHub's tables (GitHub Flavored Markdown Spec 0.29, section 4.10).
 #include <fmt/format.h>
 
-#include "reports/words.h"
+#include "reports/functions.h"
 
 namespace lamina {
 namespace {
@@ -35,12 +35,16 @@ std::string table_row(const Range& cells) {
 
 std::string summary_section(const std::vector<SummaryRow>& rows) {
   std::string text;
+  bool truth = false;
   for (size_t i = 0; i < rows.size(); ++i) {
     if (i == 0 || rows[i].effect != rows[i - 1].effect) {
-      text += fmt::format("\n## {}\n\n", escaped(rows[i].effect)) + table_row(summary_columns);
-      text += "|---|---|---:|---:|---:|---:|---:|---:|---|\n";
+      truth = has_truth(rows, rows[i].effect);
+      const std::vector<std::string> columns = summary_columns(truth);
+      text += fmt::format("\n## {}\n\n", escaped(rows[i].effect)) + table_row(columns) + "|---|---|";
+      for (size_t column = 3; column < columns.size(); ++column) text += "---:|";
+      text += "---|\n";
     }
-    text += table_row(summary_cells(rows[i]));
+    text += table_row(summary_cells(rows[i], truth));
   }
   text += "\n";
   for (const SummaryRow& row : rows)
@@ -65,6 +69,33 @@ std::string passes_section(const std::vector<PassSummary>& passes) {
   return text;
 }
 
+std::string assumptions_section(const Record& record) {
+  std::string text;
+  for (const auto& cell : record.cells)
+    if (cell.contains("assumptions") && !cell.at("assumptions").empty())
+      text += fmt::format("- {} on {}, view {}: {}\n", escaped(cell.at("variant")), escaped(cell.at("backend")),
+                          escaped(cell.at("view")), escaped(costliest_assumption(cell)));
+  return text.empty() ? "" : "\n## Which assumption costs you\n\n" + text;
+}
+
+std::string functions_section(const Record& record) {
+  std::string text;
+  for (const FunctionReport& report : summarize_functions(record)) {
+    text += fmt::format("\n## Functions: {}\n\n", escaped(report.title));
+    for (const Headline& headline : function_headlines(report))
+      text += fmt::format("- **{}** {}\n", escaped(headline.variant), escaped(headline.words));
+    for (const FunctionBackend& backend : report.backends) {
+      text += fmt::format("\n{}\n\n", escaped(function_caption(report, backend))) + table_row(function_columns) + "|---|";
+      for (size_t column = 1; column < function_columns.size(); ++column) text += "---:|";
+      text += "\n";
+      for (const FunctionSummary& row : backend.variants) text += table_row(function_cells(row));
+    }
+    text += "\n";
+    for (const std::string& note : function_notes(report)) text += fmt::format("{}  \n", escaped(note));
+  }
+  return text;
+}
+
 std::string list_section(const char* title, const std::vector<std::string>& lines) {
   if (lines.empty()) return "";
   std::string text = fmt::format("\n## {}\n\n", title);
@@ -80,8 +111,11 @@ std::string markdown_summary(const Record& record) {
   for (const std::string& warning : warnings_of(record)) text += fmt::format("**Warning:** {}\n\n", escaped(warning));
   for (const Headline& headline : headlines(rows))
     text += fmt::format("- **{}** {}\n", escaped(headline.variant), escaped(headline.words));
-  text += summary_section(rows);
+  if (!rows.empty()) text += summary_section(rows);
+  text += assumptions_section(record);
   text += passes_section(summarize_passes(record));
+  text += list_section("What is done once", bake_lines(record));
+  text += functions_section(record);
   text += list_section("What the scene calls for", plan_lines(record));
   std::vector<std::string> failed, certified, facts;
   for (const auto& [cell, reason] : failures(record)) failed.push_back(cell + ": " + reason);

@@ -26,7 +26,8 @@ struct SummaryRow {
   // Over views, covered pixels. Mean PSNR is that of the mean squared error, so that one identical view does not make it
   // infinite; the others are plain means. Worst: each figure's own worst view.
   std::optional<ErrorFigures> mean, worst;
-  std::string worst_view;  // by FLIP
+  std::string worst_view;                                     // by FLIP
+  std::optional<ErrorFigures> mean_to_truth, worst_to_truth;  // the same against the truth, over the views that have one
 };
 // By effect and backend in order of appearance, each group's baseline first.
 std::vector<SummaryRow> summarize(const Record& record);

@@ -50,6 +50,7 @@ std::string title_of(const Record& record) {
     sizes.insert(fmt::format("{}x{}", cell.at("width").dump(), cell.at("height").dump()));
     views.insert(cell.at("view"));
   }
+  if (record.cells.empty() && !record.functions.empty()) return "What functions cost and err by";
   if (record.cells.empty()) return fmt::format("{}: no cells", text_at(record.run, "/scene"));
   return fmt::format("{}, {}, {} view{}", fmt::join(scenes, " and "), fmt::join(sizes, " and "), views.size(),
                      views.size() == 1 ? "" : "s");
@@ -64,6 +65,11 @@ std::vector<std::string> warnings_of(const Record& record) {
     warnings.push_back(fmt::format("the record is incomplete: {}", truncated));
   for (const Certificate& certificate : certificates(record))
     if (!certificate.ok) warnings.push_back(certificate.words);
+  std::set<std::string> builds;  // functions may have been added by another program than the one that made the record
+  for (const Json& line : record.function_times) builds.insert(line.at("build"));
+  for (const std::string& build : builds)
+    if (build != "release" && build != text_at(record.run, "/build"))
+      warnings.push_back(fmt::format("the functions' build is '{}', not 'release': their times do not count", build));
   if (const auto own = record.run.find("warnings"); own != record.run.end() && own->is_array())
     for (const Json& warning : *own) warnings.push_back(warning.is_string() ? warning.get<std::string>() : warning.dump());
   return warnings;
@@ -101,6 +107,21 @@ std::vector<std::string> plan_lines(const Record& record) {
             lines.push_back(fmt::format("{}: {} without its pass {}: {}", name, text_at(variant, "/variant"),
                                         text_at(pass, "/pass"), text_at(pass, "/reason")));
     }
+  return lines;
+}
+
+std::vector<std::string> bake_lines(const Record& record) {
+  std::vector<std::string> lines;
+  for (const Json& bake : record.bakes) {
+    const Json& speed = bake.at("rays_per_second");
+    const std::string seconds = fmt::format("{:.3g} s", bake.at("seconds").get<double>());
+    lines.push_back(fmt::format("{} of {} ({}): {} points, {} rays, {}", text_at(bake, "/what"), text_at(bake, "/object"),
+                                text_at(bake, "/effect"), text_at(bake, "/points"), text_at(bake, "/rays"),
+                                bake.at("from_cache").get<bool>() ? "from the cache in " + seconds
+                                : speed.is_null()
+                                    ? seconds
+                                    : fmt::format("{}, {:.3g} million rays a second", seconds, speed.get<double>() / 1e6)));
+  }
   return lines;
 }
 
@@ -144,6 +165,10 @@ std::vector<std::pair<std::string, std::string>> run_facts(const Record& record)
       add(fmt::format("Device of {}", text_at(device, "/backend")), words);
     }
   add("Machine", run.contains("machine") ? entries_of(run["machine"]) : "");
+  std::set<std::string> commits;
+  for (const Json& line : record.function_times) commits.insert(text_at(line, "/commit"));
+  commits.erase(text_at(run, "/commit"));
+  add("Commit of the functions' run", fmt::format("{}", fmt::join(commits, ", ")));
   add("Lamina", text_at(run, "/lamina"));
   add("Commit", text_at(run, "/commit"));
   add("Build", text_at(run, "/build"));

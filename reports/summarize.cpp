@@ -82,13 +82,20 @@ std::optional<double> fetches_per_pixel(const std::vector<const Json*>& cells) {
   return fetches / pixels;
 }
 
-void add_errors(SummaryRow& row, const std::vector<const Json*>& cells) {
+struct Errors {
+  std::optional<ErrorFigures> mean, worst;
+  std::string worst_view;
+};
+
+// `against` is "baseline" or "truth".
+Errors errors_of(const std::vector<const Json*>& cells, const char* against) {
   size_t count = 0;
   ErrorFigures sum;  // psnr_db holds the sum of squared errors, relative to the peak's square
   ErrorFigures worst{.psnr_db = std::numeric_limits<double>::infinity(), .ssim = 1};
   double worst_flip = -1;  // below every figure, so that the first view is taken
+  Errors errors;
   for (const Json* cell : cells) {
-    const std::optional<ErrorFigures> figures = figures_of(cell->at("error").at("baseline"));
+    const std::optional<ErrorFigures> figures = figures_of(cell->at("error").at(against));
     if (!figures) continue;
     ++count;
     sum.psnr_db += std::pow(10.0, -figures->psnr_db / 10);  // 0 for identical pictures
@@ -102,17 +109,18 @@ void add_errors(SummaryRow& row, const std::vector<const Json*>& cells) {
     worst.max_linear = std::max(worst.max_linear, figures->max_linear);
     if (figures->flip > worst_flip) {
       worst.flip = worst_flip = figures->flip;
-      row.worst_view = cell->at("view");
+      errors.worst_view = cell->at("view");
     }
   }
-  if (count == 0) return;
+  if (count == 0) return errors;
   const double n = static_cast<double>(count);
-  row.mean = ErrorFigures{.psnr_db = -10 * std::log10(sum.psnr_db / n),
-                          .ssim = sum.ssim / n,
-                          .flip = sum.flip / n,
-                          .rmse_linear = sum.rmse_linear / n,
-                          .max_linear = sum.max_linear / n};
-  row.worst = worst;
+  errors.mean = ErrorFigures{.psnr_db = -10 * std::log10(sum.psnr_db / n),
+                             .ssim = sum.ssim / n,
+                             .flip = sum.flip / n,
+                             .rmse_linear = sum.rmse_linear / n,
+                             .max_linear = sum.max_linear / n};
+  errors.worst = worst;
+  return errors;
 }
 
 std::vector<Group> group_cells(const Record& record) {
@@ -169,7 +177,9 @@ std::vector<SummaryRow> summarize(const Record& record) {
     SummaryRow& row = group.row;
     row.frame_ms = mean_frame_ms(group.samples);
     row.fetches_per_pixel = fetches_per_pixel(group.good);
-    add_errors(row, group.good);
+    const Errors to_baseline = errors_of(group.good, "baseline"), to_truth = errors_of(group.good, "truth");
+    row.mean = to_baseline.mean, row.worst = to_baseline.worst, row.worst_view = to_baseline.worst_view;
+    row.mean_to_truth = to_truth.mean, row.worst_to_truth = to_truth.worst;
     if (!row.baseline) {
       const auto baseline = std::find_if(groups.begin(), groups.end(), [&](const Group& other) {
         return other.row.baseline && other.row.effect == row.effect && other.row.backend == row.backend;

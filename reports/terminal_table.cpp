@@ -32,10 +32,10 @@ class Lines {
   std::string text_;
 };
 
-using Cells = std::array<std::string, summary_columns.size()>;
+using Cells = std::vector<std::string>;
 
 // Names to the left, figures to the right.
-std::string aligned(const Cells& cells, const std::array<size_t, summary_columns.size()>& widths) {
+std::string aligned(const Cells& cells, const std::vector<size_t>& widths) {
   std::string line;
   for (size_t i = 0; i < cells.size(); ++i) {
     const std::string padding(widths[i] - columns_of(cells[i]), ' ');
@@ -47,14 +47,12 @@ std::string aligned(const Cells& cells, const std::array<size_t, summary_columns
 }
 
 void add_table(Lines& lines, const std::vector<const SummaryRow*>& rows) {
-  Cells header;
-  std::copy(summary_columns.begin(), summary_columns.end(), header.begin());
-  std::vector<Cells> table = {header};
+  std::vector<Cells> table = {summary_columns(false)};  // the columns against the truth are too many for a terminal
   for (const SummaryRow* row : rows) {
-    table.push_back(summary_cells(*row));
+    table.push_back(summary_cells(*row, false));
     for (std::string& cell : table.back()) cell = one_line(cell);
   }
-  std::array<size_t, summary_columns.size()> widths{};
+  std::vector<size_t> widths(table[0].size());
   for (const Cells& cells : table)
     for (size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], columns_of(cells[i]));
   lines.add(aligned(table[0], widths), dim);

@@ -90,23 +90,46 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
-std::array<std::string, summary_columns.size()> summary_cells(const SummaryRow& row) {
+std::vector<std::string> summary_columns(bool truth) {
+  std::vector<std::string> columns = {"variant",    "backend", "frame ms [95%]", "ratio [95%]",
+                                      "fetches/px", "PSNR dB", "SSIM",           "FLIP"};
+  if (truth) columns.insert(columns.end(), {"PSNR dB to truth", "FLIP to truth", "RMSE to truth"});
+  columns.push_back("worst view");
+  return columns;
+}
+
+std::vector<std::string> summary_cells(const SummaryRow& row, bool truth) {
   const bool failed = row.failed_views == row.views;
   const std::string unknown = failed ? "failed" : "-";
-  std::array<std::string, summary_columns.size()> cells;
-  cells[0] = row.variant;
-  cells[1] = row.backend;
-  cells[2] = row.frame_ms ? words_for_ms(*row.frame_ms) : failed ? "failed" : "not timed";
-  cells[3] = row.baseline ? "baseline" : row.ratio ? words_for_ratio(*row.ratio) : unknown;
-  cells[4] = row.fetches_per_pixel ? fmt::format("{:.1f}", *row.fetches_per_pixel) : unknown;
-  for (size_t i = 5; i < cells.size(); ++i) cells[i] = row.baseline ? "" : unknown;
-  if (row.mean && row.worst) {
-    cells[5] = fmt::format("{} ({})", words_for_psnr(row.mean->psnr_db), words_for_psnr(row.worst->psnr_db));
-    cells[6] = mean_and_worst(row.mean->ssim, row.worst->ssim, 4);
-    cells[7] = mean_and_worst(row.mean->flip, row.worst->flip, 4);
-    cells[8] = row.worst_view;
-  }
+  const auto psnr = [](const ErrorFigures& mean, const ErrorFigures& worst) {
+    return fmt::format("{} ({})", words_for_psnr(mean.psnr_db), words_for_psnr(worst.psnr_db));
+  };
+  std::vector<std::string> cells = {row.variant, row.backend,
+                                    row.frame_ms ? words_for_ms(*row.frame_ms)
+                                    : failed     ? "failed"
+                                                 : "not timed",
+                                    row.baseline ? "baseline"
+                                    : row.ratio  ? words_for_ratio(*row.ratio)
+                                                 : unknown,
+                                    row.fetches_per_pixel ? fmt::format("{:.1f}", *row.fetches_per_pixel) : unknown};
+  if (row.mean && row.worst)
+    cells.insert(cells.end(), {psnr(*row.mean, *row.worst), mean_and_worst(row.mean->ssim, row.worst->ssim, 4),
+                               mean_and_worst(row.mean->flip, row.worst->flip, 4)});
+  else
+    cells.insert(cells.end(), 3, row.baseline ? "" : unknown);
+  if (truth && row.mean_to_truth && row.worst_to_truth)
+    cells.insert(
+        cells.end(),
+        {psnr(*row.mean_to_truth, *row.worst_to_truth), mean_and_worst(row.mean_to_truth->flip, row.worst_to_truth->flip, 4),
+         fmt::format("{:.3g} ({:.3g})", row.mean_to_truth->rmse_linear, row.worst_to_truth->rmse_linear)});
+  else if (truth)
+    cells.insert(cells.end(), 3, unknown);
+  cells.push_back(row.mean ? row.worst_view : row.baseline ? "" : unknown);
   return cells;
+}
+
+bool has_truth(const std::vector<SummaryRow>& rows, const std::string& effect) {
+  return std::ranges::any_of(rows, [&](const SummaryRow& row) { return row.effect == effect && row.mean_to_truth; });
 }
 
 std::string trouble_of(const SummaryRow& row) {
@@ -126,6 +149,9 @@ std::vector<std::string> summary_notes(const std::vector<SummaryRow>& rows) {
       "PSNR, SSIM and FLIP: mean over views (worst view), against the baseline, over the pixels that the effect covers, on "
       "8-bit sRGB. "
       "Worst view: by FLIP."};
+  if (std::ranges::any_of(rows, [](const SummaryRow& row) { return row.mean_to_truth.has_value(); }))
+    notes.push_back(
+        "To truth: the same against the truth, an offline answer that no frame budget allows; RMSE is in linear light.");
   const auto short_of_rounds = [](const std::optional<Interval>& i) { return i && i->coverage < report_confidence; };
   if (std::any_of(rows.begin(), rows.end(),
                   [&](const SummaryRow& r) { return short_of_rounds(r.frame_ms) || short_of_rounds(r.ratio); }))

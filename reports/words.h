@@ -50,14 +50,21 @@ struct Headline {
 };
 std::vector<Headline> headlines(const std::vector<SummaryRow>& rows);
 
-// The columns of the summary table; the first two are names, the rest figures.
-inline constexpr std::array<const char*, 9> summary_columns = {
-    "variant", "backend", "frame ms [95%]", "ratio [95%]", "fetches/px", "PSNR dB", "SSIM", "FLIP", "worst view"};
-std::array<std::string, summary_columns.size()> summary_cells(const SummaryRow& row);
+// The columns of the summary table; the first two and the last are names, the rest figures. `truth`: with those against the
+// truth, for effects of which some row has any.
+std::vector<std::string> summary_columns(bool truth);
+std::vector<std::string> summary_cells(const SummaryRow& row, bool truth);
+bool has_truth(const std::vector<SummaryRow>& rows, const std::string& effect);
 // What a row cannot show in figures: failed views with the first reason, non-finite pixels. "" for most.
 std::string trouble_of(const SummaryRow& row);
 // How to read the table, one sentence each.
 std::vector<std::string> summary_notes(const std::vector<SummaryRow>& rows);
+
+// Which of a cell's assumptions costs the most, by RMSE in linear light, as a sentence. `cell` has "assumptions".
+std::string costliest_assumption(const nlohmann::json& cell);
+// Columns of a table of assumptions: one name, figures.
+inline constexpr std::array<const char*, 5> assumption_columns = {"assumption", "RMSE, linear", "PSNR dB", "SSIM", "FLIP"};
+std::array<std::string, assumption_columns.size()> assumption_cells(const nlohmann::json& assumption);
 
 // A pass of a variant on a backend, over the views that have it.
 struct PassSummary {
@@ -87,6 +94,8 @@ struct Certificate {
 std::vector<Certificate> certificates(const Record& record);
 // "layered_material: called for: the reason"; its features with or without, and the passes that this left out, with theirs.
 std::vector<std::string> plan_lines(const Record& record);
+// What was done before the first frame: "apertures of ground (aperture_lighting): ..."; no rays a second from the cache.
+std::vector<std::string> bake_lines(const Record& record);
 // How long the timed rounds took by the wall clock, over the device time that they measured.
 std::vector<std::string> phase_lines(const Record& record);
 // Every failed cell: what it is, and why it failed.

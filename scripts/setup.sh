@@ -16,6 +16,7 @@ packages=(
 
 install_missing_packages() {
   local missing=() name
+  command -v npm >/dev/null || packages+=(npm)   # the report's chart library; CMake calls it, once
   for name in "${packages[@]}"; do
     [ "$(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || missing+=("$name")
   done

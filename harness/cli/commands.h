@@ -47,6 +47,7 @@ struct StressOptions {
   std::filesystem::path out = "lamina-out";
   uint64_t seed = 1;
   bool validation = false;
+  std::string command;  // as the user typed it
 };
 
 // Difference pictures are |test - baseline| of display values times this; records and reports state it.

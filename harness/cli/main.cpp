@@ -124,7 +124,8 @@ int run(int argc, char** argv) {
   stress_command.add_option("--variant", stress.variants, "Only this function (may be given again)");
   stress_command.add_option("--backend", stress.backends, "vulkan, osmesa or egl (may be given again)")->capture_default_str();
   stress_command.add_option("--device", stress.device, "Part of a device's name, or its number in 'lamina list'");
-  stress_command.add_option("--out", stress.out, "Folder for stress.csv and pictures of the error")->capture_default_str();
+  stress_command.add_option("--out", stress.out, "Folder of a run, or a new one: functions are added to its record and report")
+      ->capture_default_str();
   stress_command.add_option("--seed", stress.seed, "Seed of the inputs")->capture_default_str();
   stress_command.add_flag("--validation,!--no-validation", stress.validation,
                           "Check API use: Vulkan's validation layers, OpenGL's debug output");
@@ -144,9 +145,9 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : usage_status;
   }
+  compare.command = stress.command = fmt::format("lamina {}", fmt::join(argv + 1, argv + argc, " "));
   if (compare_command.parsed()) {
     std::tie(compare.width_px, compare.height_px) = parse_size(size);
-    compare.command = fmt::format("lamina {}", fmt::join(argv + 1, argv + argc, " "));
     if (compare.quick && budget->count() == 0) compare.budget_s = 4;
     if (compare.quick && precision->count() == 0) compare.precision = 0.05;
     if (compare.quick && truth_rays->count() == 0) compare.truth_rays = 64;

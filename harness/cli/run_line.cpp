@@ -7,6 +7,7 @@
 
 #include "commit.h"
 #include "harness/graph/graph.h"
+#include "harness/record/record.h"
 
 namespace lamina {
 namespace {
@@ -47,9 +48,8 @@ Json passes_of(const std::vector<GraphPass>& passes, const Scene& scene, bool ru
   return rows;
 }
 
-}  // namespace
-
-Json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices) {
+// What the run lines of all commands have in common.
+Json start(const std::string& command, const std::vector<DeviceInfo>& devices) {
   Json rows = Json::array();
   for (const DeviceInfo& device : devices)
     rows.push_back({{"backend", device.backend},
@@ -59,30 +59,39 @@ Json run_line(const CompareOptions& options, const Scene& scene, const std::vect
                     {"software", device.software},
                     {"max_texture_size", device.max_texture_size}});
   return {{"kind", "run"},
-          {"schema", 1},
+          {"schema", record_schema},
           {"lamina", LAMINA_VERSION},
           {"commit", LAMINA_COMMIT},
           {"build", LAMINA_BUILD_NAME},
-          {"command", options.command},
+          {"command", command},
           {"machine",
            {{"cpu", cpu_model()},
             {"threads", std::thread::hardware_concurrency()},
             {"lp_num_threads", environment("LP_NUM_THREADS")}}},
-          {"devices", rows},
-          {"settings",
-           {{"width", options.width_px},
-            {"height", options.height_px},
-            {"quick", options.quick},
-            {"budget_s", options.budget_s},
-            {"precision", options.precision},
-            {"seed", options.seed},
-            {"truth_rays", options.truth_rays},
-            {"difference_gain", difference_gain},
-            {"validation", options.validation}}},
-          {"scene", scene.name},
-          {"source", scene.source},
-          {"time_s", scene.time_s},
-          {"warnings", scene.warnings}};
+          {"devices", rows}};
+}
+
+}  // namespace
+
+Json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices) {
+  Json line = start(options.command, devices);
+  line["settings"] = {
+      {"width", options.width_px},        {"height", options.height_px},        {"quick", options.quick},
+      {"budget_s", options.budget_s},     {"precision", options.precision},     {"seed", options.seed},
+      {"truth_rays", options.truth_rays}, {"difference_gain", difference_gain}, {"validation", options.validation}};
+  line["scene"] = scene.name;
+  line["source"] = scene.source;
+  line["time_s"] = scene.time_s;
+  line["warnings"] = scene.warnings;
+  return line;
+}
+
+Json run_line(const StressOptions& options, const std::vector<DeviceInfo>& devices) {
+  Json line = start(options.command, devices);
+  line["settings"] = {{"count", options.count}, {"seed", options.seed}, {"validation", options.validation}};
+  if (!options.points.empty()) line["settings"]["points"] = options.points.string();
+  line["warnings"] = Json::array();
+  return line;
 }
 
 Json plan_line(const Plan& plan, const Scene& scene, ShaderCache& shaders) {

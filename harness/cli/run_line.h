@@ -10,6 +10,8 @@
 namespace lamina {
 
 nlohmann::ordered_json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices);
+// The same for a record that holds functions alone.
+nlohmann::ordered_json run_line(const StressOptions& options, const std::vector<DeviceInfo>& devices);
 // {"kind":"plan", "effects":[...]}: each effect with called_for and why, its features, and the passes of every variant.
 nlohmann::ordered_json plan_line(const Plan& plan, const Scene& scene, ShaderCache& shaders);
 

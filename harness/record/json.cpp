@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "harness/core/error.h"
+#include "harness/record/finite.h"
 #include "harness/record/record.h"
 
 namespace lamina {
@@ -14,13 +15,6 @@ std::string name_of(const CellRow& cell) {
   return fmt::format("cell {}/{} on {}, view '{}'", cell.effect, cell.variant, cell.backend, cell.view);
 }
 
-// JSON has neither NaN nor infinity, and the library would write a silent null.
-Json finite(double value, const std::string& owner, std::string_view what) {
-  if (!std::isfinite(value))
-    throw Error(ErrorKind::failed, "record", owner, fmt::format("{} is not a finite number; record a failure instead", what));
-  return value;
-}
-
 Json figures_to_json(const std::optional<ErrorFigures>& figures, const std::string& owner) {
   if (!figures) return nullptr;
   const bool identical = std::isinf(figures->psnr_db) && figures->psnr_db > 0;
@@ -30,15 +24,6 @@ Json figures_to_json(const std::optional<ErrorFigures>& figures, const std::stri
           {"flip", finite(figures->flip, owner, "flip")},
           {"rmse_linear", finite(figures->rmse_linear, owner, "rmse_linear")},
           {"max_linear", finite(figures->max_linear, owner, "max_linear")}};
-}
-
-Json interval_to_json(const std::optional<Interval>& interval, const std::string& owner) {
-  if (!interval) return nullptr;
-  return {{"median", finite(interval->median, owner, "ratio_to_baseline.median")},
-          {"low", finite(interval->low, owner, "ratio_to_baseline.low")},
-          {"high", finite(interval->high, owner, "ratio_to_baseline.high")},
-          {"rounds", interval->rounds},
-          {"coverage", finite(interval->coverage, owner, "ratio_to_baseline.coverage")}};
 }
 
 Json median_or_null(const std::vector<double>& samples) { return samples.empty() ? Json(nullptr) : Json(median(samples)); }
@@ -56,6 +41,22 @@ Json once_ms(const CellRow& cell) {
 }
 
 }  // namespace
+
+Json finite(double value, const std::string& owner, std::string_view what) {
+  if (!std::isfinite(value))
+    throw Error(ErrorKind::failed, "record", owner, fmt::format("{} is not a finite number; record a failure instead", what));
+  return value;
+}
+
+Json interval_to_json(const std::optional<Interval>& interval, const std::string& owner, std::string_view what) {
+  if (!interval) return nullptr;
+  const auto number = [&](double value, const char* field) { return finite(value, owner, fmt::format("{}.{}", what, field)); };
+  return {{"median", number(interval->median, "median")},
+          {"low", number(interval->low, "low")},
+          {"high", number(interval->high, "high")},
+          {"rounds", interval->rounds},
+          {"coverage", number(interval->coverage, "coverage")}};
+}
 
 std::vector<double> frame_samples_ms(std::span<const PassRow> passes) {
   std::vector<double> sum_ms;
@@ -121,7 +122,7 @@ Json to_json(const CellRow& cell) {
   line["median_ms"] = has_times ? median_or_null(frame_samples_ms(cell.passes)) : Json(nullptr);
   line["once_ms"] = has_times ? once_ms(cell) : Json(nullptr);
   line["cold_ms"] = cell.cold_ms > 0 ? finite(cell.cold_ms, owner, "cold_ms") : Json(nullptr);
-  line["ratio_to_baseline"] = has_times ? interval_to_json(cell.ratio_to_baseline, owner) : Json(nullptr);
+  line["ratio_to_baseline"] = has_times ? interval_to_json(cell.ratio_to_baseline, owner, "ratio_to_baseline") : Json(nullptr);
   line["fetches"] = count(cell.fetches);
   line["fetches_per_pixel"] =
       cell.covered_pixels == 0 ? Json(nullptr) : finite(cell.fetches_per_pixel, owner, "fetches_per_pixel");

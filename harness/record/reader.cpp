@@ -35,6 +35,8 @@ constexpr Type numbers = {[](const Json& v) {
                           },
                           "an array of numbers"};
 constexpr Type array = {[](const Json& v) { return v.is_array(); }, "an array"};
+constexpr Type point_or_null = {[](const Json& v) { return v.is_null() || (v.size() == 3 && numbers.fits(v)); },
+                                "an array of three numbers or null"};
 constexpr Type object = {[](const Json& v) { return v.is_object(); }, "an object"};
 constexpr Type object_or_null = {[](const Json& v) { return v.is_null() || v.is_object(); }, "an object or null"};
 constexpr Type numbers_by_name = {[](const Json& v) {
@@ -63,6 +65,12 @@ void check(const Json& value, const Fields& fields, const std::string& where, co
     if (field == value.end()) refuse(where, fmt::format("the field '{}{}' is missing", inside, name));
     if (!type.fits(*field)) refuse(where, fmt::format("the field '{}{}' is not {}", inside, name, type.words));
   }
+}
+
+void check_interval(const Json& interval, const std::string& where, const std::string& inside) {
+  if (interval.is_null()) return;
+  check(interval, {{"median", number}, {"low", number}, {"high", number}, {"rounds", count}, {"coverage", number}}, where,
+        inside);
 }
 
 void check_figures(const Json& figures, const std::string& where, const std::string& inside) {
@@ -135,9 +143,7 @@ void check_cell(const Json& line, const std::string& where) {
     for (const Json& fetched : pass["by_texture"])
       check(fetched, {{"texture", text}, {"format", text}, {"filter", text}, {"fetches", count}}, where, "passes.by_texture.");
   }
-  if (const Json& ratio = line["ratio_to_baseline"]; !ratio.is_null())
-    check(ratio, {{"median", number}, {"low", number}, {"high", number}, {"rounds", count}, {"coverage", number}}, where,
-          "ratio_to_baseline.");
+  check_interval(line["ratio_to_baseline"], where, "ratio_to_baseline.");
   check(line["error"], {{"baseline", object_or_null}, {"frame", object_or_null}, {"truth", object_or_null}}, where, "error.");
   for (const char* against : {"baseline", "frame", "truth"})
     if (const Json& figures = line["error"][against]; !figures.is_null())
@@ -187,6 +193,48 @@ void check_bake(const Json& line, const std::string& where) {
         where);
 }
 
+void check_function_subject(const Json& line, const std::string& where) {
+  check(line,
+        {{"function", text}, {"title", text}, {"variant", text}, {"baseline", boolean}, {"backend", text}, {"device", text}},
+        where);
+}
+
+void check_function(const Json& line, const std::string& where) {
+  check_function_subject(line, where);
+  check(line,
+        {{"scale", text},
+         {"set", text},
+         {"what", text},
+         {"points", count},
+         {"max_over", number_or_null},
+         {"max_under", number_or_null},
+         {"mean_absolute", number_or_null},
+         {"rms", number_or_null},
+         {"most_eps", number_or_null},
+         {"most_eps_kappa", number_or_null},
+         {"negative", count},
+         {"nonfinite", count},
+         {"not_zero", count},
+         {"worst_over", point_or_null},
+         {"worst_under", point_or_null}},
+        where);
+  const bool none = line["points"] == line["nonfinite"];
+  for (const char* name : {"max_over", "max_under", "mean_absolute", "rms", "most_eps", "most_eps_kappa"})
+    if (line[name].is_null() != none)
+      refuse(where, fmt::format("'{}' must be null where no value is finite and nowhere else", name));
+}
+
+void check_function_time(const Json& line, const std::string& where) {
+  check_function_subject(line, where);
+  check(line, {{"ns_per_call", object_or_null}, {"reason", text}, {"commit", text}, {"build", text}}, where);
+  check_interval(line["ns_per_call"], where, "ns_per_call.");
+}
+
+void check_function_picture(const Json& line, const std::string& where) {
+  check_function_subject(line, where);
+  check(line, {{"slice", text}, {"axes", text}, {"image", text}, {"full_error", number}}, where);
+}
+
 void check_run(const Json& line, const std::string& where) {
   check(line, {{"schema", count}}, where);
   if (line["schema"] != record_schema)
@@ -212,7 +260,10 @@ void add_line(Record& record, Json line, const std::string& where) {
                         {"plan", check_plan, &record.plans},
                         {"bake", check_bake, &record.bakes},
                         {"phase", check_phase, &record.phases},
-                        {"cell", check_cell, &record.cells}};
+                        {"cell", check_cell, &record.cells},
+                        {"function", check_function, &record.functions},
+                        {"function_time", check_function_time, &record.function_times},
+                        {"function_picture", check_function_picture, &record.function_pictures}};
   std::vector<std::string> known = {"run"};
   for (const auto& [name, check_line, lines] : kinds) {
     known.push_back(name);

@@ -36,7 +36,7 @@ struct PassRow {
 // Error(failed) where the passes differ in their numbers of samples, for then there is no pairing by round.
 std::vector<double> frame_samples_ms(std::span<const PassRow> passes);
 
-// What one assumption costs by itself: the picture made with it against the picture made without it, all else being exact.
+// What one assumption costs by itself: the picture made with it against the picture made without it, all else alike.
 struct AssumptionRow {
   std::string name, title;  // "intersection", "approximate against exact intersection"
   ErrorFigures error;       // over the pixels that the effect covers
@@ -105,6 +105,7 @@ struct Record {
   nlohmann::json run;
   std::vector<nlohmann::json> timers, plans, cells, bakes;
   std::vector<nlohmann::json> phases;  // how long the rounds took beside what they measured
+  std::vector<nlohmann::json> functions, function_times, function_pictures;  // see function_rows.h
 };
 // Throws Error(bad_input, "record", "FILE:LINE", ...) for a line that is not JSON, another schema, no first line of kind "run",
 // an unknown kind, or a field missing or of the wrong type; what it returns has every field that to_json() writes. A last line

@@ -40,8 +40,9 @@ std::vector<CapSlice> make_cap_slices() {
   return slices;
 }
 
-void write_cap_pictures(CapRunner& runner, std::span<const CapSlice> slices, const std::filesystem::path& folder,
-                        const std::string& name) {
+std::vector<std::string> write_cap_pictures(CapRunner& runner, std::span<const CapSlice> slices,
+                                            const std::filesystem::path& folder, const std::string& name) {
+  std::vector<std::string> files;
   for (const CapSlice& slice : slices) {
     const std::vector<float> areas = runner.areas(slice.inputs);
     DisplayImage picture{size, size, {}};
@@ -49,8 +50,10 @@ void write_cap_pictures(CapRunner& runner, std::span<const CapSlice> slices, con
       const auto colour = colour_of((areas[i] - slice.truth[i]) / smaller_cap_area(slice.inputs[i].r0, slice.r1));
       picture.rgb.insert(picture.rgb.end(), colour.begin(), colour.end());
     }
-    write_png((folder / fmt::format("{}-r1-{}.png", name, slice.r1)).string(), picture);
+    files.push_back(fmt::format("{}-r1-{}.png", name, slice.r1));
+    write_png((folder / files.back()).string(), picture);
   }
+  return files;
 }
 
 }  // namespace lamina

@@ -18,10 +18,10 @@ struct CapSlice {
 // For r1 = 0.1, 0.5, 1 and 1.5.
 std::vector<CapSlice> make_cap_slices();
 
-// Writes FOLDER/NAME-r1-X.png for each slice. Red is an area too large, blue too small, white none; full colour at `full_error`
-// of the smaller cap; black is not finite.
+// Writes FOLDER/NAME-r1-X.png for each slice and returns these files' names, beside the slices. Red is an area too large, blue
+// too small, white none; full colour at `full_error` of the smaller cap; black is not finite.
 inline constexpr double full_error = 0.16;
-void write_cap_pictures(CapRunner& runner, std::span<const CapSlice> slices, const std::filesystem::path& folder,
-                        const std::string& name);
+std::vector<std::string> write_cap_pictures(CapRunner& runner, std::span<const CapSlice> slices,
+                                            const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace lamina

@@ -20,6 +20,11 @@ class Stress : public ProgramTest {
     }
     return rows;
   }
+  std::string content(const std::string& name) const {
+    std::stringstream text;
+    text << std::ifstream(folder_ / name).rdbuf();
+    return text.str();
+  }
   Outcome stress(const std::string& arguments) {
     return lamina_program("stress " + arguments + " --out " + (folder_ / "out").string());
   }
@@ -37,6 +42,37 @@ TEST_F(Stress, PointsOfAFileAreJudgedByTheAreasTheyBring) {
   EXPECT_EQ(rows[1][3], "3");
   EXPECT_NEAR(std::stod(rows[1][5]), -1.2381525145977283 / 2.8883657975136403, 1e-6) << "the last area is twice the right one";
   EXPECT_LT(std::stod(rows[1][4]), 4e-7);
+}
+
+// A record that is there keeps its lines; functions of an earlier run give way.
+TEST_F(Stress, AddsToTheRecordAndReportThatAreThere) {
+  const std::string kept =
+      "{\"kind\":\"run\",\"schema\":1,\"build\":\"release\",\"commit\":\"kept\"}\n"
+      "{\"kind\":\"phase\",\"backend\":\"vulkan\",\"effect\":\"e\",\"rounds\":1,\"wall_ms\":1,\"device_ms\":1}\n";
+  std::filesystem::create_directories(folder_ / "out");
+  write("out/record.jsonl", kept);
+  const std::string points = write("points.csv", "1,1,1\n").string();
+  for (const char* variant : {"linear_cap", "exact_cap"}) {
+    const Outcome outcome = stress(std::string("caps --backend vulkan --variant ") + variant + " --points " + points);
+    EXPECT_LE(outcome.status, 1) << outcome.output;
+    EXPECT_SAYS(outcome.output, "report: ");
+  }
+  const std::string record = content("out/record.jsonl");
+  EXPECT_EQ(record.substr(0, kept.size()), kept);
+  EXPECT_EQ(record.find("linear_cap"), std::string::npos) << record;
+  EXPECT_SAYS(record, "{\"kind\":\"function\",\"function\":\"cap_intersection\"");
+  EXPECT_SAYS(record, "{\"kind\":\"function_time\"");
+  EXPECT_SAYS(content("out/index.html"), "Functions: the area that two spherical caps share");
+  EXPECT_SAYS(content("out/summary.md"), "| exact_cap |");
+}
+
+TEST_F(Stress, ARecordThatCannotBeReadIsRefusedBeforeTheWorkAndKept) {
+  std::filesystem::create_directories(folder_ / "out");
+  write("out/record.jsonl", "not a record\n");
+  const Outcome outcome = stress("caps --count 10000000");
+  EXPECT_EQ(outcome.status, 2) << outcome.output;
+  EXPECT_SAYS(outcome.output, "record.jsonl:1");
+  EXPECT_EQ(content("out/record.jsonl"), "not a record\n");
 }
 
 TEST_F(Stress, BadInputs) {

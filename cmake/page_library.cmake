@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+# The JavaScript that the report's charts are drawn with: npm fetches what reports/page/package-lock.json pins, and a C++ file holds
+# it with its licences, so that the program needs nothing beside it.
+set(PAGE ${PROJECT_SOURCE_DIR}/reports/page)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PAGE}/package-lock.json ${PAGE}/chart.js)
+
+# npm leaves a copy of the lock file behind, in other words but of the same time.
+if(NOT EXISTS ${PAGE}/node_modules/.package-lock.json OR
+   ${PAGE}/package-lock.json IS_NEWER_THAN ${PAGE}/node_modules/.package-lock.json)
+  find_program(NPM npm)
+  if(NOT NPM)
+    message(FATAL_ERROR "npm is missing, which fetches the report's chart library: install Debian's package npm, or call ./run, which does")
+  endif()
+  message(STATUS "Fetching the report's chart library")
+  execute_process(COMMAND ${NPM} ci --prefix ${PAGE} --ignore-scripts --no-audit --no-fund --loglevel=error
+    RESULT_VARIABLE failure OUTPUT_QUIET ERROR_VARIABLE words)
+  if(failure)
+    message(FATAL_ERROR "npm cannot fetch what ${PAGE}/package-lock.json pins; is there a network? It says: ${words}")
+  endif()
+  file(TOUCH ${PAGE}/node_modules/.package-lock.json)
+endif()
+
+# The text as a C++ raw string; `name` is a variable of reports/html.h. It goes into a <script>, which it must not end.
+function(page_string name)
+  set(text "")
+  foreach(source ${ARGN})
+    file(READ ${source} one)
+    if(source MATCHES "LICENSE$")
+      string(PREPEND one "/*\n")
+      string(APPEND one "*/\n")
+    endif()
+    string(APPEND text "${one}\n")
+  endforeach()
+  foreach(forbidden "</script" "<!--" ")page\"")
+    string(FIND "${text}" "${forbidden}" at)
+    if(NOT at EQUAL -1)
+      message(FATAL_ERROR "${ARGN}: holds ${forbidden}, which would end the script or the string that it is put into")
+    endif()
+  endforeach()
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/${name}.cpp @ONLY CONTENT [[
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/html.h"
+namespace lamina {
+const std::string_view @name@ = R"page(@text@)page";
+}
+]])
+endfunction()
+
+page_string(chart_library ${PAGE}/node_modules/d3/LICENSE ${PAGE}/node_modules/d3/dist/d3.min.js
+  ${PAGE}/node_modules/@observablehq/plot/LICENSE ${PAGE}/node_modules/@observablehq/plot/dist/plot.umd.min.js)
+page_string(chart_script ${PAGE}/chart.js)

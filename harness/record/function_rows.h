@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines of the record about a shader's functions: what each variant of one errs by and costs a call.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/measure/statistics.h"
+
+namespace lamina {
+
+// Which variant of which function, and where it ran.
+struct FunctionSubject {
+  std::string function, title;  // "cap_intersection", "the area that two spherical caps share"
+  std::string variant, backend, device;
+  bool baseline = false;
+};
+
+// One set of inputs. Errors are (value - truth) / scale.
+struct FunctionRow {
+  FunctionSubject subject;
+  std::string scale;      // "the smaller cap's area"
+  std::string set, what;  // the set's name, and what is in it
+  uint64_t points = 0;
+  double max_over = 0, max_under = 0;    // greatest and least error, so 0 or more and 0 or less
+  double mean_absolute = 0, rms = 0;     // over the values that are finite
+  double most_eps = 0;                   // greatest |error| in units of 2^-23
+  double most_eps_kappa = 0;             // greatest |value - truth| / truth in units of 2^-23 max(1, condition number)
+  uint64_t negative = 0, nonfinite = 0;  // of the points
+  uint64_t not_zero = 0;                 // points whose truth is 0, but whose value is not
+  std::array<double, 3> worst_over{}, worst_under{};  // the inputs of max_over and max_under
+};
+
+struct FunctionTimeRow {
+  FunctionSubject subject;
+  std::optional<Interval> ns_per_call;  // absent where the timer was not certified
+  std::string reason;                   // why it is absent
+  std::string commit, build;            // of the program that timed; only "release" counts
+};
+
+// A picture of the error over a slice of the inputs: red too much, blue too little, white none, black not finite.
+struct FunctionPictureRow {
+  FunctionSubject subject;
+  std::string slice, axes;  // "r1 = 0.5"; what runs to the right and what upwards
+  std::string image;        // path relative to the run's folder
+  double full_error = 0;    // the error, in the unit above, that has full colour
+};
+
+// One line of the record each. Errors are null where no value was finite, an input of the worst where no value errs that way.
+// Throws Error(failed) for a number that is not finite.
+nlohmann::ordered_json to_json(const FunctionRow& row);
+nlohmann::ordered_json to_json(const FunctionTimeRow& row);
+nlohmann::ordered_json to_json(const FunctionPictureRow& row);
+
+// Puts `lines` at the end of the record in `file` and takes those on `function` out that were there, atomically; every other
+// line stays byte for byte, but for one cut short at the end, which goes, and the run line then says so. Where there is no
+// file, one that begins with `run_line` is made. Throws as read_record() and write_file_atomically() do.
+void replace_function_lines(const std::filesystem::path& file, const std::string& function,
+                            const nlohmann::ordered_json& run_line, const std::vector<nlohmann::ordered_json>& lines);
+
+}  // namespace lamina

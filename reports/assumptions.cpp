@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each assumption of a cell costs, in words and figures.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/words.h"
+
+namespace lamina {
+
+std::string costliest_assumption(const nlohmann::json& cell) {
+  std::vector<std::pair<double, std::string>> costs;
+  for (const auto& assumption : cell.at("assumptions"))
+    costs.emplace_back(assumption.at("error").at("rmse_linear").get<double>(), assumption.at("title").get<std::string>());
+  std::ranges::stable_sort(costs, [](const auto& a, const auto& b) { return a.first > b.first; });
+  if (costs.empty() || costs[0].first == 0) return "No assumption changes this picture.";
+  std::string words = fmt::format("{} costs the most: RMSE {:.3g}", costs[0].second, costs[0].first);
+  for (size_t i = 1; i < costs.size(); ++i)
+    words += fmt::format("{} {:.3g} ({})", i == 1 ? ", against" : " and", costs[i].first, costs[i].second);
+  return words + ".";
+}
+
+std::array<std::string, assumption_columns.size()> assumption_cells(const nlohmann::json& assumption) {
+  const ErrorFigures error = *figures_of(assumption.at("error"));
+  return {assumption.at("title").get<std::string>(), fmt::format("{:.3g}", error.rmse_linear), words_for_psnr(error.psnr_db),
+          fmt::format("{:.4f}", error.ssim), fmt::format("{:.4f}", error.flip)};
+}
+
+}  // namespace lamina

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a record says of functions, summed up: the same for the page and for Markdown. Strings are not yet escaped.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/words.h"
+
+namespace lamina {
+
+// A variant of a function on a backend. What is pointed to lives in the record.
+struct FunctionSummary {
+  std::string variant;
+  bool baseline = false;
+  std::optional<Interval> ns;                // of a call
+  std::string reason;                        // why there is no time
+  std::optional<double> ratio;               // median over the baseline's median
+  std::optional<double> error;               // the greatest |error| over the main set; absent where a value was not finite
+  bool frontier = false;                     // timed, with an error, and no other is as good in both and better in one
+  const nlohmann::json* main_set = nullptr;  // may be absent in a record put together by hand
+  std::vector<const nlohmann::json*> sets, pictures;  // every set, the main one included
+};
+
+struct FunctionBackend {
+  std::string backend, device;
+  std::vector<FunctionSummary> variants;  // the baseline first
+};
+
+struct FunctionReport {
+  std::string function, title, baseline;
+  std::string scale;                // errors are of this
+  std::string main_set, main_what;  // the set that comes first
+  std::vector<FunctionBackend> backends;
+};
+
+// By function, backend and variant in order of appearance, a baseline before the others.
+std::vector<FunctionReport> summarize_functions(const Record& record);
+
+// One paragraph a variant: whether it is worth having, by what it costs and errs by on each backend; else what beats it.
+std::vector<Headline> function_headlines(const FunctionReport& report);
+
+// Columns of the table over the main set: the first is a name, the rest figures.
+inline constexpr std::array<const char*, 9> function_columns = {
+    "variant", "ns a call [95%]", "ratio", "max over", "max under", "mean", "rms", "negative", "non-finite"};
+std::array<std::string, function_columns.size()> function_cells(const FunctionSummary& row);
+// "100000 points of 'overlaps': ...", and what the columns are of.
+std::string function_caption(const FunctionReport& report, const FunctionBackend& backend);
+// Columns of the table over every set: the first two and the last are names.
+inline constexpr std::array<const char*, 12> function_set_columns = {"set",      "variant",    "max over", "max under",
+                                                                     "mean",     "rms",        "eps",      "eps kappa",
+                                                                     "negative", "non-finite", "not 0",    "worst at"};
+std::array<std::string, function_set_columns.size()> function_set_cells(const nlohmann::json& row);
+// How to read the tables, one sentence each.
+std::vector<std::string> function_notes(const FunctionReport& report);
+
+// The section of the page: words, chart, tables, pictures. "" where the record has no functions.
+std::string html_functions(const Record& record);
+// The chart of error over time of a report, as the data that reports/page/chart.js draws; "" where nothing was timed.
+std::string html_function_chart(const FunctionReport& report);
+
+}  // namespace lamina

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page's section on functions: which variants are worth having, the chart that shows it, tables and pictures of the error.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "reports/functions.h"
+#include "reports/html.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+
+// A <script> ends at the first "</script", wherever it stands, and has another state from "<!--" on.
+std::string for_script(const Json& data) {
+  std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace), out;
+  for (const char c : text) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return out;
+}
+
+template <class Range>
+std::string header_row(const Range& columns, size_t names) {
+  std::string html = "<thead><tr>";
+  size_t column = 0;
+  for (const char* words : columns)
+    html += fmt::format("<th scope=\"col\"{}>{}</th>", column++ < names ? "" : " class=\"num\"", words);
+  return html + "</tr></thead>";
+}
+
+std::string main_table(const FunctionReport& report, const FunctionBackend& backend) {
+  std::string html = fmt::format("<div class=\"scroll\"><table><caption>{}</caption>{}<tbody>\n",
+                                 escaped_html(function_caption(report, backend)), header_row(function_columns, 1));
+  for (const FunctionSummary& row : backend.variants) {
+    const auto cells = function_cells(row);
+    html += fmt::format("<tr{}><th scope=\"row\">{}</th>", row.baseline ? " class=\"baseline\"" : "", escaped_html(cells[0]));
+    for (size_t i = 1; i < cells.size(); ++i) html += fmt::format("<td class=\"num\">{}</td>", escaped_html(cells[i]));
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+// Every set but the main one, by set, so that the variants stand under each other.
+std::string hard_sets(const FunctionReport& report, const FunctionBackend& backend) {
+  std::vector<const Json*> rows;
+  std::map<std::string, size_t> first;  // of each set, its place
+  for (const FunctionSummary& variant : backend.variants)
+    for (const Json* row : variant.sets) {
+      if (row->at("set") == report.main_set) continue;
+      first.try_emplace(row->at("set"), first.size());
+      rows.push_back(row);
+    }
+  if (rows.empty()) return "";
+  std::ranges::stable_sort(rows, [&](const Json* a, const Json* b) { return first.at(a->at("set")) < first.at(b->at("set")); });
+  std::string html = fmt::format(
+      "<details><summary>Hard inputs on {}: {} sets</summary><div class=\"scroll\"><table><caption>eps: the greatest error in "
+      "units of 2^-23; eps kappa: the greatest error of the value itself, in units of 2^-23 times its condition number where "
+      "that "
+      "is above 1; not 0: values of inputs for which 0 is right.</caption>{}<tbody>\n",
+      escaped_html(backend.backend), first.size(), header_row(function_set_columns, 2));
+  std::string set;
+  for (const Json* row : rows) {
+    if (row->at("set") != set) {
+      set = row->at("set");
+      html += fmt::format("<tr class=\"group\"><th scope=\"rowgroup\" colspan=\"{}\">{}: {} ({} points)</th></tr>\n",
+                          function_set_columns.size(), escaped_html(set), escaped_html(row->at("what").get<std::string>()),
+                          row->at("points").dump());
+    }
+    const auto cells = function_set_cells(*row);
+    html += fmt::format("<tr><td>{}</td><th scope=\"row\">{}</th>", escaped_html(cells[0]), escaped_html(cells[1]));
+    for (size_t i = 2; i < cells.size(); ++i) html += fmt::format("<td class=\"num\">{}</td>", escaped_html(cells[i]));
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div></details>\n";
+}
+
+std::string slices(const FunctionBackend& backend, bool open) {
+  std::string html, axes, full_error;
+  for (const FunctionSummary& variant : backend.variants) {
+    if (variant.pictures.empty()) continue;
+    html += fmt::format("<div class=\"slices\"><h4>{}</h4>", escaped_html(variant.variant));
+    for (const Json* picture : variant.pictures) {
+      const std::string slice = picture->at("slice");
+      axes = picture->at("axes");
+      full_error = fmt::format("{:g}", picture->at("full_error").get<double>());
+      html += fmt::format(
+          "<figure><img loading=\"lazy\" src=\"{}\" alt=\"error of {} on {}, {}\"><figcaption>{}</figcaption></figure>",
+          picture_url(picture->at("image").get<std::string>()), escaped_html(variant.variant), escaped_html(backend.backend),
+          escaped_html(slice), escaped_html(slice));
+    }
+    html += "</div>\n";
+  }
+  if (html.empty()) return "";
+  const std::string legend = fmt::format(
+      "<p class=\"note\">{}.</p>\n<div class=\"legend\" role=\"img\" aria-label=\"blue is too little, white right, red too "
+      "much, "
+      "black not finite\">too little, -{} or less<span class=\"diverging\"></span>+{} or more, too much; black: not "
+      "finite</div>\n",
+      escaped_html(axes), full_error, full_error);
+  return fmt::format("<details{}><summary>Where it errs, on {}</summary>\n{}{}</details>\n", open ? " open" : "",
+                     escaped_html(backend.backend), legend, html);
+}
+
+}  // namespace
+
+std::string html_function_chart(const FunctionReport& report) {
+  Json points = Json::array();
+  std::string left_out;
+  for (const FunctionBackend& backend : report.backends)
+    for (const FunctionSummary& row : backend.variants) {
+      if (!row.ns) continue;
+      if (!row.error || *row.error <= 0 || row.ns->low <= 0) {
+        left_out += fmt::format("{}{} on {}", left_out.empty() ? "" : ", ", row.variant, backend.backend);
+        continue;
+      }
+      points.push_back({{"group", backend.backend},
+                        {"name", row.variant},
+                        {"x", row.ns->median},
+                        {"low", row.ns->low},
+                        {"high", row.ns->high},
+                        {"y", *row.error},
+                        {"frontier", row.frontier}});
+    }
+  if (points.empty()) return "";
+  const Json data = {{"x", "time of a call, ns (log scale)"},
+                     {"y", fmt::format("greatest error, of {} (log scale)", report.scale)},
+                     {"points", points}};
+  return fmt::format(
+      "<figure class=\"chart\"><div class=\"plots\"></div><noscript><p class=\"note\">Here a chart shows error against time; "
+      "it "
+      "needs JavaScript. The tables below hold its figures.</p></noscript>"
+      "<script type=\"application/json\">{}</script>"
+      "<figcaption>Error against time: left is faster, down is closer. The line joins the variants that none beats in both; "
+      "bars "
+      "are 95% intervals of the time.{}</figcaption></figure>\n",
+      for_script(data),
+      left_out.empty() ? ""
+                       : escaped_html(fmt::format(" Without a place on these axes (no error, values that are not finite, or a "
+                                                  "time that noise hides): {}.",
+                                                  left_out)));
+}
+
+std::string html_functions(const Record& record) {
+  std::string html;
+  for (const FunctionReport& report : summarize_functions(record)) {
+    html += fmt::format("<h2>Functions: {}</h2>\n<ul class=\"headlines\">\n", escaped_html(report.title));
+    for (const Headline& headline : function_headlines(report))
+      html += fmt::format("<li><strong>{}</strong> {}</li>\n", escaped_html(headline.variant), escaped_html(headline.words));
+    html += "</ul>\n" + html_function_chart(report);
+    for (const FunctionBackend& backend : report.backends) html += main_table(report, backend);
+    for (const std::string& note : function_notes(report))
+      html += fmt::format("<p class=\"note\">{}</p>\n", escaped_html(note));
+    for (const FunctionBackend& backend : report.backends) html += hard_sets(report, backend);
+    for (const FunctionBackend& backend : report.backends) html += slices(backend, &backend == &report.backends.front());
+  }
+  return html;
+}
+
+}  // namespace lamina

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// Functions in the reports: which variants nothing beats, what is said of each, and the chart's data.
+#include "reports/functions.h"
+
+#include <gtest/gtest.h>
+
+#include "reports/html.h"
+#include "tests/record/function_rows.h"
+#include "tests/reports/example_record.h"
+
+namespace lamina {
+namespace {
+
+void add(Record& record, const std::string& variant, double error, std::optional<double> ns,
+         const std::string& backend = "vulkan") {
+  const FunctionSubject subject = example_subject(variant, backend);
+  record.functions.push_back(to_json(example_function(subject, error)));
+  FunctionRow hard = example_function(subject, 2 * error, "tiny");
+  hard.negative = variant == "naive_cap" ? 41 : 0;
+  record.functions.push_back(to_json(hard));
+  FunctionTimeRow time = example_time(subject, ns.value_or(1));
+  if (!ns) time.ns_per_call.reset(), time.reason = "the machine is busy";
+  record.function_times.push_back(to_json(time));
+  record.function_pictures.push_back(to_json(example_picture(subject)));
+}
+
+// On paper: exact 1e-6 at 40 ns, fitted 0.02 at 4, linear 0.1 at 2; smoothstep 0.2 at 2.1 and naive 0.3 at 10 are beaten.
+Record caps(std::vector<CellRow> cells = {}) {
+  Record record = example_record(cells);
+  for (const auto& [variant, error, ns] : {std::tuple{"smoothstep_cap", 0.2, 2.1},
+                                           {"exact_cap", 1e-6, 40.0},
+                                           {"naive_cap", 0.3, 10.0},
+                                           {"fitted_cap", 0.02, 4.0},
+                                           {"linear_cap", 0.1, 2.0}})
+    add(record, variant, error, ns);
+  return record;
+}
+
+const FunctionSummary& row(const FunctionReport& report, const std::string& variant) {
+  for (const FunctionSummary& one : report.backends.at(0).variants)
+    if (one.variant == variant) return one;
+  throw std::runtime_error("no " + variant);
+}
+
+std::string words(const FunctionReport& report, const std::string& variant) {
+  for (const Headline& headline : function_headlines(report))
+    if (headline.variant == variant) return headline.words;
+  return "";
+}
+
+TEST(Functions, TheFrontierIsWhatNothingBeatsInBoth) {
+  const Record record = caps();
+  const auto reports = summarize_functions(record);
+  ASSERT_EQ(reports.size(), 1u);
+  ASSERT_EQ(reports[0].backends.size(), 1u);
+  ASSERT_EQ(reports[0].backends[0].variants.size(), 5u);
+  EXPECT_EQ(reports[0].backends[0].variants[0].variant, "exact_cap");
+  EXPECT_EQ(reports[0].main_set, "overlaps");
+  for (const char* on : {"exact_cap", "fitted_cap", "linear_cap"}) EXPECT_TRUE(row(reports[0], on).frontier) << on;
+  for (const char* off : {"smoothstep_cap", "naive_cap"}) EXPECT_FALSE(row(reports[0], off).frontier) << off;
+  EXPECT_DOUBLE_EQ(*row(reports[0], "fitted_cap").ratio, 0.1);
+  EXPECT_DOUBLE_EQ(*row(reports[0], "fitted_cap").error, 0.02);
+}
+
+TEST(Functions, EqualInBothBeatsNeither) {
+  Record record = example_record({});
+  add(record, "a_cap", 0.5, 3), add(record, "b_cap", 0.5, 3), add(record, "c_cap", 0.5, 3.5);
+  const auto reports = summarize_functions(record);
+  EXPECT_TRUE(row(reports[0], "a_cap").frontier);
+  EXPECT_TRUE(row(reports[0], "b_cap").frontier);
+  EXPECT_FALSE(row(reports[0], "c_cap").frontier);
+}
+
+TEST(Functions, ErrorsAreTheGreaterOfOverAndUnder) {
+  Record record = example_record({});
+  add(record, "a_cap", 0.5, 3);
+  record.functions[0]["max_under"] = -0.75;
+  EXPECT_DOUBLE_EQ(*row(summarize_functions(record)[0], "a_cap").error, 0.75);
+}
+
+TEST(Functions, ValuesThatAreNotFiniteHaveNoGreatestErrorAndNoPlaceOnTheFrontier) {
+  Record record = caps();
+  for (auto& line : record.functions)
+    if (line["variant"] == "linear_cap" && line["set"] == "overlaps") line["nonfinite"] = 1;
+  const auto reports = summarize_functions(record);
+  EXPECT_FALSE(row(reports[0], "linear_cap").error);
+  EXPECT_FALSE(row(reports[0], "linear_cap").frontier);
+  EXPECT_TRUE(row(reports[0], "smoothstep_cap").frontier) << "what beat it counts no more";
+  EXPECT_TRUE(has(words(reports[0], "linear_cap"), "gives values that are not finite, so"));
+  EXPECT_TRUE(has(html_function_chart(reports[0]), "linear_cap on vulkan."));
+}
+
+TEST(Functions, WordsSayWhatIsWorthHavingAndWhatBeatsTheRest) {
+  const Record record = caps();
+  const auto reports = summarize_functions(record);
+  const FunctionReport& report = reports[0];
+  EXPECT_EQ(
+      words(report, "fitted_cap"),
+      "is worth having: nothing is both as fast and as close. It errs by up to 0.02 of the smaller cap's area; a call takes 4 "
+      "ns (10.0 times faster than exact_cap).");
+  EXPECT_TRUE(has(words(report, "naive_cap"), "is beaten by fitted_cap, which errs by up to 0.02 and is faster."))
+      << words(report, "naive_cap");
+  EXPECT_TRUE(has(words(report, "naive_cap"), "Over all sets it gives 41 negative and 0 non-finite values."));
+  // 2.1 [1.89, 2.31] ns against 2 [1.8, 2.2].
+  EXPECT_TRUE(has(words(report, "smoothstep_cap"),
+                  "is beaten by linear_cap, which errs by up to 0.1 and takes the same time within the noise."))
+      << words(report, "smoothstep_cap");
+}
+
+TEST(Functions, WordsTellBackendsApartWhereTheyDiffer) {
+  Record record = caps();
+  add(record, "exact_cap", 1e-6, 50, "osmesa"), add(record, "linear_cap", 0.1, 100, "osmesa");
+  add(record, "fitted_cap", 0.02, std::nullopt, "osmesa");
+  const auto reports = summarize_functions(record);
+  EXPECT_EQ(
+      words(reports[0], "linear_cap"),
+      "is worth having: nothing is both as fast and as close on vulkan and is beaten by exact_cap, which errs by up to 1e-06 "
+      "and is faster on osmesa. It errs by up to 0.1 of the smaller cap's area; a call takes 2 ns (20.0 times faster than "
+      "exact_cap) on vulkan and 100 ns (2.0 times slower than exact_cap) on osmesa.");
+  EXPECT_TRUE(has(words(reports[0], "fitted_cap"), "on vulkan and was not timed on osmesa."))
+      << words(reports[0], "fitted_cap");
+}
+
+TEST(Functions, WithoutATimerThereAreErrorsButNeitherTimesNorAChart) {
+  Record record = example_record({});
+  add(record, "exact_cap", 1e-6, std::nullopt), add(record, "linear_cap", 0.1, std::nullopt);
+  const std::string page = html_report(record);
+  EXPECT_TRUE(has(page, "not timed"));
+  EXPECT_TRUE(has(page, "the machine is busy"));
+  EXPECT_TRUE(has(page, "errs by up to 0.1"));
+  EXPECT_FALSE(has(page, "worth having"));
+  EXPECT_FALSE(has(page, "class=\"chart\""));
+  EXPECT_FALSE(has(page, "Observable"));
+}
+
+TEST(Functions, TablesShowEachFigure) {
+  const Record record = caps(example_cells());
+  const auto reports = summarize_functions(record);
+  const auto cells = function_cells(row(reports[0], "linear_cap"));
+  EXPECT_EQ(cells,
+            (std::array<std::string, 9>{"linear_cap", "2 [1.8, 2.2]", "0.050", "0.1", "-0.05", "0.025", "0.033", "0", "0"}));
+  EXPECT_EQ(function_set_cells(record.functions[0]).back(), "0.5 0.25 0.125");
+  for (const std::string& text : {html_report(record), markdown_summary(record)}) {
+    EXPECT_TRUE(has(text, "Functions: the area that two spherical caps share"));
+    for (size_t i = 2; i < cells.size(); ++i) EXPECT_TRUE(has(text, cells[i])) << cells[i];
+    EXPECT_TRUE(has(text, "1.8, 2.2"));
+    EXPECT_TRUE(has(text, "1000 points of"));
+    EXPECT_TRUE(has(text, "vertex_normal")) << "cells and functions share one report";
+  }
+}
+
+TEST(Functions, ThePageHoldsTheChartItsLibraryAndThePictures) {
+  const std::string page = html_report(caps());
+  EXPECT_TRUE(has(page, "<title>Lamina: What functions cost and err by</title>"));
+  for (const char* part : {"<figure class=\"chart\">", "<noscript>", "Observable, Inc.", "Mike Bostock", "Permission to use",
+                           "src=\"./images/slice.png\"", "r1 = 0.5", "r0 right, d up", "class=\"diverging\"", "-0.16 or less",
+                           "<summary>Hard inputs on vulkan: 1 sets</summary>"})
+    EXPECT_TRUE(has(page, part)) << part;
+  EXPECT_FALSE(has(page, "<h2>Pictures</h2>"));
+  EXPECT_FALSE(has(html_report(example_record(example_cells())), "Observable")) << "no chart, no library";
+}
+
+nlohmann::json chart_data(const std::string& chart) {
+  const std::string opening = "<script type=\"application/json\">";
+  const size_t begin = chart.find(opening) + opening.size();
+  return nlohmann::json::parse(chart.substr(begin, chart.find("</script>", begin) - begin));
+}
+
+TEST(FunctionChart, HoldsEveryPointAndEscapesWhatWouldEndTheScript) {
+  Record record = caps();
+  add(record, "</script><b>\"evil", 0.5, 50);
+  add(record, "perfect_cap", 0, 60);
+  const std::string chart = html_function_chart(summarize_functions(record)[0]);
+  const nlohmann::json data = chart_data(chart);
+  ASSERT_EQ(data["points"].size(), 6u) << "an error of 0 has no place on a logarithmic axis";
+  EXPECT_TRUE(has(chart, "hides): perfect_cap on vulkan."));
+  EXPECT_EQ(data["points"][0]["name"], "exact_cap");
+  EXPECT_EQ(data["points"][0]["x"], 40);
+  EXPECT_EQ(data["points"][0]["y"], 1e-6);
+  EXPECT_EQ(data["points"][0]["low"], 36);
+  EXPECT_EQ(data["points"][0]["frontier"], true);
+  EXPECT_EQ(data["points"][5]["name"], "</script><b>\"evil");
+  EXPECT_FALSE(has(chart, "</script><b>"));
+}
+
+TEST(Functions, EveryStringIsEscaped) {
+  const std::string evil = "<script>alert(\"1\")</script>&'";
+  Record record = example_record({});
+  add(record, evil, 0.5, 3, evil);
+  for (auto* lines : {&record.functions, &record.function_times, &record.function_pictures})
+    for (auto& line : *lines)
+      for (const char* name :
+           {"function", "title", "device", "scale", "set", "what", "slice", "axes", "image", "build", "commit"})
+        if (line.contains(name)) line[name] = evil;
+  const std::string page = html_report(record);
+  EXPECT_FALSE(has(page, "alert(\"1"));
+  EXPECT_TRUE(has(page, "&lt;script&gt;alert"));
+  EXPECT_FALSE(has(markdown_summary(record), "<script>"));
+  EXPECT_TRUE(has(page, "not &#39;release&#39;"));
+}
+
+}  // namespace
+}  // namespace lamina
