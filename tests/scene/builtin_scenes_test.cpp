@@ -115,6 +115,16 @@ TEST(Terrain, ViewsStandAboveTheGround) {
   }
 }
 
+TEST(ApertureLightingScenes, TheExampleFilesLoad) {
+  const Scene noon = load_scene(LAMINA_SOURCE_DIR "/variants/aperture_lighting/scenes/terrain_noon.toml");
+  EXPECT_EQ(noon.time_s, 6.1f);
+  EXPECT_EQ(noon.objects.at(0).apertures.value().rays, 4096u);
+  EXPECT_LT(glm::distance(noon.lights.at(0).direction, -daylight(6.1f).to_sun), 0.01f) << "the sun of noon";
+  EXPECT_NEAR(glm::degrees(noon.lights.at(0).angular_radius), 0.2665f, 1e-5f);
+  const Scene model = load_scene(LAMINA_SOURCE_DIR "/variants/aperture_lighting/scenes/model.toml");
+  for (const Object& object : model.objects) EXPECT_TRUE(object.apertures.has_value());
+}
+
 // From the floor's middle the sky begins at the rim, all around.
 TEST(ConicalPit, TheRimIsSeenAtItsAngle) {
   const Scene scene = load_scene("conical_pit");
