@@ -114,11 +114,11 @@ int run(int argc, char** argv) {
                                                   "File of r0,r1,d[,area] (radians, steradians) instead of the built-in sets");
   CLI::Option* count = stress_command.add_option("--count", stress.count, "Inputs a set")
                            ->capture_default_str()
-                           ->check(CLI::Range(1000, 10000000));
+                           ->check(CLI::Range(1000, 4000000));
   stress_command
       .add_option("--grid", stress.grid_steps,
-                  "A grid of N x N x N radii and distances, N from 2 to 200, instead of the built-in sets")
-      ->check(CLI::Range(2, 200))
+                  "A grid of N x N x N radii and distances, N from 2 to 160, instead of the built-in sets")
+      ->check(CLI::Range(2, 160))
       ->excludes(points)
       ->excludes(count);
   stress_command.add_option("--variant", stress.variants, "Only this function (may be given again)");
