@@ -88,9 +88,9 @@ TruthRun::Lit& TruthRun::lit(const VariantManifest& told, size_t view, const std
   Frame& frame = *frames_[&told];
   frame.run(view, Timing::off);
   std::vector<Image> apertures;
-  for (uint32_t i = 0; i < told.apertures->count; ++i) apertures.push_back(frame.target(fmt::format("aperture_{}_seen", i)));
-  made.points =
-      shading_points(frame.target("point"), frame.target("normal"), frame.target("albedo"), apertures, *told.apertures);
+  for (uint32_t i = 0; i < told.apertures->count; ++i) apertures.push_back(frame.target(fmt::format("seen_aperture_{}", i)));
+  made.points = shading_points(frame.target("seen_point"), frame.target("seen_normal"), frame.target("seen_albedo"), apertures,
+                               *told.apertures);
   // Rays do not ask for apertures, so every kind shares them.
   ShadingPoints without = made.points;
   without.apertures.clear();

@@ -23,8 +23,8 @@ struct ShadingPoints {
   std::vector<Aperture> apertures;  // [point * kind.count + i]
 };
 
-// From the targets of a pass for the truth (manifest.h's Frequency::truth): `point` with alpha above 0 where there is one,
-// `normal`, `albedo`, and one picture for each aperture.
+// From the targets of a pass for the truth (manifest.h's Frequency::truth): the point with alpha above 0 where there is one,
+// normal, albedo, and one picture for each aperture.
 ShadingPoints shading_points(const Image& point, const Image& normal, const Image& albedo, const std::vector<Image>& apertures,
                              ApertureKind kind);
 

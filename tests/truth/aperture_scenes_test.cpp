@@ -30,8 +30,8 @@ class ApertureScenes : public EachBackend {
     Frame frame(resources, graph, Build::timed), told(resources, truth, Build::timed);
     frame.run(0, Timing::off);
     told.run(0, Timing::off);
-    const ShadingPoints points = shading_points(told.target("point"), told.target("normal"), told.target("albedo"),
-                                                {told.target("aperture_0_seen")}, {});
+    const ShadingPoints points = shading_points(told.target("seen_point"), told.target("seen_normal"),
+                                                told.target("seen_albedo"), {told.target("seen_aperture_0")}, {});
     EXPECT_GT(points.points.size(), size * size / 4) << "the view shows little of the effect";
     Pictures made{frame.picture(), frame.picture(), frame.picture(), {points.width, points.height, {}}};
     made.covered.on.assign(made.device.rgba.size() / 4, 0);
