@@ -95,9 +95,7 @@ std::string verdict(const FunctionSummary& row, const FunctionBackend& backend) 
   const FunctionSummary* better = nullptr;  // of what beats it, what errs the least
   for (const FunctionSummary& other : backend.variants)
     if (on_the_map(other) && beats(other, row) && (!better || *other.error < *better->error)) better = &other;
-  const bool noise = better->ns->high >= row.ns->low;
-  return fmt::format("is beaten by {}, which errs by up to {:.3g}{}", better->variant, *better->error,
-                     noise ? " and takes the same time within the noise" : " and is faster");
+  return fmt::format("is beaten by {}, which is no slower and errs by up to {:.3g}", better->variant, *better->error);
 }
 
 }  // namespace
