@@ -14,9 +14,8 @@ std::string costliest_assumption(const nlohmann::json& cell) {
     costs.emplace_back(assumption.at("error").at("rmse_linear").get<double>(), assumption.at("title").get<std::string>());
   std::ranges::stable_sort(costs, [](const auto& a, const auto& b) { return a.first > b.first; });
   if (costs.empty() || costs[0].first == 0) return "No assumption changes this picture.";
-  std::string words = fmt::format("{} costs the most: RMSE {:.3g}", costs[0].second, costs[0].first);
-  for (size_t i = 1; i < costs.size(); ++i)
-    words += fmt::format("{} {:.3g} ({})", i == 1 ? ", against" : " and", costs[i].first, costs[i].second);
+  std::string words = fmt::format("What costs the most: {}, RMSE {:.3g}", costs[0].second, costs[0].first);
+  for (size_t i = 1; i < costs.size(); ++i) words += fmt::format("; then {}, {:.3g}", costs[i].second, costs[i].first);
   return words + ".";
 }
 

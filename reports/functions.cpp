@@ -41,9 +41,10 @@ FunctionSummary& summary_of(std::vector<FunctionReport>& reports, const Json& li
   return summary;
 }
 
+// What errs more has to be faster beyond the noise; of what errs alike, the faster wins, if beyond the noise.
 bool beats(const FunctionSummary& a, const FunctionSummary& b) {
-  const double a_ns = a.ns->median, b_ns = b.ns->median;
-  return *a.error <= *b.error && a_ns <= b_ns && (*a.error < *b.error || a_ns < b_ns);
+  if (*a.error == *b.error) return a.ns->high < b.ns->low;
+  return *a.error < *b.error && a.ns->low <= b.ns->high;
 }
 
 bool on_the_map(const FunctionSummary& row) { return row.ns && row.error; }
@@ -91,13 +92,11 @@ std::string joined(const ByBackend& all) {
 std::string verdict(const FunctionSummary& row, const FunctionBackend& backend) {
   if (!row.error) return "gives values that are not finite, so that it has no greatest error";
   if (!row.ns) return "was not timed";
-  if (row.frontier) return "is worth having: nothing is both as fast and as close";
+  if (row.frontier) return "is worth having: nothing closer is as fast";
   const FunctionSummary* better = nullptr;  // of what beats it, what errs the least
   for (const FunctionSummary& other : backend.variants)
     if (on_the_map(other) && beats(other, row) && (!better || *other.error < *better->error)) better = &other;
-  const bool noise = better->ns->high >= row.ns->low;
-  return fmt::format("is beaten by {}, which errs by up to {:.3g}{}", better->variant, *better->error,
-                     noise ? " and takes the same time within the noise" : " and is faster");
+  return fmt::format("is beaten by {}, which errs by up to {:.3g} and is not measurably slower", better->variant, *better->error);
 }
 
 }  // namespace

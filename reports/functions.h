@@ -18,7 +18,9 @@ struct FunctionSummary {
   std::string reason;                        // why there is no time
   std::optional<double> ratio;               // median over the baseline's median
   std::optional<double> error;               // the greatest |error| over the main set; absent where a value was not finite
-  bool frontier = false;                     // timed, with an error, and no other is as good in both and better in one
+  // Worth having: timed, with an error, and nothing that errs less is as fast, nor is what errs alike faster. Times are as fast
+  // as each other where their intervals overlap.
+  bool frontier = false;
   const nlohmann::json* main_set = nullptr;  // may be absent in a record put together by hand
   std::vector<const nlohmann::json*> sets, pictures;  // every set, the main one included
 };

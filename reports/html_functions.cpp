@@ -131,9 +131,8 @@ std::string html_function_chart(const FunctionReport& report) {
       "it "
       "needs JavaScript. The tables below hold its figures.</p></noscript>"
       "<script type=\"application/json\">{}</script>"
-      "<figcaption>Error against time: left is faster, down is closer. The line joins the variants that none beats in both; "
-      "bars "
-      "are 95% intervals of the time.{}</figcaption></figure>\n",
+      "<figcaption>Error against time: left is faster, down is closer. The line joins the variants worth "
+      "having: nothing closer is as fast, by the 95% intervals of the time, which the bars show.{}</figcaption></figure>\n",
       for_script(data),
       left_out.empty() ? ""
                        : escaped_html(fmt::format(" Without a place on these axes (no error, values that are not finite, or a "

@@ -13,9 +13,10 @@ std::string summary_table(const std::vector<SummaryRow>& rows) {
   bool truth = false;
   for (size_t i = 0; i < rows.size(); ++i) {
     if (i == 0 || rows[i].effect != rows[i - 1].effect) {
-      html += fmt::format("{}<div class=\"scroll\"><table><caption>{}</caption><thead><tr>",
-                          i == 0 ? "" : "</tbody></table></div>\n", escaped_html(rows[i].effect));
       truth = has_truth(rows, rows[i].effect);
+      html +=
+          fmt::format("{}<div class=\"scroll\"><table{}><caption>{}</caption><thead><tr>",
+                      i == 0 ? "" : "</tbody></table></div>\n", truth ? " class=\"wide\"" : "", escaped_html(rows[i].effect));
       const std::vector<std::string> columns = summary_columns(truth);
       for (size_t column = 0; column < columns.size(); ++column)
         html += fmt::format("<th scope=\"col\"{}>{}</th>", column >= 2 && column + 1 < columns.size() ? " class=\"num\"" : "",

@@ -41,6 +41,9 @@ th, td {
   white-space: nowrap;
 }
 thead th { color: var(--soft); font-weight: 600; }
+table.wide { font-size: .85rem; }
+table.wide th, table.wide td { padding-right: .6rem; }
+table.wide thead th { white-space: normal; vertical-align: bottom; }
 .num { text-align: right; }
 .wrap { white-space: normal; min-width: 16rem; overflow-wrap: anywhere; }
 tr.baseline th, tr.baseline td { font-weight: 600; }

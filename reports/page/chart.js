@@ -3,6 +3,7 @@
 // Data: {x, y: the axes' labels, points: [{group, name, x, low, high, y, frontier}]}; low and high are x's interval.
 const frame = {left: 60, right: 545, top: 40, bottom: 365, width: 560, height: 420};
 
+const digits = value => value.toPrecision(3);
 const superscript = text => text.replace(/./g, c => '⁰¹²³⁴⁵⁶⁷⁸⁹'[c] ?? '⁻');
 const tick = value =>
   value >= 0.001 && value < 10000 ? `${+value.toPrecision(3)}` : `10${superscript(`${Math.round(Math.log10(value))}`)}`;
@@ -10,13 +11,15 @@ const tick = value =>
 const decades = ([low, high], factor = 1) =>
   d3.range(Math.ceil(Math.log10(low / factor)), Math.floor(Math.log10(high / factor)) + 1).map(e => factor * 10 ** e);
 
-// Writes each name where it covers no dot, no interval and no other name: to the right if it can, else around the dot.
+// Writes each name where it covers no dot, no interval, no line and no other name: to the right if it can, else around the dot.
 function name_points(svg, points) {
   const x = svg.scale('x').apply, y = svg.scale('y').apply;
   const taken = points.flatMap(p => [
     [x(p.x) - 6, y(p.y) - 6, x(p.x) + 6, y(p.y) + 6],
     [x(p.low), y(p.y) - 3, x(p.high), y(p.y) + 3],
   ]);
+  for (const [p, next] of d3.pairs(d3.sort(points.filter(p => p.frontier), p => p.x)))
+    taken.push([x(p.x), y(p.y) - 2, x(next.x), y(p.y) + 2], [x(next.x) - 2, y(p.y), x(next.x) + 2, y(next.y)]);
   const shared = (a, b) =>
     Math.max(0, Math.min(a[2], b[2]) - Math.max(a[0], b[0])) * Math.max(0, Math.min(a[3], b[3]) - Math.max(a[1], b[1]));
   const outside = box => Math.max(0, frame.left - box[0], box[2] - frame.right, frame.top - box[1], box[3] - frame.bottom);
@@ -51,7 +54,9 @@ for (const figure of document.querySelectorAll('figure.chart')) {
       marginBottom: frame.height - frame.bottom,
       ariaLabel: `${data.y} over ${data.x}, ${group}`,
       style: {background: 'none', color: 'inherit', fontSize: '12px', fontFamily: 'inherit', '--plot-background': 'var(--card)'},
-      x: {...axis, domain: x, label: data.x, labelAnchor: 'center', ticks: [1, 2, 5].flatMap(f => decades(x, f))},
+      x: {
+        ...axis, domain: x, label: data.x, labelAnchor: 'center', labelOffset: 38, ticks: [1, 2, 5].flatMap(f => decades(x, f)),
+      },
       y: {...axis, domain: y, label: data.y, ticks: decades(y)},
       marks: [
         Plot.line(points.filter(p => p.frontier), {
@@ -60,7 +65,7 @@ for (const figure of document.querySelectorAll('figure.chart')) {
         Plot.ruleY(points, {y: 'y', x1: 'low', x2: 'high', strokeWidth: 2, strokeOpacity: 0.6}),
         Plot.dot(points, {
           x: 'x', y: 'y', r: 4.5, stroke: 'var(--accent)', fill: p => p.frontier ? 'var(--accent)' : 'var(--page)', tip: true,
-          title: p => `${p.name}\n${p.x.toPrecision(3)} [${p.low.toPrecision(3)}, ${p.high.toPrecision(3)}] ns\nerror up to ${p.y.toPrecision(3)}`,
+          title: p => `${p.name}\n${digits(p.x)} [${digits(p.low)}, ${digits(p.high)}] ns\nerror up to ${digits(p.y)}`,
         }),
       ],
     });

@@ -67,12 +67,13 @@ TEST(Truth, SaysWhichAssumptionCostsTheMostInEachViewOfEachVariant) {
   const std::string page = html_report(example_record(cells_with_truth()));
   EXPECT_TRUE(has(page, "<h2>Which assumption costs you</h2>"));
   EXPECT_EQ(
-      count_of(page, "one cosine costs the most: RMSE 0.03, against 0.02 (one aperture) and 0.01 (approximate intersection)."),
+      count_of(page,
+               "What costs the most: one cosine, RMSE 0.03; then one aperture, 0.02; then approximate intersection, 0.01."),
       4u);
   EXPECT_EQ(count_of(page, "<details><summary>vertex_normal</summary>"), 2u);
   EXPECT_EQ(count_of(page, "src=\"./images/c.png\""), 4u);
   EXPECT_TRUE(has(markdown_summary(example_record(cells_with_truth())),
-                  "- vertex_normal on vulkan, view grazing: one cosine costs the most"));
+                  "- vertex_normal on vulkan, view grazing: What costs the most: one cosine"));
   EXPECT_FALSE(has(html_report(example_record(example_cells())), "Which assumption"));
 }
 
