@@ -96,7 +96,8 @@ std::string verdict(const FunctionSummary& row, const FunctionBackend& backend) 
   const FunctionSummary* better = nullptr;  // of what beats it, what errs the least
   for (const FunctionSummary& other : backend.variants)
     if (on_the_map(other) && beats(other, row) && (!better || *other.error < *better->error)) better = &other;
-  return fmt::format("is beaten by {}, which errs by up to {:.3g} and is not measurably slower", better->variant, *better->error);
+  return fmt::format("is beaten by {}, which errs by up to {:.3g} and is not measurably slower", better->variant,
+                     *better->error);
 }
 
 }  // namespace
@@ -172,8 +173,7 @@ std::string function_caption(const FunctionReport& report, const FunctionBackend
 }
 
 std::array<std::string, function_set_columns.size()> function_set_cells(const Json& row) {
-  std::array<std::string, function_set_columns.size()> cells = {row.at("set"),
-                                                                row.at("variant"),
+  std::array<std::string, function_set_columns.size()> cells = {row.at("variant"),
                                                                 words_for(row.at("max_over"), 3),
                                                                 words_for(row.at("max_under"), 3),
                                                                 words_for(row.at("mean_absolute"), 2),

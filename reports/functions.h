@@ -14,14 +14,14 @@ namespace lamina {
 struct FunctionSummary {
   std::string variant;
   bool baseline = false;
-  std::optional<Interval> ns;                // of a call
-  std::string reason;                        // why there is no time
-  std::optional<double> ratio;               // median over the baseline's median
-  std::optional<double> error;               // the greatest |error| over the main set; absent where a value was not finite
+  std::optional<Interval> ns;   // of a call
+  std::string reason;           // why there is no time
+  std::optional<double> ratio;  // median over the baseline's median
+  std::optional<double> error;  // the greatest |error| over the main set; absent where a value was not finite
   // Worth having: timed, with an error, and nothing that errs less is as fast, nor is what errs alike faster. Times are as fast
   // as each other where their intervals overlap.
   bool frontier = false;
-  const nlohmann::json* main_set = nullptr;  // may be absent in a record put together by hand
+  const nlohmann::json* main_set = nullptr;           // may be absent in a record put together by hand
   std::vector<const nlohmann::json*> sets, pictures;  // every set, the main one included
 };
 
@@ -49,10 +49,9 @@ inline constexpr std::array<const char*, 9> function_columns = {
 std::array<std::string, function_columns.size()> function_cells(const FunctionSummary& row);
 // "100000 points of 'overlaps': ...", and what the columns are of.
 std::string function_caption(const FunctionReport& report, const FunctionBackend& backend);
-// Columns of the table over every set: the first two and the last are names.
-inline constexpr std::array<const char*, 12> function_set_columns = {"set",      "variant",    "max over", "max under",
-                                                                     "mean",     "rms",        "eps",      "eps kappa",
-                                                                     "negative", "non-finite", "not 0",    "worst at"};
+// Columns of the table of one set: the first is a name, the last an input.
+inline constexpr std::array<const char*, 11> function_set_columns = {
+    "variant", "max over", "max under", "mean", "rms", "eps", "eps kappa", "negative", "non-finite", "not 0", "worst at"};
 std::array<std::string, function_set_columns.size()> function_set_cells(const nlohmann::json& row);
 // How to read the tables, one sentence each.
 std::vector<std::string> function_notes(const FunctionReport& report);

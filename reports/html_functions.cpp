@@ -54,11 +54,12 @@ std::string hard_sets(const FunctionReport& report, const FunctionBackend& backe
   if (rows.empty()) return "";
   std::ranges::stable_sort(rows, [&](const Json* a, const Json* b) { return first.at(a->at("set")) < first.at(b->at("set")); });
   std::string html = fmt::format(
-      "<details><summary>Hard inputs on {}: {} sets</summary><div class=\"scroll\"><table><caption>eps: the greatest error in "
+      "<details><summary>Hard inputs on {}: {} sets</summary><div class=\"scroll\"><table class=\"wide\"><caption>eps: the "
+      "greatest error in "
       "units of 2^-23; eps kappa: the greatest error of the value itself, in units of 2^-23 times its condition number where "
       "that "
       "is above 1; not 0: values of inputs for which 0 is right.</caption>{}<tbody>\n",
-      escaped_html(backend.backend), first.size(), header_row(function_set_columns, 2));
+      escaped_html(backend.backend), first.size(), header_row(function_set_columns, 1));
   std::string set;
   for (const Json* row : rows) {
     if (row->at("set") != set) {
@@ -68,8 +69,8 @@ std::string hard_sets(const FunctionReport& report, const FunctionBackend& backe
                           row->at("points").dump());
     }
     const auto cells = function_set_cells(*row);
-    html += fmt::format("<tr><td>{}</td><th scope=\"row\">{}</th>", escaped_html(cells[0]), escaped_html(cells[1]));
-    for (size_t i = 2; i < cells.size(); ++i) html += fmt::format("<td class=\"num\">{}</td>", escaped_html(cells[i]));
+    html += fmt::format("<tr><th scope=\"row\">{}</th>", escaped_html(cells[0]));
+    for (size_t i = 1; i < cells.size(); ++i) html += fmt::format("<td class=\"num\">{}</td>", escaped_html(cells[i]));
     html += "</tr>\n";
   }
   return html + "</tbody></table></div></details>\n";

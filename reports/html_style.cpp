@@ -43,6 +43,7 @@ th, td {
 thead th { color: var(--soft); font-weight: 600; }
 table.wide { font-size: .85rem; }
 table.wide th, table.wide td { padding-right: .6rem; }
+table.wide caption { white-space: normal; max-width: 75rem; }
 table.wide thead th { white-space: normal; vertical-align: bottom; }
 .num { text-align: right; }
 .wrap { white-space: normal; min-width: 16rem; overflow-wrap: anywhere; }
