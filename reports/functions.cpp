@@ -52,11 +52,11 @@ bool on_the_map(const FunctionSummary& row) { return row.ns && row.error; }
 void compare(FunctionBackend& backend) {
   std::ranges::stable_sort(backend.variants, [](const auto& a, const auto& b) { return a.baseline > b.baseline; });
   const FunctionSummary& first = backend.variants.front();
-  const std::optional<Interval> baseline_ns = first.baseline ? first.ns : std::nullopt;
+  const double baseline_ns = first.baseline && first.ns ? first.ns->median : 0;
   for (FunctionSummary& row : backend.variants) {
     if (row.main_set && row.main_set->at("nonfinite") == 0)
       row.error = std::max(row.main_set->at("max_over").get<double>(), -row.main_set->at("max_under").get<double>());
-    if (row.ns && baseline_ns && baseline_ns->median > 0) row.ratio = row.ns->median / baseline_ns->median;
+    if (row.ns && baseline_ns > 0) row.ratio = row.ns->median / baseline_ns;
   }
   for (FunctionSummary& row : backend.variants)
     row.frontier = on_the_map(row) && std::ranges::none_of(backend.variants, [&](const FunctionSummary& other) {

@@ -52,7 +52,7 @@ Occluders::Occluders(const Scene& scene) {
                 fmt::format("cannot build its hierarchy (error {})", static_cast<int>(error)));
   handles_ = std::move(handles);
   hash_ = hash_hex(hashed);
-  default_bias_m_ = bias_of_radius * bounding_sphere(scene.objects).radius;
+  if (!hashed.empty()) default_bias_m_ = bias_of_radius * bounding_sphere(scene.objects).radius;
 }
 
 uint32_t Occluders::free_rays(glm::vec3 origin, const Packet& packet_rays, size_t count) const {

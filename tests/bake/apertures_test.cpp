@@ -166,7 +166,7 @@ TEST(Apertures, MapHasATexelsOwnPointOrTheNearest) {
   Bakes bakes(scene, DiskCache(""));
   const std::vector<Aperture> map = bakes.map(0, {}, 0);
   ASSERT_EQ(map.size(), 256u);
-  EXPECT_EQ(bakes.surface(0).points.size(), 120u) << "half a square, without its diagonal, by the rule for edges";
+  EXPECT_EQ(bakes.surface(0).points.size(), 136u) << "half a square with its diagonal, a left edge";
   EXPECT_LT(map[2 * 16 + 4].w, map[2 * 16 + 13].w) << "under the roof less is seen";
   EXPECT_EQ(map[15 * 16], map[15 * 16 + 0]);
   for (const Aperture& texel : map) EXPECT_GT(texel.w, 0) << "texels without a point have their neighbour's";

@@ -25,6 +25,7 @@ inline Object receiver() {
   constexpr float r = 1e-3f;
   Object object = object_of("receiver", {vertex_at({0, 0, 0}), vertex_at({0, 0, r}), vertex_at({r, 0, 0})}, {0, 1, 2});
   object.apertures.emplace();
+  object.apertures->bias_m = 1e-4f;
   return object;
 }
 
