@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <queue>
+#include <tuple>
 
 #include "harness/bake/apertures.h"
 
@@ -63,23 +65,67 @@ std::vector<Region> regions_of(const Visibility& visibility, size_t point, size_
   return regions;
 }
 
-// Puts `apertures` into the order in which they lie nearest to `beside`; those of radius 0 look where their partners do.
-void order_like(std::span<Aperture> apertures, std::span<const Aperture> beside) {
-  std::array<size_t, most_apertures> order{}, best{};
+using Order = std::array<size_t, most_apertures>;
+struct Match {
+  Order order{};      // which of the apertures goes to each place
+  double margin = 0;  // how much better than the next best order
+};
+
+// The order in which `apertures` lie nearest to `beside`. One that is hidden there (radius 0) is known by where it last was,
+// which counts for less.
+Match match(std::span<const Aperture> apertures, std::span<const Aperture> beside) {
+  Order order{};
   std::iota(order.begin(), order.begin() + apertures.size(), size_t{0});
-  double most = -1e9;
+  Match best;
+  double most = -1, next = -1;
   do {
     double score = 0;
     for (size_t i = 0; i < apertures.size(); ++i) {
       const Aperture &a = apertures[order[i]], &b = beside[i];
-      if (a.w > 0 && b.w > 0) score += std::min(a.w, b.w) * (1 + glm::dot(glm::vec3(a), glm::vec3(b)));
+      const double weight = b.w > 0 ? std::min(a.w, b.w) : 0.5f * a.w;
+      score += weight * (1 + glm::dot(glm::vec3(a), glm::vec3(b)));
     }
-    if (score > most) most = score, best = order;
+    if (score > most)
+      next = most, most = score, best.order = order;
+    else
+      next = std::max(next, score);
   } while (std::next_permutation(order.begin(), order.begin() + apertures.size()));
+  best.margin = most - next;
+  return best;
+}
+
+void reorder(std::span<Aperture> apertures, const Order& order, std::span<const Aperture> beside) {
   const std::vector<Aperture> old(apertures.begin(), apertures.end());
-  for (size_t i = 0; i < apertures.size(); ++i) {
-    apertures[i] = old[best[i]];
-    if (apertures[i].w == 0) apertures[i] = Aperture(glm::vec3(beside[i]), 0);
+  for (size_t i = 0; i < apertures.size(); ++i)
+    apertures[i] = old[order[i]].w > 0 ? old[order[i]] : Aperture(glm::vec3(beside[i]), 0);
+}
+
+// Walks over the surface, always along the step whose match is the clearest (Prim, "Shortest Connection Networks and Some
+// Generalizations", 1957, for the greatest tree), so that doubtful places divide nobody but themselves.
+void match_neighbours(std::vector<Aperture>& apertures, const SurfacePoints& surface, size_t count) {
+  struct Step {
+    double margin;
+    uint32_t from, to;
+    bool operator<(const Step& other) const { return std::tie(margin, other.to) < std::tie(other.margin, to); }
+  };
+  const auto of = [&](uint32_t point) { return std::span<Aperture>(&apertures[point * count], count); };
+  std::vector<bool> reached(surface.points.size(), false);
+  std::priority_queue<Step> steps;
+  const auto reach = [&](uint32_t point) {
+    reached[point] = true;
+    for (const uint32_t other : surface.neighbours[point])
+      if (!reached[other]) steps.push({match(of(other), of(point)).margin, point, other});
+  };
+  for (uint32_t start = 0; start < surface.points.size(); ++start) {
+    if (reached[start]) continue;
+    reach(start);
+    while (!steps.empty()) {
+      const Step step = steps.top();
+      steps.pop();
+      if (reached[step.to]) continue;
+      reorder(of(step.to), match(of(step.to), of(step.from)).order, of(step.from));
+      reach(step.to);
+    }
   }
 }
 
@@ -101,21 +147,7 @@ std::vector<Aperture> region_apertures(const Visibility& visibility, const Surfa
       apertures[point * count + i] = Aperture(along, static_cast<float>(cap_radius(2 * std::numbers::pi * share)));
     }
   });
-  if (count == 1) return apertures;
-  std::vector<bool> reached(visibility.points(), false);
-  std::vector<uint32_t> front;
-  for (uint32_t start = 0; start < visibility.points(); ++start) {
-    if (reached[start]) continue;
-    reached[start] = true;
-    front = {start};
-    for (size_t next = 0; next < front.size(); ++next)
-      for (const uint32_t other : surface.neighbours[front[next]]) {
-        if (reached[other]) continue;
-        reached[other] = true;
-        front.push_back(other);
-        order_like({&apertures[other * count], count}, {&apertures[front[next] * count], count});
-      }
-  }
+  if (count > 1) match_neighbours(apertures, surface, count);
   return apertures;
 }
 
