@@ -37,7 +37,8 @@ class EachBackend : public testing::TestWithParam<std::string_view> {
   Image picture(const Scene& scene, std::string_view name, uint32_t size = 64, Build build = Build::timed) {
     const Plan plan = make_plan(library(), scene);
     ShaderCache shaders(backend_->info().api, library().shaders);
-    SceneResources resources(*backend_, scene, size, size);
+    Bakes bakes(scene, DiskCache(""));
+    SceneResources resources(*backend_, scene, size, size, &bakes);
     const Graph graph = make_graph(plan, configuration_with(plan, variant(name)), scene, shaders);
     Frame frame(resources, graph, build);
     frame.run_once(Timing::off);

@@ -5,7 +5,9 @@
 
 #include "harness/measure/rounds.h"
 #include "harness/quality/quality.h"
+#include "harness/scene/textures.h"
 #include "harness/truth/direct_light.h"
+#include "tests/bake/made_scenes.h"
 #include "tests/graph/each_backend.h"
 
 namespace lamina {
@@ -17,28 +19,35 @@ class ApertureScenes : public EachBackend {
     Image device, exact, traced_share;
     Mask covered;
   };
-  // View 0 by exact_cap; and by the models, over the covered pixels.
-  Pictures pictures(const std::string& name, uint32_t size) {
+  // Few rays for the large scenes: enough to be lit unevenly.
+  static Scene small(const std::string& name) {
     Scene scene = load_scene(name);
     for (Object& object : scene.objects)
-      if (object.mesh.vertices.size() > 5000) object.apertures->rays = 64;  // enough to be lit unevenly
+      if (object.mesh.vertices.size() > 5000) object.apertures->rays = 64;
+    return scene;
+  }
+  // View 0 by a variant with passes for the truth; and by the models, over the covered pixels.
+  Pictures pictures(const Scene& scene, Bakes& bakes, bool traced, const std::string& name = "exact_cap") {
+    constexpr uint32_t size = 64;
     const Plan plan = make_plan(library(), scene);
     ShaderCache shaders(backend_->info().api, library().shaders);
-    Bakes bakes(scene, DiskCache(""));
     SceneResources resources(*backend_, scene, size, size, &bakes);
-    const Configuration configuration = configuration_with(plan, variant("exact_cap"));
+    const Configuration configuration = configuration_with(plan, variant(name));
     const Graph graph = make_graph(plan, configuration, scene, shaders),
                 truth = make_graph(plan, configuration, scene, shaders, Purpose::truth);
     Frame frame(resources, graph, Build::timed), told(resources, truth, Build::timed);
     frame.run(0, Timing::off);
     told.run(0, Timing::off);
-    const ShadingPoints points = shading_points(told.target("seen_point"), told.target("seen_normal"),
-                                                told.target("seen_albedo"), {told.target("seen_aperture_0")}, {});
+    const ApertureKind kind = *variant(name).apertures;
+    std::vector<Image> apertures;
+    for (uint32_t i = 0; i < kind.count; ++i) apertures.push_back(told.target(fmt::format("seen_aperture_{}", i)));
+    const ShadingPoints points =
+        shading_points(told.target("seen_point"), told.target("seen_normal"), told.target("seen_albedo"), apertures, kind);
     EXPECT_GT(points.points.size(), size * size / 4) << "the view shows little of the effect";
     Pictures made{frame.picture(), frame.picture(), frame.picture(), {points.width, points.height, {}}};
     made.covered.on.assign(made.device.rgba.size() / 4, 0);
     const auto light = [&](LightModel model, Image& into) {
-      const auto lit = direct_light(points, scene, bakes.occluders(), model, {400, 400, 1, bakes.occluders().default_bias_m()},
+      const auto lit = direct_light(points, scene, bakes.occluders(), model, {200, 200, 1, bakes.occluders().default_bias_m()},
                                     [](double) {});
       for (size_t i = 0; i < lit.size(); ++i) {
         made.covered.on[points.points[i].pixel] = 1;
@@ -46,7 +55,7 @@ class ApertureScenes : public EachBackend {
       }
     };
     light(LightModel::exact_intersection, made.exact);
-    light(LightModel::traced_share, made.traced_share);
+    if (traced) light(LightModel::traced_share, made.traced_share);
     return made;
   }
   static double psnr(const Image& a, const Image& b, const Mask& mask) { return psnr_db(to_display(a), to_display(b), &mask); }
@@ -54,20 +63,74 @@ class ApertureScenes : public EachBackend {
 
 TEST_P(ApertureScenes, ExactCapIsTheDoubleForm) {
   for (const std::string name : {"sphere_over_plane", "two_windows"}) {
-    const Pictures made = pictures(name, 64);
-    EXPECT_EQ(nonfinite_pixels(made.device), 0u);
-    EXPECT_GE(psnr(made.device, made.exact, made.covered), 55) << name;
+    const Scene scene = small(name);
+    Bakes bakes(scene, DiskCache(""));
+    for (const std::string told : {"exact_cap", "two_apertures", "four_apertures", "anti_aperture"}) {
+      const Pictures made = pictures(scene, bakes, false, told);
+      EXPECT_EQ(nonfinite_pixels(made.device), 0u);
+      EXPECT_GE(psnr(made.device, made.exact, made.covered), 55) << name << " " << told;
+    }
   }
 }
 
+TEST_P(ApertureScenes, MapsAndPointLightsAreTheDoubleFormToo) {
+  Scene scene = load_scene("conical_pit");
+  scene.objects[0].apertures->map_texels = 64;
+  Light lamp;
+  lamp.kind = Light::Kind::point;
+  lamp.position = scene.objects[0].mesh.vertices[0].position + glm::vec3(0.45f, 0.4f, 0);  // cut by the rim
+  lamp.radius_m = 0.2f;
+  lamp.radiance = glm::vec3(0.1f);
+  scene.lights.push_back(lamp);
+  Bakes bakes(scene, DiskCache(""));
+  const Pictures made = pictures(scene, bakes, false);
+  EXPECT_GE(psnr(made.device, made.exact, made.covered), 55);
+}
+
 TEST_P(ApertureScenes, OpenPlaneAgreesWithTracedVisibility) {
-  const Pictures made = pictures("open_plane", 64);
+  const Scene scene = load_scene("open_plane");
+  Bakes bakes(scene, DiskCache(""));
+  const Pictures made = pictures(scene, bakes, true);
   EXPECT_GE(psnr(made.device, made.traced_share, made.covered), 40);
 }
 
 TEST_P(ApertureScenes, ConicalPitAgreesWithTracedVisibility) {
-  const Pictures made = pictures("conical_pit", 64);
+  const Scene scene = load_scene("conical_pit");
+  Bakes bakes(scene, DiskCache(""));
+  const Pictures made = pictures(scene, bakes, true);
   EXPECT_GE(psnr(made.device, made.traced_share, made.covered), 40);
+}
+
+// Normals without length, triangles without area, vertices that nothing uses; lights that are points, hemispheres, below the
+// horizon, around the eye of a point.
+TEST_P(ApertureScenes, EveryVariantIsFiniteWhateverTheMeshAndLights) {
+  Scene scene = scene_of({quad("floor", {-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}), ring("lid", 0, 0.5f, 0.5f, 0.5f, 16)});
+  for (Object& object : scene.objects) {
+    object.apertures.emplace();
+    object.albedo = constant_texture("white", glm::vec4(1), TexelMeaning::colour);
+  }
+  Mesh& mesh = scene.objects[0].mesh;
+  for (Vertex& vertex : mesh.vertices) vertex.normal = glm::vec3(0);
+  mesh.vertices.push_back(vertex_at({9, 9, 9}, {0, 0, 0}));
+  mesh.indices.insert(mesh.indices.end(), {1, 1, 1, 0, 1, 1});
+  for (const glm::vec3 direction : {glm::vec3(0, -1, 0), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0)})
+    for (const float radius : {0.0f, std::numbers::pi_v<float> / 2}) {
+      Light light;
+      light.direction = direction;
+      light.angular_radius = radius;
+      scene.lights.push_back(light);
+    }
+  Light around;
+  around.kind = Light::Kind::point;
+  around.radius_m = 0.3f;
+  scene.lights.push_back(around);
+  scene.ambient = glm::vec3(0.2f);
+  scene.views = {{"above", {0, 2, 1}, {0, 0, 0}, {0, 1, 0}, 60, 0.1f, 10}};
+  for (const uint32_t map_texels : {0u, 16u}) {
+    scene.objects[0].apertures->map_texels = map_texels;
+    for (const VariantManifest& candidate : library().effect("aperture_lighting").variants)
+      EXPECT_EQ(nonfinite_pixels(picture(scene, candidate.name, 32)), 0u) << candidate.name << " " << map_texels;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, ApertureScenes, backend_parameters, backend_test_name);
