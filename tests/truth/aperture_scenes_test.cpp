@@ -80,7 +80,7 @@ TEST_P(ApertureScenes, MapsAndPointLightsAreTheDoubleFormToo) {
   lamp.kind = Light::Kind::point;
   lamp.position = scene.objects[0].mesh.vertices[0].position + glm::vec3(0.45f, 0.4f, 0);  // cut by the rim
   lamp.radius_m = 0.2f;
-  lamp.radiance = glm::vec3(0.1f);
+  lamp.radiance = glm::vec3(0.5f);
   scene.lights.push_back(lamp);
   Bakes bakes(scene, DiskCache(""));
   const Pictures made = pictures(scene, bakes, false);
