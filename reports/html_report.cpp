@@ -146,6 +146,8 @@ std::string html_report(const Record& record) {
   for (const Headline& headline : headlines(rows))
     html += fmt::format("<li><strong>{}</strong> {}</li>\n", escaped_html(headline.variant), escaped_html(headline.words));
   html += "</ul>\n" + (rows.empty() ? "" : summary_table(rows));
+  const std::string functions = html_functions(record);
+  html += html_assumptions(record) + functions;
   if (!record.cells.empty())
     html +=
         "<h2>Pictures</h2>\n<p class=\"note\">Click a variant's picture to see the baseline in its place, or press the key b "
@@ -153,10 +155,8 @@ std::string html_report(const Record& record) {
         "so for all. Differences are of the display values. In the strips, each dot is one round's frame time, the first round "
         "at "
         "the bottom.</p>\n" +
-        html_gallery(record) + html_assumptions(record) + "<h2>Passes</h2>\n" + passes_table(summarize_passes(record));
+        html_gallery(record) + "<h2>Passes</h2>\n" + passes_table(summarize_passes(record));
   if (const auto baked = bake_lines(record); !baked.empty()) html += "<h2>What is done once</h2>\n" + list(baked);
-  const std::string functions = html_functions(record);
-  html += functions;
   if (const auto plan = plan_lines(record); !plan.empty()) html += "<h2>What the scene calls for</h2>\n" + list(plan);
   html += failures_section(record) + timer_section(record) + run_section(record);
   html += fmt::format("</main>\n<script>{}</script>\n", html_script);
