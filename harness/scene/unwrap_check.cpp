@@ -62,8 +62,9 @@ void settle_unwrap(Object& object, std::vector<std::string>& warnings) {
   object.unwrap_problem = unwrap_problem(object.mesh);
   if (!object.unwrap_problem.empty()) return;
   if (const double overlap = overlap_fraction(object.mesh); overlap > worrying_overlap)
-    warnings.push_back(fmt::format("{:.1f}% of {}'s texture is used twice; the light map shows one of the lights there.",
-                                   100 * overlap, object.name));
+    warnings.push_back(
+        fmt::format("{:.1f}% of {}'s texture is used twice; a light map or aperture map holds what is true of one use.",
+                    100 * overlap, object.name));
 }
 
 }  // namespace lamina
