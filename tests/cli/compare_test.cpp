@@ -165,5 +165,40 @@ TEST_F(Compare, HelmetRendersWhereItIsThere) {
       EXPECT_EQ(pass.at("once"), pass.at("name") != "composite") << "nothing moves: one light map";
 }
 
+// On an open plane the aperture is right and so is its intersection; what costs is the cosine at the middle: the sun stands 50
+// degrees from the zenith, and the middle 25.
+TEST_F(Compare, OpenPlaneIsHeldToItsTruth) {
+  const std::string arguments =
+      "open_plane --backend vulkan --variant smoothstep_cap --truth-rays 64 --cache " + (folder_ / "cache").string();
+  compare(arguments);
+  const Record first = record();
+  ASSERT_EQ(first.bakes.size(), 1u);
+  EXPECT_FALSE(first.bakes[0].at("from_cache"));
+  ASSERT_FALSE(first.cells.empty());
+  for (const Json& cell : first.cells) {
+    ASSERT_EQ(cell.at("status"), "ok") << cell.at("reason");
+    ASSERT_EQ(cell.at("assumptions").size(), 3u);
+    std::map<std::string, double> psnr_db;
+    for (const Json& entry : cell.at("assumptions")) {
+      const Json& figure = entry.at("error").at("psnr_db");
+      psnr_db[entry.at("name")] = figure.is_null() ? 100 : figure.get<double>();  // null: identical
+    }
+    EXPECT_GE(psnr_db.at("aperture"), 40);
+    EXPECT_GE(psnr_db.at("intersection"), 55);
+    EXPECT_LE(psnr_db.at("cosine"), 30);
+    EXPECT_NEAR(cell.at("error").at("truth").at("psnr_db").get<double>(), psnr_db.at("cosine"), 2);
+    EXPECT_TRUE(std::filesystem::exists(out() / cell.at("truth_image").get<std::string>()));
+  }
+  // A second run casts no ray and says the same.
+  compare(arguments);
+  const Record second = record();
+  EXPECT_TRUE(second.bakes.at(0).at("from_cache"));
+  ASSERT_EQ(second.cells.size(), first.cells.size());
+  for (size_t i = 0; i < first.cells.size(); ++i) {
+    EXPECT_EQ(second.cells[i].at("image_hash"), first.cells[i].at("image_hash"));
+    EXPECT_EQ(second.cells[i].at("error"), first.cells[i].at("error"));
+  }
+}
+
 }  // namespace
 }  // namespace lamina
