@@ -76,7 +76,12 @@ std::vector<glm::vec3> TruthRun::light(const ShadingPoints& points, LightModel m
 }
 
 TruthRun::Lit& TruthRun::lit(const VariantManifest& told, size_t view, const std::function<void(double)>& progress) {
-  const auto [entry, is_new] = lit_.try_emplace({&told, view});
+  if (view != view_) {
+    view_ = view;
+    lit_.clear();
+    traced_.clear();
+  }
+  const auto [entry, is_new] = lit_.try_emplace(&told);
   Lit& made = entry->second;
   if (!is_new) return made;
   if (!frames_[&told]) {
@@ -91,13 +96,14 @@ TruthRun::Lit& TruthRun::lit(const VariantManifest& told, size_t view, const std
   for (uint32_t i = 0; i < told.apertures->count; ++i) apertures.push_back(frame.target(fmt::format("seen_aperture_{}", i)));
   made.points = shading_points(frame.target("seen_point"), frame.target("seen_normal"), frame.target("seen_albedo"), apertures,
                                *told.apertures);
-  // Rays do not ask for apertures, so every kind shares them.
-  ShadingPoints without = made.points;
-  without.apertures.clear();
-  without.kind = {0, false};
-  made.light[LightModel::exact_intersection] = light(made.points, LightModel::exact_intersection, [](double) {});
-  made.light[LightModel::integrated_cosine] = light(made.points, LightModel::integrated_cosine, [](double) {});
-  made.light[LightModel::traced] = light(without, LightModel::traced, progress);
+  made.exact = light(made.points, LightModel::exact_intersection, [](double) {});
+  made.integrated = light(made.points, LightModel::integrated_cosine, [](double) {});
+  if (traced_.size() != made.points.points.size()) {
+    ShadingPoints without = made.points;  // rays do not ask for apertures
+    without.apertures.clear();
+    without.kind = {0, false};
+    traced_ = light(without, LightModel::traced, progress);
+  }
   return made;
 }
 
@@ -108,8 +114,8 @@ void TruthRun::score(const VariantManifest& variant, size_t view, const Image& p
   Lit& with = lit(*told, view, progress);
   if (with.points.points.empty()) return;
   const Mask covered = covered_by(with.points);
-  const auto lit_by = [&](LightModel model) { return with_light(picture, with.points, with.light.at(model)); };
-  const Image exact = lit_by(LightModel::exact_intersection), traced = lit_by(LightModel::traced);
+  const auto lit_by = [&](const std::vector<glm::vec3>& light) { return with_light(picture, with.points, light); };
+  const Image exact = lit_by(with.exact), traced = lit_by(traced_);
   const auto assumption = [&](const std::string& name, const std::string& title, const Image& made, const Image& without) {
     const DisplayImage difference = difference_picture(to_display(made), to_display(without), difference_gain);
     return AssumptionRow{name, title, measure_error(made, without, covered).covered, write("-" + name, difference)};
@@ -117,7 +123,7 @@ void TruthRun::score(const VariantManifest& variant, size_t view, const Image& p
   row.error_truth = measure_error(picture, traced, covered).covered;
   row.assumptions = {assumption("intersection", "this intersection against the exact one", picture, exact)};
   if (with.shared.empty()) {
-    const Image integrated = lit_by(LightModel::integrated_cosine);
+    const Image integrated = lit_by(with.integrated);
     with.shared = {assumption("cosine", "the cosine at the middle against the cosine integrated", exact, integrated),
                    assumption("aperture", "circular apertures against traced visibility", integrated, traced)};
     with.image = write("-truth", to_display(traced));

@@ -28,10 +28,10 @@ class TruthRun {
              const std::function<void(double)>& progress);
 
  private:
-  // Light on the covered pixels, in the points' order.
+  // What a view shows by one kind of apertures, and its light by the models that ask for them, in the points' order.
   struct Lit {
     ShadingPoints points;
-    std::map<LightModel, std::vector<glm::vec3>> light;
+    std::vector<glm::vec3> exact, integrated;
     std::vector<AssumptionRow> shared;  // the assumptions that all variants with the same apertures make alike
     std::string image;
   };
@@ -47,7 +47,10 @@ class TruthRun {
   const CompareOptions& options_;
   std::map<const VariantManifest*, std::unique_ptr<Graph>> graphs_;
   std::map<const VariantManifest*, std::unique_ptr<Frame>> frames_;
-  std::map<std::pair<const VariantManifest*, size_t>, Lit> lit_;
+  // Of one view at a time: by kind of apertures; and traced, which is the same for all.
+  size_t view_ = 0;
+  std::map<const VariantManifest*, Lit> lit_;
+  std::vector<glm::vec3> traced_;
 };
 
 }  // namespace lamina
