@@ -69,7 +69,7 @@ TEST_F(Stress, AddsToTheRecordAndReportThatAreThere) {
 TEST_F(Stress, ARecordThatCannotBeReadIsRefusedBeforeTheWorkAndKept) {
   std::filesystem::create_directories(folder_ / "out");
   write("out/record.jsonl", "not a record\n");
-  const Outcome outcome = stress("caps --count 10000000");
+  const Outcome outcome = stress("caps --count 4000000");
   EXPECT_EQ(outcome.status, 2) << outcome.output;
   EXPECT_SAYS(outcome.output, "record.jsonl:1");
   EXPECT_EQ(content("out/record.jsonl"), "not a record\n");
