@@ -13,17 +13,6 @@ namespace {
 
 constexpr glm::vec3 somewhere = {0, 1, 0};  // the direction of a point without a normal
 
-// The cap of `rays` directions whose sum is `sum` (tangent space of the point).
-Aperture cap_of(const Visibility& visibility, size_t point, size_t rays, glm::dvec3 sum) {
-  const glm::vec3 normal = visibility.point(point).normal;
-  if (rays == 0) return Aperture(normal == glm::vec3(0) ? somewhere : normal, 0);
-  const double length = glm::length(sum);
-  // Directions all around cancel: then the normal is as good as any.
-  const glm::vec3 direction = length > 1e-6 ? glm::normalize(visibility.frame(point) * glm::vec3(sum / length)) : normal;
-  const double share = static_cast<double>(rays) / static_cast<double>(visibility.rays());
-  return Aperture(direction, static_cast<float>(cap_radius(2 * std::numbers::pi * share)));
-}
-
 template <class Cap>
 std::vector<Aperture> one_a_point(const Visibility& visibility, Cap&& cap) {
   std::vector<Aperture> apertures(visibility.points());
@@ -41,12 +30,22 @@ Aperture cap_where(const Visibility& visibility, size_t point, bool visible) {
     sum += glm::dvec3(visibility.directions()[ray]);
     ++rays;
   }
-  return cap_of(visibility, point, rays, sum);
+  return aperture_of_rays(visibility, point, rays, sum);
 }
 
 }  // namespace
 
 double cap_radius(double area) { return 2 * std::asin(std::min(1.0, std::sqrt(std::max(area, 0.0) / (4 * std::numbers::pi)))); }
+
+Aperture aperture_of_rays(const Visibility& visibility, size_t point, size_t rays, glm::dvec3 sum) {
+  const glm::vec3 normal = visibility.point(point).normal;
+  if (rays == 0) return Aperture(normal == glm::vec3(0) ? somewhere : normal, 0);
+  const double length = glm::length(sum);
+  // Directions all around cancel: then the normal is as good as any.
+  const glm::vec3 direction = length > 1e-6 ? glm::normalize(visibility.frame(point) * glm::vec3(sum / length)) : normal;
+  const double share = static_cast<double>(rays) / static_cast<double>(visibility.rays());
+  return Aperture(direction, static_cast<float>(cap_radius(2 * std::numbers::pi * share)));
+}
 
 std::vector<Aperture> single_apertures(const Visibility& visibility) {
   return one_a_point(visibility, [&](size_t point) { return cap_where(visibility, point, true); });

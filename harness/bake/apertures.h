@@ -17,6 +17,10 @@ using Aperture = glm::vec4;
 // The radius of a cap of this area in steradians: arc cosine of 1 - area / 2 pi, in a form that keeps small areas.
 double cap_radius(double area);
 
+// The aperture of a point by `rays` of its directions, whose sum is `sum` in the space of Visibility::directions(). Without
+// rays it has radius 0 and looks along the point's normal.
+Aperture aperture_of_rays(const Visibility& visibility, size_t point, size_t rays, glm::dvec3 sum);
+
 // One for each point. A point that sees nothing has radius 0 and looks along its normal.
 std::vector<Aperture> single_apertures(const Visibility& visibility);
 

@@ -135,17 +135,11 @@ std::vector<Aperture> region_apertures(const Visibility& visibility, const Surfa
   const std::vector<std::vector<uint32_t>> touching = touching_directions(visibility.directions());
   std::vector<Aperture> apertures(visibility.points() * count);
   tbb::parallel_for(size_t{0}, visibility.points(), [&](size_t point) {
-    const SurfacePoint& at = visibility.point(point);
-    const glm::vec3 otherwise = at.normal == glm::vec3(0) ? glm::vec3(0, 1, 0) : at.normal;
-    for (size_t i = 0; i < count; ++i) apertures[point * count + i] = Aperture(otherwise, 0);
-    if (at.normal == glm::vec3(0)) return;
+    for (size_t i = 0; i < count; ++i) apertures[point * count + i] = aperture_of_rays(visibility, point, 0, glm::dvec3(0));
+    if (visibility.point(point).normal == glm::vec3(0)) return;
     const std::vector<Region> regions = regions_of(visibility, point, count, touching);
-    for (size_t i = 0; i < regions.size(); ++i) {
-      const double length = glm::length(regions[i].sum), share = double(regions[i].rays) / double(visibility.rays());
-      const glm::vec3 along =
-          length > 1e-6 ? glm::normalize(visibility.frame(point) * glm::vec3(regions[i].sum / length)) : at.normal;
-      apertures[point * count + i] = Aperture(along, static_cast<float>(cap_radius(2 * std::numbers::pi * share)));
-    }
+    for (size_t i = 0; i < regions.size(); ++i)
+      apertures[point * count + i] = aperture_of_rays(visibility, point, regions[i].rays, regions[i].sum);
   });
   if (count > 1) match_neighbours(apertures, surface, count);
   return apertures;

@@ -29,11 +29,9 @@ class Visibility {
   const SurfacePoint& point(size_t i) const { return points_[i]; }
   // World from the space of directions(), for a point that has a normal.
   glm::mat3 frame(size_t point) const { return turned_frame(points_[point].normal, seed_, point); }
-  bool sees(size_t point, size_t ray) const { return (bits(point)[ray / 64] >> (ray % 64)) & 1; }
-  // Of a point: ceil(rays / 64) words, unused bits 0.
-  std::span<const uint64_t> bits(size_t point) const { return {&bits_[point * words_], words_}; }
+  bool sees(size_t point, size_t ray) const { return (bits_[point * words_ + ray / 64] >> (ray % 64)) & 1; }
 
-  // All points' bits, as they are kept on disk.
+  // All points' bits, as they are kept on disk: ceil(rays / 64) words a point, unused bits 0.
   std::span<uint64_t> all_bits() { return bits_; }
 
  private:

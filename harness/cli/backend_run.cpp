@@ -13,11 +13,6 @@ namespace {
 
 constexpr size_t once_repetitions = 6;  // enough for an interval
 
-bool chosen(const VariantManifest& variant, const CompareOptions& options) {
-  if (variant.baseline || options.variants.empty()) return true;
-  return std::find(options.variants.begin(), options.variants.end(), variant.name) != options.variants.end();
-}
-
 // The double that is written as shortly as this float: 10.24, not 10.239999771118164.
 double decimal(float value) { return std::stod(fmt::format("{}", value)); }
 
@@ -107,7 +102,7 @@ BackendRun::BackendRun(Backend& backend, SceneResources& resources, const Plan& 
       images_(images),
       truth_(resources, plan, effect, shaders, bakes, options) {
   for (const VariantManifest& manifest : effect.variants) {
-    if (!chosen(manifest, options)) continue;
+    if (!is_compared(manifest, options)) continue;
     Variant& variant = variants_.emplace_back();
     variant.manifest = &manifest;
     for (const View& view : resources.scene().views)
@@ -282,7 +277,7 @@ std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene,
                                  const CompareOptions& options, const std::string& reason) {
   std::vector<CellRow> rows;
   for (const VariantManifest& variant : effect.variants) {
-    if (!chosen(variant, options)) continue;
+    if (!is_compared(variant, options)) continue;
     for (const View& view : scene.views) fail(rows.emplace_back(blank_row(backend, "", scene, view, variant, options)), reason);
   }
   return rows;

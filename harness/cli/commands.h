@@ -60,6 +60,9 @@ int run_plan(const SceneOptions& options);
 int run_list(const SceneOptions& options);
 int run_report(const std::vector<std::filesystem::path>& records);
 
+// Whether the options ask for this variant; a baseline is always compared.
+bool is_compared(const VariantManifest& variant, const CompareOptions& options);
+
 // The folder that holds variants/ and shaders/: LAMINA_HOME in the environment, else the source folder of this build.
 std::filesystem::path home_folder();
 Library load_library_for(const SceneOptions& options);

@@ -10,6 +10,11 @@
 
 namespace lamina {
 
+bool is_compared(const VariantManifest& variant, const CompareOptions& options) {
+  if (variant.baseline || options.variants.empty()) return true;
+  return std::find(options.variants.begin(), options.variants.end(), variant.name) != options.variants.end();
+}
+
 std::filesystem::path home_folder() {
   const char* home = std::getenv("LAMINA_HOME");
   return home && *home ? home : LAMINA_SOURCE_DIR;

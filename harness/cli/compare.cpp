@@ -74,12 +74,12 @@ void append_row(RecordWriter& record, const CellRow& row) {
 
 // Casts the rays, or reads them, for everything that variants of these effects want. What cannot be baked fails again, with its
 // reason, for the variants that want it.
-void bake(const Plan& plan, const std::vector<const EffectManifest*>& effects, const Scene& scene, Bakes& bakes,
-          RecordWriter& record) {
+void bake(const Plan& plan, const std::vector<const EffectManifest*>& effects, const Scene& scene,
+          const CompareOptions& options, Bakes& bakes, RecordWriter& record) {
   for (const EffectManifest* effect : effects)
     for (const VariantManifest& variant : effect->variants)
       for (const size_t object : plan.of(effect->name)->objects) {
-        if (!variant.apertures) continue;
+        if (!variant.apertures || !is_compared(variant, options)) continue;
         const size_t known = bakes.stats().size();
         try {
           bakes.apertures(object, *variant.apertures);
@@ -156,7 +156,7 @@ int run_compare(const CompareOptions& options) {
   Progress baking("baking");
   Bakes bakes(scene, DiskCache(options.cache),
               [&](double fraction, const std::string& object) { baking.show(fraction, "apertures of " + object); });
-  bake(plan, effects, scene, bakes, record);
+  bake(plan, effects, scene, options, bakes, record);
 
   size_t messages = 0;
   for (const OpenedBackend& backend : backends) {

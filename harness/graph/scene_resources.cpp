@@ -34,7 +34,6 @@ SceneResources::~SceneResources() {
     for (const BufferId id : {mesh.vertices, mesh.indices, mesh.uniforms}) backend_.destroy(id);
   for (const BufferId id : views_) backend_.destroy(id);
   for (const auto& [image, id] : textures_) backend_.destroy(id);
-  if (cap_table_) backend_.destroy(cap_table_);
   for (const auto& [key, id] : vertex_apertures_) backend_.destroy(id);
   for (const auto& [key, id] : aperture_maps_) backend_.destroy(id);
 }
@@ -79,12 +78,8 @@ TextureId SceneResources::aperture_map(size_t object, ApertureKind kind, uint32_
 }
 
 TextureId SceneResources::cap_table() {
-  if (!cap_table_) {
-    const TextureImage table = make_cap_table();
-    const TextureDesc desc{table.name, table.width, table.height, 1, table.format, false, false, table.depth};
-    cap_table_ = backend_.create_texture(desc, table.levels);
-  }
-  return cap_table_;
+  if (!cap_table_) cap_table_ = std::make_shared<const TextureImage>(make_cap_table());
+  return texture(cap_table_);
 }
 
 }  // namespace lamina

@@ -50,7 +50,7 @@ class SceneResources {
   std::vector<MeshBuffers> meshes_;
   std::vector<BufferId> views_;
   std::map<std::shared_ptr<const TextureImage>, TextureId> textures_;
-  TextureId cap_table_;
+  std::shared_ptr<const TextureImage> cap_table_;  // made at its first use
   std::map<std::pair<size_t, ApertureKind>, BufferId> vertex_apertures_;
   std::map<std::tuple<size_t, ApertureKind, uint32_t>, TextureId> aperture_maps_;
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "harness/scene/coloured_object.h"
+#include "harness/scene/directional_light.h"
 #include "harness/scene/height_field.h"
 
 namespace lamina {
@@ -52,14 +53,10 @@ Scene make_conical_pit() {
   scene.objects.push_back(coloured_object("floor", disc(floor), {0.5f, 0.5f, 0.5f}, true));
   scene.objects.push_back(
       coloured_object("cone", rings(cone, depth / (pit_radius_m - pit_floor_radius_m)), {0.3f, 0.3f, 0.3f}, false));
-  Light sun;
-  sun.name = "sun";
   // From 35 to 55 degrees off the zenith: a good quarter of it is behind the rim.
   const float from_zenith = glm::radians(45.0f);
-  sun.direction = -glm::vec3(std::sin(from_zenith), std::cos(from_zenith), 0);
-  sun.radiance = glm::vec3(1);
-  sun.angular_radius = glm::radians(10.0f);
-  scene.lights.push_back(sun);
+  scene.lights.push_back(
+      directional_light("sun", {std::sin(from_zenith), std::cos(from_zenith), 0}, glm::vec3(1), glm::radians(10.0f)));
   scene.ambient = {0.2f, 0.2f, 0.2f};
   scene.background = {0.1f, 0.1f, 0.1f};
   scene.views = {{"floor", {0, 0.16f, 0}, {0, 0, 0}, {0, 0, -1}, 34, 0.02f, 4},

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "harness/core/error.h"
+#include "harness/scene/directional_light.h"
 #include "harness/scene/heart_mesh.h"
 #include "harness/scene/heart_textures.h"
 #include "harness/scene/seen_transparency.h"
@@ -30,14 +31,6 @@ double smooth(double from, double to, double x) {
 float contraction(double time_s) {
   const double beats = time_s / beat_period_s, phase = beats - std::floor(beats);
   return static_cast<float>(smooth(0.10, 0.28, phase) - smooth(0.40, 0.70, phase));
-}
-
-Light directional(std::string name, glm::vec3 from, glm::vec3 radiance) {
-  Light light;
-  light.name = std::move(name);
-  light.direction = -glm::normalize(from);
-  light.radiance = radiance;
-  return light;
 }
 
 }  // namespace
@@ -68,8 +61,8 @@ Scene make_heart(const HeartOptions& options) {
   scene.name = scene.source = "heart";
   scene.time_s = options.time_s;
   scene.objects.push_back(std::move(object));
-  scene.lights.push_back(directional("key", {-0.55f, 0.75f, 0.85f}, {1.55f, 1.42f, 1.28f}));
-  scene.lights.push_back(directional("fill", {0.95f, -0.10f, 0.55f}, {0.26f, 0.33f, 0.44f}));
+  scene.lights.push_back(directional_light("key", glm::normalize(glm::vec3(-0.55f, 0.75f, 0.85f)), {1.55f, 1.42f, 1.28f}));
+  scene.lights.push_back(directional_light("fill", glm::normalize(glm::vec3(0.95f, -0.10f, 0.55f)), {0.26f, 0.33f, 0.44f}));
   Light rim;
   rim.name = "rim";
   rim.kind = Light::Kind::point;

@@ -15,4 +15,13 @@ Vertex height_vertex(glm::vec3 position, glm::vec2 slope, glm::vec2 uv);
 // valleys stay whole.
 void add_grid_triangles(Mesh& mesh, uint32_t first, uint32_t columns, uint32_t rows);
 
+// A grid whole: vertex_at(column, row), row by row, and its triangles.
+template <class VertexAt>
+void add_grid(Mesh& mesh, uint32_t columns, uint32_t rows, const VertexAt& vertex_at) {
+  const auto first = static_cast<uint32_t>(mesh.vertices.size());
+  for (uint32_t row = 0; row < rows; ++row)
+    for (uint32_t column = 0; column < columns; ++column) mesh.vertices.push_back(vertex_at(column, row));
+  add_grid_triangles(mesh, first, columns, rows);
+}
+
 }  // namespace lamina

@@ -40,12 +40,12 @@ struct LayeredMaterial {
   float max_transparency = 1;  // the greatest transparency of any texel of outer_albedo that the mesh shows
 };
 
-// How the visibility of an object's points is baked into apertures (Oat and Sander, "Ambient Aperture Lighting"). The object must
-// not move or change its shape.
+// How the visibility of an object's points is baked into apertures (Oat and Sander, "Ambient Aperture Lighting"). The object
+// must not move or change its shape.
 struct ApertureBake {
   enum class Baker : uint8_t { rays, spherical_harmonics } baker = Baker::rays;
-  uint32_t map_texels = 0;      // side of the map over the object's unwrap; 0: a point is a vertex
-  uint32_t rays = 1024;         // a point
+  uint32_t map_texels = 0;  // side of the map over the object's unwrap; 0: a point is a vertex
+  uint32_t rays = 1024;     // a point
   uint64_t seed = 1;
   std::optional<float> bias_m;  // how far rays start above the surface; else a fraction of the scene's size
 };

@@ -7,6 +7,7 @@
 
 #include "harness/scene/coloured_object.h"
 #include "harness/scene/default_views.h"
+#include "harness/scene/directional_light.h"
 #include "harness/scene/height_field.h"
 #include "harness/scene/tangents.h"
 
@@ -31,16 +32,13 @@ Mesh sphere() {
   Mesh mesh;
   for (uint32_t face = 0; face < 6; ++face) {
     const auto [right, down] = faces[face];
-    const auto first = static_cast<uint32_t>(mesh.vertices.size());
-    for (uint32_t row = 0; row < face_points; ++row)
-      for (uint32_t column = 0; column < face_points; ++column) {
-        const glm::vec2 t = glm::vec2(column, row) / static_cast<float>(face_points - 1);
-        const glm::vec2 angle = static_cast<float>(M_PI) / 4 * (2.0f * t - 1.0f);
-        const glm::vec3 out = glm::normalize(glm::cross(down, right) + std::tan(angle.x) * right + std::tan(angle.y) * down);
-        const glm::vec2 uv = (glm::vec2(face % 3, face / 3) + gap + (1 - 2 * gap) * t) / glm::vec2(3, 2);
-        mesh.vertices.push_back({out, out, glm::vec4(0), uv});
-      }
-    add_grid_triangles(mesh, first, face_points, face_points);
+    add_grid(mesh, face_points, face_points, [&, u = right, v = down](uint32_t column, uint32_t row) -> Vertex {
+      const glm::vec2 t = glm::vec2(column, row) / static_cast<float>(face_points - 1);
+      const glm::vec2 angle = static_cast<float>(M_PI) / 4 * (2.0f * t - 1.0f);
+      const glm::vec3 out = glm::normalize(glm::cross(v, u) + std::tan(angle.x) * u + std::tan(angle.y) * v);
+      const glm::vec2 uv = (glm::vec2(face % 3, face / 3) + gap + (1 - 2 * gap) * t) / glm::vec2(3, 2);
+      return {out, out, glm::vec4(0), uv};
+    });
   }
   compute_tangents(mesh);
   return mesh;
@@ -53,12 +51,10 @@ Mesh plane() {
     return plane_half_m * (0.1f * t + 0.9f * t * t * t * t * t);
   };
   Mesh mesh;
-  for (uint32_t row = 0; row < plane_points; ++row)
-    for (uint32_t column = 0; column < plane_points; ++column) {
-      const glm::vec2 uv = (glm::vec2(column, row) + 0.5f) / static_cast<float>(plane_points);
-      mesh.vertices.push_back(height_vertex({place(column), 0, place(row)}, {0, 0}, uv));
-    }
-  add_grid_triangles(mesh, 0, plane_points, plane_points);
+  add_grid(mesh, plane_points, plane_points, [&](uint32_t column, uint32_t row) {
+    const glm::vec2 uv = (glm::vec2(column, row) + 0.5f) / static_cast<float>(plane_points);
+    return height_vertex({place(column), 0, place(row)}, {0, 0}, uv);
+  });
   return mesh;
 }
 
@@ -69,12 +65,8 @@ Scene make_sphere_over_plane() {
   scene.objects.push_back(coloured_object("plane", plane(), {0.46f, 0.44f, 0.41f}, true));
   scene.objects.push_back(coloured_object("sphere", sphere(), {0.62f, 0.34f, 0.22f}, true));
   scene.objects[1].world_from_object[3] = glm::vec4(0, centre_m, 0, 1);
-  Light sun;
-  sun.name = "sun";
-  sun.direction = -glm::normalize(glm::vec3(-0.8f, 1, 0.6f));  // from 45 degrees above the horizon
-  sun.radiance = {1.15f, 1.08f, 0.98f};
-  sun.angular_radius = glm::radians(10.0f);
-  scene.lights.push_back(sun);
+  const glm::vec3 to_sun = glm::normalize(glm::vec3(-0.8f, 1, 0.6f));  // 45 degrees above the horizon
+  scene.lights.push_back(directional_light("sun", to_sun, {1.15f, 1.08f, 0.98f}, glm::radians(10.0f)));
   scene.ambient = {0.26f, 0.30f, 0.36f};
   scene.background = {0.42f, 0.50f, 0.60f};
   scene.views = {{"front", {0.6f, 2.6f, 7.5f}, {0.35f, 0.75f, 0}, {0, 1, 0}, 36},

@@ -7,6 +7,7 @@
 
 #include "harness/scene/day.h"
 #include "harness/scene/default_views.h"
+#include "harness/scene/directional_light.h"
 #include "harness/scene/erosion.h"
 #include "harness/scene/height_field.h"
 #include "harness/scene/noise.h"
@@ -56,13 +57,10 @@ glm::vec2 uv_at(const Terrain& terrain, uint32_t column, uint32_t row) {
 Mesh mesh_of(const Terrain& terrain) {
   Mesh mesh;
   const float middle = erosion.extent_m / 2;
-  for (uint32_t row = 0; row < terrain.side; ++row)
-    for (uint32_t column = 0; column < terrain.side; ++column) {
-      const glm::vec2 p = terrain.spacing_m * glm::vec2(column, row) - middle;
-      mesh.vertices.push_back(
-          height_vertex({p.x, terrain.at(column, row), p.y}, slope_at(terrain, column, row), uv_at(terrain, column, row)));
-    }
-  add_grid_triangles(mesh, 0, terrain.side, terrain.side);
+  add_grid(mesh, terrain.side, terrain.side, [&](uint32_t column, uint32_t row) {
+    const glm::vec2 p = terrain.spacing_m * glm::vec2(column, row) - middle;
+    return height_vertex({p.x, terrain.at(column, row), p.y}, slope_at(terrain, column, row), uv_at(terrain, column, row));
+  });
   return mesh;
 }
 
@@ -127,17 +125,11 @@ const Object& valley() {
 
 Scene make_terrain(float time_s) {
   const Daylight day = daylight(time_s);
-  Light sun;
-  sun.name = "sun";
-  sun.direction = -day.to_sun;
-  sun.radiance = day.radiance;
-  sun.angular_radius = glm::radians(day_sun_radius_degrees);
-
   Scene scene;
   scene.name = scene.source = "terrain";
   scene.time_s = time_s;
   scene.objects.push_back(valley());
-  scene.lights.push_back(sun);
+  scene.lights.push_back(directional_light("sun", day.to_sun, day.radiance, glm::radians(day_sun_radius_degrees)));
   scene.ambient = day.ambient;
   scene.background = day.background;
   scene.views = {{"valley", {200, 620, 2250}, {-170, 390, -300}, {0, 1, 0}, 45},

@@ -6,6 +6,7 @@
 
 #include "harness/scene/block_mesh.h"
 #include "harness/scene/coloured_object.h"
+#include "harness/scene/directional_light.h"
 
 namespace lamina {
 namespace {
@@ -44,12 +45,8 @@ Scene make_two_windows() {
   Scene scene;
   scene.objects.push_back(coloured_object("room", room(), {0.66f, 0.62f, 0.56f}, true));
   scene.objects.push_back(coloured_object("boxes", boxes(), {0.42f, 0.26f, 0.15f}, true));
-  Light sun;
-  sun.name = "sun";
-  sun.direction = glm::normalize(glm::vec3(0.42f, -0.80f, 1.0f));
-  sun.radiance = {1.35f, 1.20f, 0.98f};
-  sun.angular_radius = glm::radians(1.0f);
-  scene.lights.push_back(sun);
+  const glm::vec3 to_sun = glm::normalize(glm::vec3(-0.42f, 0.80f, -1.0f));
+  scene.lights.push_back(directional_light("sun", to_sun, {1.35f, 1.20f, 0.98f}, glm::radians(1.0f)));
   scene.ambient = {1.20f, 1.38f, 1.60f};  // a bright sky: the room sees little of it
   scene.background = {0.62f, 0.74f, 0.90f};
   scene.views = {{"windows", {0.9f, 1.55f, 3.8f}, {-0.15f, 1.05f, 0}, {0, 1, 0}, 68, 0.05f, 12},
