@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/cli/run_line.h"
 
+#include <fmt/chrono.h>
+
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <thread>
 
@@ -20,6 +23,8 @@ std::string cpu_model() {
     if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
   return "unknown";
 }
+
+const std::time_t started = std::time(nullptr);  // about when the program did: before main()
 
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
@@ -62,6 +67,8 @@ Json start(const std::string& command, const std::vector<DeviceInfo>& devices) {
           {"schema", record_schema},
           {"lamina", LAMINA_VERSION},
           {"commit", LAMINA_COMMIT},
+          {"commit_date", *LAMINA_COMMIT_DATE ? Json(LAMINA_COMMIT_DATE) : Json(nullptr)},
+          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(started))},
           {"build", LAMINA_BUILD_NAME},
           {"command", command},
           {"machine",

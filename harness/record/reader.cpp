@@ -1,77 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads a record and checks every line, so that what makes reports of it can trust each field.
-#include <array>
-#include <initializer_list>
-#include <utility>
-
 #include "harness/core/error.h"
 #include "harness/core/text.h"
+#include "harness/record/gate_lines.h"
+#include "harness/record/line_checks.h"
 #include "harness/record/record.h"
 
 namespace lamina {
 namespace {
 
 using Json = nlohmann::json;
-
-[[noreturn]] void refuse(const std::string& where, std::string message) {
-  throw Error(ErrorKind::bad_input, "record", where, std::move(message));
-}
-
-struct Type {
-  bool (*fits)(const Json&);
-  const char* words;
-};
-constexpr Type text = {[](const Json& v) { return v.is_string(); }, "a string"};
-constexpr Type boolean = {[](const Json& v) { return v.is_boolean(); }, "true or false"};
-constexpr Type count = {[](const Json& v) { return v.is_number_unsigned(); }, "a whole number"};
-constexpr Type count_or_null = {[](const Json& v) { return v.is_null() || v.is_number_unsigned(); }, "a whole number or null"};
-constexpr Type number = {[](const Json& v) { return v.is_number(); }, "a number"};
-constexpr Type number_or_null = {[](const Json& v) { return v.is_null() || v.is_number(); }, "a number or null"};
-constexpr Type numbers = {[](const Json& v) {
-                            if (!v.is_array()) return false;
-                            for (const Json& element : v)
-                              if (!element.is_number()) return false;
-                            return true;
-                          },
-                          "an array of numbers"};
-constexpr Type array = {[](const Json& v) { return v.is_array(); }, "an array"};
-constexpr Type point_or_null = {[](const Json& v) { return v.is_null() || (v.size() == 3 && numbers.fits(v)); },
-                                "an array of three numbers or null"};
-constexpr Type object = {[](const Json& v) { return v.is_object(); }, "an object"};
-constexpr Type object_or_null = {[](const Json& v) { return v.is_null() || v.is_object(); }, "an object or null"};
-constexpr Type numbers_by_name = {[](const Json& v) {
-                                    if (!v.is_object()) return false;
-                                    for (const Json& element : v)
-                                      if (!element.is_number()) return false;
-                                    return true;
-                                  },
-                                  "an object of numbers"};
-constexpr Type texts = {[](const Json& v) {
-                          if (!v.is_array()) return false;
-                          for (const Json& element : v)
-                            if (!element.is_string()) return false;
-                          return true;
-                        },
-                        "an array of strings"};
-constexpr Type status = {[](const Json& v) { return v == "ok" || v == "failed"; }, "\"ok\" or \"failed\""};
-
-using Fields = std::initializer_list<std::pair<const char*, Type>>;
-
-// `inside` names the object in messages: "" for the line itself, "passes." for one of its passes.
-void check(const Json& value, const Fields& fields, const std::string& where, const std::string& inside = "") {
-  if (!value.is_object()) refuse(where, fmt::format("{} is not an object", inside.empty() ? "the line" : inside));
-  for (const auto& [name, type] : fields) {
-    const auto field = value.find(name);
-    if (field == value.end()) refuse(where, fmt::format("the field '{}{}' is missing", inside, name));
-    if (!type.fits(*field)) refuse(where, fmt::format("the field '{}{}' is not {}", inside, name, type.words));
-  }
-}
-
-void check_interval(const Json& interval, const std::string& where, const std::string& inside) {
-  if (interval.is_null()) return;
-  check(interval, {{"median", number}, {"low", number}, {"high", number}, {"rounds", count}, {"coverage", number}}, where,
-        inside);
-}
+using namespace line_checks;
 
 void check_figures(const Json& figures, const std::string& where, const std::string& inside) {
   check(figures,
@@ -240,6 +179,8 @@ void check_run(const Json& line, const std::string& where) {
   if (line["schema"] != record_schema)
     refuse(where, fmt::format("the record's schema is {}, this program reads schema {}; use the program that wrote it",
                               line["schema"].dump(), record_schema));
+  if (line.contains("date")) check(line, {{"date", moment}}, where);
+  if (line.contains("commit_date")) check(line, {{"commit_date", moment_or_null}}, where);
 }
 
 // The kind of a line; checks that it is an object with one.
@@ -263,7 +204,10 @@ void add_line(Record& record, Json line, const std::string& where) {
                         {"cell", check_cell, &record.cells},
                         {"function", check_function, &record.functions},
                         {"function_time", check_function_time, &record.function_times},
-                        {"function_picture", check_function_picture, &record.function_pictures}};
+                        {"function_picture", check_function_picture, &record.function_pictures},
+                        {"gate", check_gate, &record.gates},
+                        {"aa", check_aa, &record.aas},
+                        {"verdict", check_verdict, &record.verdicts}};
   std::vector<std::string> known = {"run"};
   for (const auto& [name, check_line, lines] : kinds) {
     known.push_back(name);
