@@ -85,12 +85,12 @@ int run_against(GateOptions options, const std::function<double()>& elapsed_s) {
   for (const auto* lines : {&measured.timers, &measured.cells_after})
     for (const nlohmann::json& line : *lines) record.append(nlohmann::ordered_json(line));
   for (const PairsRow& row : measured.pairs) record.append(to_json(row));
+  for (const SameArmRow& row : result.times.same_arms) record.append(to_json(row));
+  for (const VerdictRow& row : result.rows) record.append(to_json(row));
   record.append(
       to_json(GateRow{"against", fmt::format("the variants and shaders of {}", options.against.string()), outcome.verdict,
                       outcome.status, measured.processes, result.times.rounds, result.times.comparisons, elapsed_s(),
                       limits.of("", "", "").max_slowdown, 1 - options.family_error}));
-  for (const SameArmRow& row : result.times.same_arms) record.append(to_json(row));
-  for (const VerdictRow& row : result.rows) record.append(to_json(row));
   return finish_gate(options.compare.out);
 }
 

@@ -27,8 +27,8 @@ class Stopwatch {
 };
 
 // Every pair of one effect whose code changed; its baselines are always compared.
-void compare_exactly(Backend& backend, TreePair& trees, SceneResources& resources, Bakes& bakes, const GateOptions& options,
-                     const EmitLine& emit) {
+void compare_exactly(Backend& backend, TreePair& trees, SceneResources& resources, Bakes& bakes, const GateTask& task,
+                     const GateOptions& options, const EmitLine& emit) {
   std::set<std::string> effects;
   for (const VariantPair& pair : trees.variants)
     if (pair.before && pair.after && !pair.same_code) effects.insert(pair.after->effect);
