@@ -81,7 +81,7 @@ int run_against(GateOptions options, const std::function<double()>& elapsed_s) {
 
   const GateMeasurements measured = measure_trees(trees, options, limits, elapsed_s);
   const GateResult result = judge_trees(trees, measured, options, limits);
-  const Outcome outcome = outcome_of(result.rows);
+  const GateOutcome outcome = outcome_of(result.rows);
   for (const auto* lines : {&measured.timers, &measured.cells_after})
     for (const nlohmann::json& line : *lines) record.append(nlohmann::ordered_json(line));
   for (const PairsRow& row : measured.pairs) record.append(to_json(row));

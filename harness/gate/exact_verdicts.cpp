@@ -168,22 +168,26 @@ void judge_picture(const Subject& subject, const Json& before, const Json& after
         fmt::format("{}: the picture's hash changed, and the gate file asks for the same picture", name_of_cell(subject, view)),
         view);
   }
-  std::optional<double> most = subject.limits.max_picture_change;
-  if (!most && after.at("baseline").get<bool>()) most = least_picture_change;
-  if (same_hash || !most || nonfinite > 0) return;
-  if (!facts || !facts->most_change) {
-    // Without the picture itself a changed hash is all there is; half-float rounding differs between drivers, not within one.
-    if (!facts) return;
-  } else if (*facts->most_change > *most) {
-    changed.insert("picture");
-    VerdictRow& row =
-        add(subject, "picture", Verdict::worse,
-            fmt::format(
-                "{}: the picture changed by up to {:.4g} in linear light; {}", name_of_cell(subject, view), *facts->most_change,
-                after.at("baseline").get<bool>() ? "it is what other variants are held to" : "the gate file allows less"),
-            view);
-    row.after = *facts->most_change, row.limit = *most;
+  const double most = subject.limits.max_picture_change;
+  if (same_hash || nonfinite > 0 || !facts || !facts->most_change || *facts->most_change <= most) return;
+  // Its errors have been judged before: rows of this view.
+  bool better = false, worse = false;
+  for (const VerdictRow& row : subject.rows) {
+    const bool is_error = std::any_of(std::begin(figures), std::end(figures),
+                                      [&](const Figure& figure) { return row.what.starts_with(figure.name); });
+    if (row.view != view || !is_error) continue;
+    better = better || row.verdict == Verdict::better;
+    worse = worse || row.verdict != Verdict::better;
   }
+  if (better && !worse) return;
+  changed.insert("picture");
+  VerdictRow& row =
+      add(subject, "picture", Verdict::worse,
+          fmt::format("{}: the picture changed by up to {:.4g} in linear light, and {}", name_of_cell(subject, view),
+                      *facts->most_change,
+                      after.at("baseline").get<bool>() ? "it is what other variants are held to" : "no error got better by it"),
+          view);
+  row.after = *facts->most_change, row.limit = most;
 }
 
 // Views that gave different pictures and now give one: a frame that is not drawn again.
@@ -248,9 +252,9 @@ std::vector<VerdictRow> judge_cells(const CellPair& pair, const Limits& limits) 
     } else {
       ++compared;
       judge_counts(subject, before, after, changed);
-      judge_picture(subject, before, after, i < pair.facts.size() ? &pair.facts[i] : nullptr, changed);
       judge_errors(subject, before, after, "baseline", limits.baseline, changed);
       judge_errors(subject, before, after, "truth", limits.truth, changed);
+      judge_picture(subject, before, after, i < pair.facts.size() ? &pair.facts[i] : nullptr, changed);
     }
   }
   judge_staleness(subject, pair, changed);

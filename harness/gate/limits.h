@@ -25,16 +25,14 @@ struct Limits {
   double max_slowdown = 0.015;   // of a pass or a frame, as a share: the margin inside which times are the same
   double max_drift = 0.25;       // the same where a time, or a ratio to the baseline variant, comes from a stored record
   double max_extra_fetches = 0;  // of a pass by texture, as a share
-  // Greatest difference of a picture from the one before, linear light. Absent: as least_picture_change for a baseline, which
-  // has nothing else to be held to, and unbounded for other variants, which are held to their errors.
-  std::optional<double> max_picture_change;
+  // Greatest difference of a picture from the one before, linear light: two steps of a half float just under 1. A picture whose
+  // errors got better, and none worse, may change further; a baseline without a truth has no errors, so it may not.
+  double max_picture_change = 0.002;
   uint64_t max_nonfinite_pixels = 0;
   bool same_image = false;  // every picture must keep its hash
   ErrorLimits baseline, truth;
   ErrorTolerance tolerance;
 };
-
-inline constexpr double least_picture_change = 0.002;  // two steps of a half float just under 1
 
 // The names that a gate file may use.
 struct GateNames {

@@ -64,7 +64,7 @@ Json to_json(const GateRow& row) {
           {"comparisons", row.comparisons}};
 }
 
-Outcome outcome_of(std::span<const VerdictRow> rows) {
+GateOutcome outcome_of(std::span<const VerdictRow> rows) {
   const auto any = [&](auto... verdicts) {
     return std::any_of(rows.begin(), rows.end(), [&](const VerdictRow& row) { return ((row.verdict == verdicts) || ...); });
   };

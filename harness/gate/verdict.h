@@ -53,10 +53,10 @@ nlohmann::ordered_json to_json(const GateRow& row);
 
 // Of all rows: failed where any is slower, worse or failed; ambiguous where any is, or where nothing at all was compared;
 // faster where a time is and none is ambiguous; else same. `status` is the exit status of the command: 0, 1 or 3.
-struct Outcome {
+struct GateOutcome {
   Verdict verdict = Verdict::same;
   int status = 0;
 };
-Outcome outcome_of(std::span<const VerdictRow> rows);
+GateOutcome outcome_of(std::span<const VerdictRow> rows);
 
 }  // namespace lamina
