@@ -50,6 +50,11 @@ struct StressOptions {
   std::string command;  // as the user typed it
 };
 
+struct HistoryOptions {
+  std::vector<std::filesystem::path> records;  // run folders or record files
+  std::filesystem::path csv;                   // empty: none
+};
+
 // Difference pictures are |test - baseline| of display values times this; records and reports state it.
 inline constexpr double difference_gain = 4;
 
@@ -59,6 +64,7 @@ int run_stress_caps(const StressOptions& options);
 int run_plan(const SceneOptions& options);
 int run_list(const SceneOptions& options);
 int run_report(const std::vector<std::filesystem::path>& records);
+int run_history(const HistoryOptions& options);
 
 // Whether the options ask for this variant; a baseline is always compared.
 bool is_compared(const VariantManifest& variant, const CompareOptions& options);
