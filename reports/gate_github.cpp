@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "reports/gate.h"
-#include "reports/gate_outcome.h"
+#include "reports/gate_reading.h"
 #include "reports/words.h"
 
 namespace lamina {
@@ -52,12 +52,12 @@ Annotation annotation_of(const Json& verdict) {
 }  // namespace
 
 std::string github_annotations(const Record& record) {
-  const GateOutcome outcome = outcome_of(record);
+  const GateReading reading = reading_of(record);
   std::vector<Annotation> errors, warnings;
-  if (!outcome.trouble.empty()) errors.push_back({"Lamina gate " + outcome.word, outcome.trouble});
-  for (const Json* row : outcome.regressed) errors.push_back(annotation_of(*row));
-  for (const Json* row : outcome.ambiguous) warnings.push_back(annotation_of(*row));
-  for (const Json* aa : outcome.unequal_aas)
+  if (!reading.trouble.empty()) errors.push_back({"Lamina gate " + reading.word, reading.trouble});
+  for (const Json* row : reading.regressed) errors.push_back(annotation_of(*row));
+  for (const Json* row : reading.ambiguous) warnings.push_back(annotation_of(*row));
+  for (const Json* aa : reading.unequal_aas)
     warnings.push_back({"A variant came out unlike itself", words_for_aa(*aa) + "; doubt the times"});
   return commands("error", errors) + commands("warning", warnings);
 }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "reports/gate.h"
-#include "reports/gate_outcome.h"
+#include "reports/gate_reading.h"
 #include "reports/words.h"
 #include "reports/xml.h"
 
@@ -64,10 +64,10 @@ std::string properties(const Record& record) {
 }  // namespace
 
 std::string gate_junit(const Record& record) {
-  const GateOutcome outcome = outcome_of(record);
-  const bool trouble = !outcome.trouble.empty();
+  const GateReading reading = reading_of(record);
+  const bool trouble = !reading.trouble.empty();
   const std::string counts = fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\"", record.verdicts.size() + trouble,
-                                         outcome.regressed.size(), outcome.ambiguous.size() + trouble);
+                                         reading.regressed.size(), reading.ambiguous.size() + trouble);
   const double wall_s = record.gates.empty() ? 0 : record.gates.back().at("wall_s").get<double>();
   const std::string time = record.gates.empty() ? "" : fmt::format(" time=\"{:.3f}\"", wall_s);
   std::string date = text_at(record.run, "/date");
@@ -77,9 +77,9 @@ std::string gate_junit(const Record& record) {
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"lamina gate\" {0}{1}>\n"
       "  <testsuite name=\"lamina gate\" {0} skipped=\"{2}\"{1}{3}>\n",
-      counts, time, outcome.not_compared.size(), timestamp);
+      counts, time, reading.not_compared.size(), timestamp);
   xml += properties(record);
-  if (trouble) xml += test_case("gate", "answer", outcome_element("error", "no answer", outcome.trouble, outcome.conditions));
+  if (trouble) xml += test_case("gate", "answer", outcome_element("error", "no answer", reading.trouble, reading.conditions));
   for (const Json& verdict : record.verdicts) xml += test_case(verdict);
   xml += fmt::format("    <system-out>{}</system-out>\n", escaped_xml(gate_table(record, false)));
   return xml + "  </testsuite>\n</testsuites>\n";

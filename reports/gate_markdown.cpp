@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The gate's answer for a comment on a pull request.
 #include "reports/gate.h"
-#include "reports/gate_outcome.h"
+#include "reports/gate_reading.h"
 #include "reports/markdown.h"
 #include "reports/words.h"
 
@@ -34,7 +34,7 @@ void add_while_they_fit(std::string& text, const std::vector<std::string>& lines
   }
 }
 
-void add_section(std::string& text, const char* title, const GateOutcome::Rows& rows) {
+void add_section(std::string& text, const char* title, const GateReading::Rows& rows) {
   if (rows.empty()) return;
   text += fmt::format("\n**{}**\n\n", title);
   std::vector<std::string> lines;
@@ -47,24 +47,24 @@ void add_section(std::string& text, const char* title, const GateOutcome::Rows& 
 }  // namespace
 
 std::string gate_markdown(const Record& record) {
-  const GateOutcome outcome = outcome_of(record);
-  const char* mark = outcome.well ? "✅" : outcome.word == "AMBIGUOUS" ? "⚠️" : "❌";
-  std::string text = fmt::format("### {} Lamina gate {}: {}\n\n", mark, outcome.word, escaped_markdown(outcome.counts));
-  if (!outcome.trouble.empty()) text += fmt::format("**{}**\n\n", escaped_markdown(outcome.trouble));
-  add_section(text, "Regressed", outcome.regressed);
-  add_section(text, "Ambiguous", outcome.ambiguous);
-  add_section(text, "Better", outcome.improved);
+  const GateReading reading = reading_of(record);
+  const char* mark = reading.well ? "✅" : reading.word == "AMBIGUOUS" ? "⚠️" : "❌";
+  std::string text = fmt::format("### {} Lamina gate {}: {}\n\n", mark, reading.word, escaped_markdown(reading.counts));
+  if (!reading.trouble.empty()) text += fmt::format("**{}**\n\n", escaped_markdown(reading.trouble));
+  add_section(text, "Regressed", reading.regressed);
+  add_section(text, "Ambiguous", reading.ambiguous);
+  add_section(text, "Better", reading.improved);
   text += "\n";
   for (const Json& aa : record.aas) text += fmt::format("{}  \n", escaped_markdown(words_for_aa(aa)));
-  if (!outcome.unequal_aas.empty()) text += "**A variant came out unlike itself: doubt the times.**  \n";
-  if (!outcome.conditions.empty()) text += fmt::format("{}  \n", escaped_markdown(outcome.conditions));
+  if (!reading.unequal_aas.empty()) text += "**A variant came out unlike itself: doubt the times.**  \n";
+  if (!reading.conditions.empty()) text += fmt::format("{}  \n", escaped_markdown(reading.conditions));
   for (const std::string& device : device_lines(record)) text += fmt::format("{}  \n", escaped_markdown(device));
   for (const std::string& warning : warnings_of(record)) text += fmt::format("**Warning:** {}  \n", escaped_markdown(warning));
   if (record.verdicts.empty()) return text;
 
   text += fmt::format("\n<details><summary>All {} checks</summary>\n\n{}", record.verdicts.size(), header);
   std::vector<std::string> rows;
-  for (const auto& group : {outcome.regressed, outcome.ambiguous, outcome.not_compared, outcome.improved, outcome.same})
+  for (const auto& group : {reading.regressed, reading.ambiguous, reading.not_compared, reading.improved, reading.same})
     for (const Json* row : group) rows.push_back(row_of(*row));
   add_while_they_fit(text, rows, most_bytes, "rows");
   return text + "\n</details>\n";

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "reports/gate.h"
-#include "reports/gate_outcome.h"
+#include "reports/gate_reading.h"
 #include "reports/terminal.h"
 #include "reports/words.h"
 
@@ -32,7 +32,7 @@ Cells cells_of(const Json& verdict, bool several_effects) {
   return cells;
 }
 
-void add_rows(Lines& lines, const char* title, const GateOutcome::Rows& rows, const char* colour, bool several_effects,
+void add_rows(Lines& lines, const char* title, const GateReading::Rows& rows, const char* colour, bool several_effects,
               bool sentences) {
   if (rows.empty()) return;
   lines.add("");
@@ -49,7 +49,7 @@ void add_rows(Lines& lines, const char* title, const GateOutcome::Rows& rows, co
 }
 
 // What was not compared is many rows for few reasons.
-void add_not_compared(Lines& lines, const GateOutcome::Rows& rows) {
+void add_not_compared(Lines& lines, const GateReading::Rows& rows) {
   std::map<std::string, size_t> reasons;
   for (const Json* row : rows) ++reasons[one_line(text_at(*row, "/sentence"))];
   if (!rows.empty()) lines.add("");
@@ -59,26 +59,26 @@ void add_not_compared(Lines& lines, const GateOutcome::Rows& rows) {
 }  // namespace
 
 std::string gate_table(const Record& record, bool colours) {
-  const GateOutcome outcome = outcome_of(record);
+  const GateReading reading = reading_of(record);
   std::set<std::string> effects;
   for (const Json& verdict : record.verdicts) effects.insert(verdict.at("effect"));
   const bool several = effects.size() > 1;
 
   Lines lines(colours);
-  const bool unsure = outcome.word == "AMBIGUOUS";
-  lines.add(fmt::format("gate {}: {}", outcome.word, outcome.counts), outcome.well ? green : unsure ? yellow : red);
-  if (!outcome.trouble.empty()) lines.add(one_line(outcome.trouble), red);
-  if (!outcome.conditions.empty()) lines.add(one_line(outcome.conditions), dim);
-  add_rows(lines, "regressed", outcome.regressed, red, several, true);
-  add_rows(lines, "ambiguous", outcome.ambiguous, yellow, several, true);
-  add_not_compared(lines, outcome.not_compared);
-  add_rows(lines, "better", outcome.improved, green, several, false);
+  const bool unsure = reading.word == "AMBIGUOUS";
+  lines.add(fmt::format("gate {}: {}", reading.word, reading.counts), reading.well ? green : unsure ? yellow : red);
+  if (!reading.trouble.empty()) lines.add(one_line(reading.trouble), red);
+  if (!reading.conditions.empty()) lines.add(one_line(reading.conditions), dim);
+  add_rows(lines, "regressed", reading.regressed, red, several, true);
+  add_rows(lines, "ambiguous", reading.ambiguous, yellow, several, true);
+  add_not_compared(lines, reading.not_compared);
+  add_rows(lines, "better", reading.improved, green, several, false);
   lines.add("");
-  if (!outcome.same.empty())
-    lines.add(fmt::format("{} check{} the same", outcome.same.size(), outcome.same.size() == 1 ? " is" : "s are"));
+  if (!reading.same.empty())
+    lines.add(fmt::format("{} check{} the same", reading.same.size(), reading.same.size() == 1 ? " is" : "s are"));
   for (const Json& aa : record.aas) lines.add(one_line(words_for_aa(aa)), dim);
   if (record.aas.empty()) lines.add("no A/A arm was run: how often this gate is wrong is not known", yellow);
-  if (!outcome.unequal_aas.empty())
+  if (!reading.unequal_aas.empty())
     lines.add("warning: a variant came out unlike itself: the machine was not quiet, so doubt the times above", yellow);
   for (const std::string& device : device_lines(record)) lines.add(one_line(device), dim);
   for (const std::string& warning : warnings_of(record)) lines.add("warning: " + one_line(warning), yellow);

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "reports/gate.h"
-#include "reports/gate_outcome.h"
+#include "reports/gate_reading.h"
 #include "tests/reports/example_gate.h"
 
 namespace lamina {
@@ -77,7 +77,7 @@ class NotAPass : public testing::TestWithParam<NoPass> {};
 
 TEST_P(NotAPass, InNoReport) {
   const auto& [name, record, words] = GetParam();
-  EXPECT_FALSE(outcome_of(record).well);
+  EXPECT_FALSE(reading_of(record).well);
   for (const std::string& text :
        {gate_table(record, false), gate_markdown(record), gate_junit(record), github_annotations(record)}) {
     EXPECT_TRUE(has(text, words)) << text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/gate_outcome.h"
+#include "reports/gate_reading.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,12 +11,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-GateOutcome::Rows& rows_for(GateOutcome& outcome, const std::string& verdict) {
-  if (verdict == "slower" || verdict == "worse" || verdict == "failed") return outcome.regressed;
-  if (verdict == "ambiguous") return outcome.ambiguous;
-  if (verdict == "not_compared") return outcome.not_compared;
-  if (verdict == "faster" || verdict == "better") return outcome.improved;
-  return outcome.same;
+GateReading::Rows& rows_for(GateReading& reading, const std::string& verdict) {
+  if (verdict == "slower" || verdict == "worse" || verdict == "failed") return reading.regressed;
+  if (verdict == "ambiguous") return reading.ambiguous;
+  if (verdict == "not_compared") return reading.not_compared;
+  if (verdict == "faster" || verdict == "better") return reading.improved;
+  return reading.same;
 }
 
 std::string percent(double ratio) { return fmt::format("{:+.1f}%", 100 * (ratio - 1)); }
@@ -26,33 +26,33 @@ std::string words_for_figure(const Json& value, const std::string& what) {
   return what == "time" ? words_for_ms(value.get<double>()) : fmt::format("{:.6g}", value.get<double>());
 }
 
-std::string trouble_of(const Record& record, const GateOutcome& outcome) {
+std::string trouble_of(const Record& record, const GateReading& reading) {
   if (const std::string cut = text_at(record.run, "/truncated"); !cut.empty())
     return "the record is cut short, so this is no pass: " + cut;
   if (record.gates.empty()) return "the gate did not end, so this is no pass; run it again";
   const Json& gate = record.gates.back();
   const std::string verdict = gate.at("verdict");
   const bool says_well = gate.at("status") == 0 && (verdict == "same" || verdict == "faster");
-  if (says_well && outcome.same.empty() && outcome.improved.empty() && outcome.regressed.empty() && outcome.ambiguous.empty())
+  if (says_well && reading.same.empty() && reading.improved.empty() && reading.regressed.empty() && reading.ambiguous.empty())
     return "nothing was compared, so this is no pass";
-  if (says_well && !outcome.regressed.empty()) return "the gate says that all is well, yet figures regressed";
-  if (says_well && !outcome.ambiguous.empty()) return "the gate says that all is well, yet figures are ambiguous";
+  if (says_well && !reading.regressed.empty()) return "the gate says that all is well, yet figures regressed";
+  if (says_well && !reading.ambiguous.empty()) return "the gate says that all is well, yet figures are ambiguous";
   if (gate.at("status") == 0 && !says_well) return fmt::format("the gate's verdict is {}, yet its status is 0", verdict);
-  if (gate.at("status") != 0 && outcome.regressed.empty() && outcome.ambiguous.empty())
+  if (gate.at("status") != 0 && reading.regressed.empty() && reading.ambiguous.empty())
     return fmt::format("the gate's verdict is {} with status {}, for no figure's sake", verdict, gate.at("status").dump());
   return "";
 }
 
-std::string counts_of(const Record& record, const GateOutcome& outcome) {
+std::string counts_of(const Record& record, const GateReading& reading) {
   std::vector<std::string> parts;
-  const auto add = [&](const GateOutcome::Rows& rows, const char* what) {
+  const auto add = [&](const GateReading::Rows& rows, const char* what) {
     if (!rows.empty()) parts.push_back(fmt::format("{} {}", rows.size(), what));
   };
-  add(outcome.regressed, "regressed");
-  add(outcome.ambiguous, "ambiguous");
-  add(outcome.not_compared, "not compared");
-  add(outcome.improved, "better");
-  add(outcome.same, "the same");
+  add(reading.regressed, "regressed");
+  add(reading.ambiguous, "ambiguous");
+  add(reading.not_compared, "not compared");
+  add(reading.improved, "better");
+  add(reading.same, "the same");
   return fmt::format("{} check{}: {}", record.verdicts.size(), record.verdicts.size() == 1 ? "" : "s",
                      parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", ")));
 }
@@ -66,24 +66,24 @@ std::string conditions_of(const Json& gate) {
 
 }  // namespace
 
-GateOutcome outcome_of(const Record& record) {
-  GateOutcome outcome;
-  for (const Json& verdict : record.verdicts) rows_for(outcome, verdict.at("verdict")).push_back(&verdict);
+GateReading reading_of(const Record& record) {
+  GateReading reading;
+  for (const Json& verdict : record.verdicts) rows_for(reading, verdict.at("verdict")).push_back(&verdict);
   for (const Json& aa : record.aas)
-    if (aa.at("verdict") == "faster" || aa.at("verdict") == "slower") outcome.unequal_aas.push_back(&aa);
-  outcome.counts = counts_of(record, outcome);
-  outcome.trouble = trouble_of(record, outcome);
+    if (aa.at("verdict") == "faster" || aa.at("verdict") == "slower") reading.unequal_aas.push_back(&aa);
+  reading.counts = counts_of(record, reading);
+  reading.trouble = trouble_of(record, reading);
   if (record.gates.empty()) {
-    outcome.word = "NO VERDICT";
-    return outcome;
+    reading.word = "NO VERDICT";
+    return reading;
   }
   const Json& gate = record.gates.back();
-  outcome.well = gate.at("status") == 0 && outcome.trouble.empty();
-  outcome.word = outcome.well                                                     ? "passed"
-                 : gate.at("verdict") == "ambiguous" && outcome.regressed.empty() ? "AMBIGUOUS"
+  reading.well = gate.at("status") == 0 && reading.trouble.empty();
+  reading.word = reading.well                                                     ? "passed"
+                 : gate.at("verdict") == "ambiguous" && reading.regressed.empty() ? "AMBIGUOUS"
                                                                                   : "FAILED";
-  outcome.conditions = conditions_of(gate);
-  return outcome;
+  reading.conditions = conditions_of(gate);
+  return reading;
 }
 
 std::string place_of(const Json& verdict) {

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-struct GateOutcome {
+struct GateReading {
   using Rows = std::vector<const nlohmann::json*>;  // into the record, which must outlive this
   Rows regressed;                                   // slower, worse, failed
   Rows ambiguous, not_compared, improved, same;     // improved: faster, better
@@ -22,7 +22,7 @@ struct GateOutcome {
   // Why the answer cannot be believed: it is missing, its figures contradict it, nothing was compared. "" for most.
   std::string trouble;
 };
-GateOutcome outcome_of(const Record& record);
+GateReading reading_of(const Record& record);
 
 // Of a verdict line.
 std::string place_of(const nlohmann::json& verdict);  // "view front, pass composite, texture light_map"; "" for the whole frame
