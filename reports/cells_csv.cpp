@@ -9,13 +9,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string quoted(const std::string& field) {
-  if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
-  std::string out = "\"";
-  for (const char c : field) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + '"';
-}
-
 std::string scalar(const Json& value) {
   if (value.is_null()) return "";
   return value.is_string() ? value.get<std::string>() : value.dump();
@@ -89,6 +82,13 @@ std::string name_of(std::string pointer) {
 
 }  // namespace
 
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + '"';
+}
+
 std::string cells_csv(const Record& record) {
   std::set<std::string> params;
   for (const Json& cell : record.cells)
@@ -96,13 +96,13 @@ std::string cells_csv(const Record& record) {
 
   std::string csv = "build";
   for (const Column& column : columns) csv += "," + name_of(column.pointer);
-  for (const std::string& path : params) csv += "," + quoted("params." + path);
+  for (const std::string& path : params) csv += "," + csv_field("params." + path);
   csv += "\r\n";
   for (const Json& cell : record.cells) {
     const bool shown = times_shown(record, cell.at("backend").get<std::string>());
-    csv += quoted(text_at(record.run, "/build"));
+    csv += csv_field(text_at(record.run, "/build"));
     for (const Column& column : columns)
-      csv += "," + (column.device_time && !shown ? "" : quoted(value_at(cell, column.pointer)));
+      csv += "," + (column.device_time && !shown ? "" : csv_field(value_at(cell, column.pointer)));
     for (const std::string& path : params) {
       const auto value = cell.at("params").find(path);
       csv += "," + (value == cell.at("params").end() ? "" : scalar(*value));

@@ -3,35 +3,10 @@
 #include <fmt/format.h>
 
 #include "reports/functions.h"
+#include "reports/markdown.h"
 
 namespace lamina {
 namespace {
-
-// Text that no Markdown or HTML in it can break out of: one line, with what has a meaning escaped. Underscores stay, for inside
-// words they mean nothing and names are full of them.
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : one_line(text)) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (std::string_view("\\`*|[]#").find(c) != std::string_view::npos)
-      out += std::string("\\") + c;
-    else
-      out += c;
-  }
-  return out;
-}
-
-template <class Range>
-std::string table_row(const Range& cells) {
-  std::string row = "|";
-  for (const auto& cell : cells) row += fmt::format(" {} |", escaped(cell));
-  return row + "\n";
-}
 
 std::string summary_section(const std::vector<SummaryRow>& rows) {
   std::string text;
@@ -40,17 +15,18 @@ std::string summary_section(const std::vector<SummaryRow>& rows) {
     if (i == 0 || rows[i].effect != rows[i - 1].effect) {
       truth = has_truth(rows, rows[i].effect);
       const std::vector<std::string> columns = summary_columns(truth);
-      text += fmt::format("\n## {}\n\n", escaped(rows[i].effect)) + table_row(columns) + "|---|---|";
+      text += fmt::format("\n## {}\n\n", escaped_markdown(rows[i].effect)) + markdown_row(columns) + "|---|---|";
       for (size_t column = 3; column < columns.size(); ++column) text += "---:|";
       text += "---|\n";
     }
-    text += table_row(summary_cells(rows[i], truth));
+    text += markdown_row(summary_cells(rows[i], truth));
   }
   text += "\n";
   for (const SummaryRow& row : rows)
     if (const std::string trouble = trouble_of(row); !trouble.empty())
-      text += fmt::format("**{} on {}** {}  \n", escaped(row.variant), escaped(row.backend), escaped(trouble));
-  for (const std::string& note : summary_notes(rows)) text += fmt::format("{}  \n", escaped(note));
+      text += fmt::format("**{} on {}** {}  \n", escaped_markdown(row.variant), escaped_markdown(row.backend),
+                          escaped_markdown(trouble));
+  for (const std::string& note : summary_notes(rows)) text += fmt::format("{}  \n", escaped_markdown(note));
   return text;
 }
 
@@ -62,7 +38,7 @@ std::string passes_section(const std::vector<PassSummary>& passes) {
   for (const PassSummary& pass : passes) {
     std::string shares;
     for (const PassSummary::Share& share : pass.shares) shares += (shares.empty() ? "" : ", ") + words_for_share(share);
-    text += table_row(std::array<std::string, 8>{
+    text += markdown_row(std::array<std::string, 8>{
         pass.variant, pass.backend, pass.name, pass.once ? "once" : "each frame", pass.ms ? words_for_ms(*pass.ms) : "-",
         words_for_fragments(pass), pass.fetches_per_pixel ? fmt::format("{:.1f}", *pass.fetches_per_pixel) : "-", shares});
   }
@@ -73,25 +49,27 @@ std::string assumptions_section(const Record& record) {
   std::string text;
   for (const auto& cell : record.cells)
     if (cell.contains("assumptions") && !cell.at("assumptions").empty())
-      text += fmt::format("- {} on {}, view {}: {}\n", escaped(cell.at("variant")), escaped(cell.at("backend")),
-                          escaped(cell.at("view")), escaped(costliest_assumption(cell)));
+      text +=
+          fmt::format("- {} on {}, view {}: {}\n", escaped_markdown(cell.at("variant")), escaped_markdown(cell.at("backend")),
+                      escaped_markdown(cell.at("view")), escaped_markdown(costliest_assumption(cell)));
   return text.empty() ? "" : "\n## Which assumption costs you\n\n" + text;
 }
 
 std::string functions_section(const Record& record) {
   std::string text;
   for (const FunctionReport& report : summarize_functions(record)) {
-    text += fmt::format("\n## Functions: {}\n\n", escaped(report.title));
+    text += fmt::format("\n## Functions: {}\n\n", escaped_markdown(report.title));
     for (const Headline& headline : function_headlines(report))
-      text += fmt::format("- **{}** {}\n", escaped(headline.variant), escaped(headline.words));
+      text += fmt::format("- **{}** {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
     for (const FunctionBackend& backend : report.backends) {
-      text += fmt::format("\n{}\n\n", escaped(function_caption(report, backend))) + table_row(function_columns) + "|---|";
+      text += fmt::format("\n{}\n\n", escaped_markdown(function_caption(report, backend))) + markdown_row(function_columns) +
+              "|---|";
       for (size_t column = 1; column < function_columns.size(); ++column) text += "---:|";
       text += "\n";
-      for (const FunctionSummary& row : backend.variants) text += table_row(function_cells(row));
+      for (const FunctionSummary& row : backend.variants) text += markdown_row(function_cells(row));
     }
     text += "\n";
-    for (const std::string& note : function_notes(report)) text += fmt::format("{}  \n", escaped(note));
+    for (const std::string& note : function_notes(report)) text += fmt::format("{}  \n", escaped_markdown(note));
   }
   return text;
 }
@@ -99,7 +77,7 @@ std::string functions_section(const Record& record) {
 std::string list_section(const char* title, const std::vector<std::string>& lines) {
   if (lines.empty()) return "";
   std::string text = fmt::format("\n## {}\n\n", title);
-  for (const std::string& line : lines) text += fmt::format("- {}\n", escaped(line));
+  for (const std::string& line : lines) text += fmt::format("- {}\n", escaped_markdown(line));
   return text;
 }
 
@@ -107,10 +85,10 @@ std::string list_section(const char* title, const std::vector<std::string>& line
 
 std::string markdown_summary(const Record& record) {
   const std::vector<SummaryRow> rows = summarize(record);
-  std::string text = fmt::format("# {}\n\n", escaped(title_of(record)));
-  for (const std::string& warning : warnings_of(record)) text += fmt::format("**Warning:** {}\n\n", escaped(warning));
+  std::string text = fmt::format("# {}\n\n", escaped_markdown(title_of(record)));
+  for (const std::string& warning : warnings_of(record)) text += fmt::format("**Warning:** {}\n\n", escaped_markdown(warning));
   for (const Headline& headline : headlines(rows))
-    text += fmt::format("- **{}** {}\n", escaped(headline.variant), escaped(headline.words));
+    text += fmt::format("- **{}** {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
   if (!rows.empty()) text += summary_section(rows);
   text += assumptions_section(record);
   text += passes_section(summarize_passes(record));

@@ -43,7 +43,8 @@ std::string cells_csv(const Record& record);
 // run line is what the difference pictures were multiplied by.
 std::string html_report(const Record& record);
 
-// Writes summary.md, cells.csv and index.html beside the folder's record.jsonl. Throws as read_record() and
+// Writes summary.md, cells.csv and index.html beside the folder's record.jsonl, and for a gate's record what
+// write_gate_reports() does. Throws as read_record() and
 // write_file_atomically() do.
 void write_reports(const std::filesystem::path& run_folder);
 

@@ -105,5 +105,7 @@ std::vector<std::pair<std::string, std::string>> run_facts(const Record& record)
 
 // The text with each control character (newlines included) as a space.
 std::string one_line(std::string_view text);
+// The text as one field of a CSV line: quoted where it must be.
+std::string csv_field(const std::string& text);
 
 }  // namespace lamina

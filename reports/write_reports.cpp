@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every report of a run's folder.
 #include "harness/core/text.h"
+#include "reports/gate.h"
 #include "reports/reports.h"
 
 namespace lamina {
@@ -10,6 +11,7 @@ void write_reports(const std::filesystem::path& run_folder) {
   write_file_atomically(run_folder / "summary.md", markdown_summary(record));
   write_file_atomically(run_folder / "cells.csv", cells_csv(record));
   write_file_atomically(run_folder / "index.html", html_report(record));
+  if (!record.gates.empty() || !record.verdicts.empty()) write_gate_reports(record, run_folder);
 }
 
 }  // namespace lamina

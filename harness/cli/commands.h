@@ -51,16 +51,21 @@ struct StressOptions {
 };
 
 struct GateOptions {
-  CompareOptions compare;           // what is measured, and how; its budget_s and precision are not used
-  std::filesystem::path against;    // a folder with variants/ and shaders/: the state before
-  std::filesystem::path baseline;   // or a record
-  bool update = false;              // write the record in place of checking it
-  std::filesystem::path limits;     // a gate file; empty: the defaults
-  double budget_s = 60;             // wall time of everything
-  size_t processes = 3;             // at least, on each backend
-  double family_error = 0.05;       // chance of any wrong verdict on times
+  CompareOptions compare;          // what is measured, and how; its budget_s and precision are not used
+  std::filesystem::path against;   // a folder with variants/ and shaders/: the state before
+  std::filesystem::path baseline;  // or a record
+  bool update = false;             // write the record in place of checking it
+  std::filesystem::path limits;    // a gate file; empty: the defaults
+  double budget_s = 60;            // wall time of everything
+  size_t processes = 3;            // at least, on each backend
+  double family_error = 0.05;      // chance of any wrong verdict on times
   bool times = true;
-  bool time_unchanged = false;      // time variants whose code is the same too
+  bool time_unchanged = false;  // time variants whose code is the same too
+};
+
+struct HistoryOptions {
+  std::vector<std::filesystem::path> records;  // run folders or record files
+  std::filesystem::path csv;                   // empty: none
 };
 
 // Difference pictures are |test - baseline| of display values times this; records and reports state it.
@@ -73,6 +78,7 @@ int run_stress_caps(const StressOptions& options);
 int run_plan(const SceneOptions& options);
 int run_list(const SceneOptions& options);
 int run_report(const std::vector<std::filesystem::path>& records);
+int run_history(const HistoryOptions& options);
 
 // Whether the options ask for this variant; a baseline is always compared.
 bool is_compared(const VariantManifest& variant, const CompareOptions& options);

@@ -3,12 +3,14 @@
 #include "harness/cli/gate.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
 
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
 #include "harness/record/record.h"
+#include "reports/gate.h"
 #include "reports/reports.h"
 
 namespace lamina {
@@ -99,7 +101,9 @@ int run_against(GateOptions options, const std::function<double()>& elapsed_s) {
 int finish_gate(const std::filesystem::path& out) {
   const Record written = read_record(out / "record.jsonl");
   write_reports(out);
-  fmt::print("report: {}\n", (out / "index.html").string());
+  write_gate_reports(written, out);
+  fmt::print("{}\nreport: {}\n", gate_table(written, ::isatty(STDOUT_FILENO) == 1), (out / "index.html").string());
+  announce_on_github(written);
   return written.gates.front().at("status");
 }
 

@@ -174,6 +174,11 @@ int run(int argc, char** argv) {
   std::vector<fs::path> records;
   CLI::App& report_command = *app.add_subcommand("report", "Reports again, from records");
   report_command.add_option("record", records, "Run folders or their record.jsonl")->required();
+  HistoryOptions history;
+  CLI::App& history_command =
+      *app.add_subcommand("history", "How each cell's figures went over records, and where they changed");
+  history_command.add_option("record", history.records, "Run folders or their record.jsonl, two or more")->required();
+  history_command.add_option("--csv", history.csv, "File for every point of every trend");
 
   try {
     app.parse(argc, argv);
@@ -195,6 +200,7 @@ int run(int argc, char** argv) {
   if (stress_command.parsed()) return run_stress_caps(stress);
   if (plan_command.parsed()) return run_plan(plan);
   if (list_command.parsed()) return run_list(list);
+  if (history_command.parsed()) return run_history(history);
   return run_report(records);
 }
 

@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Runs the steps of github.yml and gitlab.yml here, in order, in a fresh clone of this repository's last commit: first as a push to the
+# main branch, which leaves a baseline, then as a pull request. Stops at the first step that fails, with its status.
+#   examples/ci/try.sh [github|gitlab]...      both, where none is named
+# Steps that only the CI system can do (checkout, cache, artifacts) are named and left out: the folders stay where they are. The clone
+# and its build stay in TRY_FOLDER, if that is set, and are used again.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+repository=$(git -C "$here" rev-parse --show-toplevel)
+python3 -c 'import yaml' 2>/dev/null || { echo "try.sh: python3-yaml is missing; install Debian's package of that name" >&2; exit 2; }
+
+scratch=${TRY_FOLDER:-$(mktemp -d)}
+mkdir -p "$scratch"
+scratch=$(cd "$scratch" && pwd)
+[ -n "${TRY_FOLDER:-}" ] || trap 'rm -rf "$scratch"' EXIT
+export HOME=$scratch/home CI=true   # settings that the steps make are not to reach the user's own
+mkdir -p "$HOME"
+
+if [ -d "$scratch/lamina" ]; then
+  git -C "$scratch/lamina" fetch -q origin HEAD && git -C "$scratch/lamina" checkout -q --detach FETCH_HEAD
+else
+  git clone -q "$repository" "$scratch/lamina"
+fi
+cd "$scratch/lamina"
+git update-ref refs/remotes/origin/main HEAD^   # the base of the pull request
+
+# try SYSTEM EVENT [NAME=VALUE...]
+try() {
+  local system=$1 event=$2 script
+  shift 2
+  echo "=== $system.yml, $event"
+  script=$(python3 examples/ci/steps.py "$system" "examples/ci/$system.yml" "$event")
+  env "$@" bash -c "$script"
+  echo "=== $system.yml, $event: well"
+}
+
+if [ $# -eq 0 ]; then set -- github gitlab; fi
+for system in "$@"; do
+  rm -rf lamina-baseline
+  case $system in
+    github)
+      actions=(GITHUB_ACTIONS=true GITHUB_STEP_SUMMARY="$scratch/summary.md")
+      try github push "${actions[@]}"
+      try github pull_request "${actions[@]}" GITHUB_BASE_REF=main
+      ;;
+    gitlab)
+      try gitlab push GITLAB_CI=true CI_DEFAULT_BRANCH=main CI_COMMIT_BRANCH=main
+      # The clone's origin is the repository on disk, whose branch may have any name.
+      try gitlab pull_request GITLAB_CI=true CI_DEFAULT_BRANCH=main CI_MERGE_REQUEST_TARGET_BRANCH_NAME=HEAD
+      ;;
+    *) echo "try.sh: unknown system '$system' (known: github, gitlab)" >&2; exit 2 ;;
+  esac
+done

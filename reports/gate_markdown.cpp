@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// The gate's answer for a comment on a pull request.
+#include "reports/gate.h"
+#include "reports/gate_reading.h"
+#include "reports/markdown.h"
+#include "reports/words.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr size_t most_bytes = 60000;  // a comment on GitHub takes 65,536 characters
+
+constexpr const char* header =
+    "| verdict | what | effect | variant | backend | where | before -> after | change | how sure | limit |\n"
+    "|---|---|---|---|---|---|---:|---:|---|---:|\n";
+
+std::string row_of(const Json& verdict) {
+  return markdown_row(std::array<std::string, 10>{text_at(verdict, "/verdict"), text_at(verdict, "/what"),
+                                                  text_at(verdict, "/effect"), text_at(verdict, "/variant"),
+                                                  text_at(verdict, "/backend"), place_of(verdict), before_and_after(verdict),
+                                                  change_of(verdict), certainty_of(verdict), limit_of(verdict)});
+}
+
+// Adds lines while they fit; says how many did not.
+void add_while_they_fit(std::string& text, const std::vector<std::string>& lines, size_t room, const char* what) {
+  for (size_t i = 0; i < lines.size(); ++i) {
+    if (text.size() + lines[i].size() > room) {
+      text += fmt::format("\n{} more {} are left out here; gate.json has all.\n", lines.size() - i, what);
+      return;
+    }
+    text += lines[i];
+  }
+}
+
+void add_section(std::string& text, const char* title, const GateReading::Rows& rows) {
+  if (rows.empty()) return;
+  text += fmt::format("\n**{}**\n\n", title);
+  std::vector<std::string> lines;
+  for (const Json* row : rows)
+    lines.push_back(fmt::format("- **{}** {}: {}\n", escaped_markdown(text_at(*row, "/what")),
+                                escaped_markdown(subject_of(*row)), escaped_markdown(text_at(*row, "/sentence"))));
+  add_while_they_fit(text, lines, most_bytes / 2, "of these");
+}
+
+}  // namespace
+
+std::string gate_markdown(const Record& record) {
+  const GateReading reading = reading_of(record);
+  const char* mark = reading.well ? "✅" : reading.word == "AMBIGUOUS" ? "⚠️" : "❌";
+  std::string text = fmt::format("### {} Lamina gate {}: {}\n\n", mark, reading.word, escaped_markdown(reading.counts));
+  if (!reading.trouble.empty()) text += fmt::format("**{}**\n\n", escaped_markdown(reading.trouble));
+  add_section(text, "Regressed", reading.regressed);
+  add_section(text, "Ambiguous", reading.ambiguous);
+  add_section(text, "Better", reading.improved);
+  text += "\n";
+  for (const Json& aa : record.aas) text += fmt::format("{}  \n", escaped_markdown(words_for_aa(aa)));
+  if (!reading.unequal_aas.empty()) text += "**A variant came out unlike itself: doubt the times.**  \n";
+  if (!reading.conditions.empty()) text += fmt::format("{}  \n", escaped_markdown(reading.conditions));
+  for (const std::string& device : device_lines(record)) text += fmt::format("{}  \n", escaped_markdown(device));
+  for (const std::string& warning : warnings_of(record)) text += fmt::format("**Warning:** {}  \n", escaped_markdown(warning));
+  if (record.verdicts.empty()) return text;
+
+  text += fmt::format("\n<details><summary>All {} checks</summary>\n\n{}", record.verdicts.size(), header);
+  std::vector<std::string> rows;
+  for (const auto& group : {reading.regressed, reading.ambiguous, reading.not_compared, reading.improved, reading.same})
+    for (const Json* row : group) rows.push_back(row_of(*row));
+  add_while_they_fit(text, rows, most_bytes, "rows");
+  return text + "\n</details>\n";
+}
+
+}  // namespace lamina
