@@ -27,8 +27,40 @@ GateNames names_in(const TreePair& trees, const GateOptions& options) {
   return names;
 }
 
-// Devices, asked in a process of their own: the measuring ones must begin without any driver loaded.
-std::vector<DeviceInfo> probe_devices(GateOptions& options) {
+int run_against(const GateOptions& options, const std::function<double()>& elapsed_s) {
+  const Scene scene = load_scene_for(options.compare.scene);
+  TreePair trees = pair_trees(scene, load_library(options.against, {}), load_library_for(options.compare.scene), options);
+  std::vector<std::string> variants;
+  for (const VariantPair& pair : trees.variants) variants.push_back(pair.after ? pair.after->name : pair.before->name);
+  check_variant_names("gate", options.compare.variants, variants);
+  const LimitsFile limits = options.limits.empty() ? LimitsFile() : LimitsFile(options.limits, names_in(trees, options));
+  const std::vector<DeviceInfo> devices = probe_devices(options);
+
+  std::error_code not_there;
+  std::filesystem::remove_all(options.compare.out / "images", not_there);  // an earlier run's
+  make_run_folder("gate", options.compare.out);
+  RecordWriter record(options.compare.out / "record.jsonl");
+  record.append(run_line(options.compare, scene, devices));
+  record.append(plan_line(trees.after.plan, scene, trees.after.shaders.begin()->second));
+
+  const GateMeasurements measured = measure_trees(trees, options, limits, elapsed_s);
+  const GateResult result = judge_trees(trees, measured, options, limits);
+  const GateOutcome outcome = outcome_of(result.rows);
+  for (const auto* lines : {&measured.timers, &measured.cells_after})
+    for (const nlohmann::json& line : *lines) record.append(nlohmann::ordered_json(line));
+  for (const PairsRow& row : measured.pairs) record.append(to_json(row));
+  for (const SameArmRow& row : result.times.same_arms) record.append(to_json(row));
+  for (const VerdictRow& row : result.rows) record.append(to_json(row));
+  record.append(
+      to_json(GateRow{"against", fmt::format("the variants and shaders of {}", options.against.string()), outcome.verdict,
+                      outcome.status, measured.processes, result.times.rounds, result.times.comparisons, elapsed_s(),
+                      limits.of("", "", "").max_slowdown, 1 - options.family_error}));
+  return finish_gate(options.compare.out);
+}
+
+}  // namespace
+
+std::vector<DeviceInfo> probe_devices(const GateOptions& options) {
   std::vector<DeviceInfo> devices;
   std::vector<std::string> usable;
   for (const std::string& name : options.compare.backends) {
@@ -65,39 +97,6 @@ std::vector<DeviceInfo> probe_devices(GateOptions& options) {
   return devices;
 }
 
-int run_against(GateOptions options, const std::function<double()>& elapsed_s) {
-  const Scene scene = load_scene_for(options.compare.scene);
-  TreePair trees = pair_trees(scene, load_library(options.against, {}), load_library_for(options.compare.scene), options);
-  std::vector<std::string> variants;
-  for (const VariantPair& pair : trees.variants) variants.push_back(pair.after ? pair.after->name : pair.before->name);
-  check_variant_names("gate", options.compare.variants, variants);
-  const LimitsFile limits = options.limits.empty() ? LimitsFile() : LimitsFile(options.limits, names_in(trees, options));
-  const std::vector<DeviceInfo> devices = probe_devices(options);
-
-  std::error_code not_there;
-  std::filesystem::remove_all(options.compare.out / "images", not_there);  // an earlier run's
-  make_run_folder("gate", options.compare.out);
-  RecordWriter record(options.compare.out / "record.jsonl");
-  record.append(run_line(options.compare, scene, devices));
-  record.append(plan_line(trees.after.plan, scene, trees.after.shaders.begin()->second));
-
-  const GateMeasurements measured = measure_trees(trees, options, limits, elapsed_s);
-  const GateResult result = judge_trees(trees, measured, options, limits);
-  const GateOutcome outcome = outcome_of(result.rows);
-  for (const auto* lines : {&measured.timers, &measured.cells_after})
-    for (const nlohmann::json& line : *lines) record.append(nlohmann::ordered_json(line));
-  for (const PairsRow& row : measured.pairs) record.append(to_json(row));
-  for (const SameArmRow& row : result.times.same_arms) record.append(to_json(row));
-  for (const VerdictRow& row : result.rows) record.append(to_json(row));
-  record.append(
-      to_json(GateRow{"against", fmt::format("the variants and shaders of {}", options.against.string()), outcome.verdict,
-                      outcome.status, measured.processes, result.times.rounds, result.times.comparisons, elapsed_s(),
-                      limits.of("", "", "").max_slowdown, 1 - options.family_error}));
-  return finish_gate(options.compare.out);
-}
-
-}  // namespace
-
 int finish_gate(const std::filesystem::path& out) {
   const Record written = read_record(out / "record.jsonl");
   write_reports(out);
@@ -110,14 +109,17 @@ int finish_gate(const std::filesystem::path& out) {
 int run_gate(const GateOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed_s = [start] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  if (options.calibrate) return run_calibration(options);
   if (options.against.empty() == options.baseline.empty())
     throw Error(ErrorKind::bad_input, "gate", "options",
                 "say what to compare with: --against DIR, a tree of variants and shaders, or --baseline RECORD; one of them");
+  if (options.update && options.baseline.empty())
+    throw Error(ErrorKind::bad_input, "gate", "--update", "writes the record that --baseline names; name one");
   for (const char* folder : {"variants", "shaders"})
     if (!options.against.empty() && !std::filesystem::is_directory(options.against / folder))
       throw Error(ErrorKind::bad_input, "gate", options.against.string(),
                   fmt::format("has no folder '{}'; give a tree with variants/ and shaders/, such as a checkout", folder));
-  return run_against(options, elapsed_s);
+  return options.baseline.empty() ? run_against(options, elapsed_s) : run_against_record(options, elapsed_s);
 }
 
 }  // namespace lamina

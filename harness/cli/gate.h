@@ -72,6 +72,19 @@ struct GateResult {
 GateResult judge_trees(const TreePair& trees, const GateMeasurements& measured, const GateOptions& options,
                        const LimitsFile& limits);
 
+// The library's plan for the scene, and shader caches for the APIs of these backends.
+Tree load_tree(Library library, const Scene& scene, const std::vector<std::string>& backends);
+// Sorts what a process has handed over into `measured`.
+void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements& measured);
+VerdictRow judge_timer(const nlohmann::json& timer);
+// The devices of the backends, asked in processes of their own: those that measure must begin without any driver loaded. Throws
+// Error(no_device) where one of the backends does not open.
+std::vector<DeviceInfo> probe_devices(const GateOptions& options);
+
+// Each is a whole gate, or many, and returns the exit status.
+int run_calibration(const GateOptions& options);
+int run_against_record(const GateOptions& options, const std::function<double()>& elapsed_s);
+
 // Reports from the record in `out`; prints the table. Returns the exit status that the record holds.
 int finish_gate(const std::filesystem::path& out);
 

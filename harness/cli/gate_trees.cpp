@@ -13,16 +13,6 @@ namespace {
 // A process is not begun for less: most of it would be preparation.
 constexpr double least_process_s = 4;
 
-Tree load_tree(Library library, const Scene& scene, const std::vector<std::string>& backends) {
-  Tree tree{std::move(library), {}, {}};
-  for (const std::string& backend : backends) {
-    const Api api = backend == "vulkan" ? Api::vulkan : Api::opengl;
-    tree.shaders.try_emplace(api, api, tree.library.shaders);
-  }
-  tree.plan = make_plan(tree.library, scene);
-  return tree;
-}
-
 const VariantManifest* find_variant(const EffectManifest* effect, const std::string& name) {
   if (!effect) return nullptr;
   for (const VariantManifest& variant : effect->variants)
@@ -63,6 +53,18 @@ bool is_asked_for(const std::string& variant, const VariantPair& pair, const Gat
   return manifest.baseline || wanted.empty() || std::find(wanted.begin(), wanted.end(), variant) != wanted.end();
 }
 
+}  // namespace
+
+Tree load_tree(Library library, const Scene& scene, const std::vector<std::string>& backends) {
+  Tree tree{std::move(library), {}, {}};
+  for (const std::string& backend : backends) {
+    const Api api = backend == "vulkan" ? Api::vulkan : Api::opengl;
+    tree.shaders.try_emplace(api, api, tree.library.shaders);
+  }
+  tree.plan = make_plan(tree.library, scene);
+  return tree;
+}
+
 void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements& measured) {
   for (const nlohmann::json& line : child.lines) {
     if (line.contains("timer")) measured.timers.push_back(line["timer"]);
@@ -88,7 +90,17 @@ void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements
   row.sentence = fmt::format("{}: nothing could be measured: {}", task.backend, child.failure);
 }
 
-}  // namespace
+VerdictRow judge_timer(const nlohmann::json& timer) {
+  VerdictRow row;
+  row.backend = timer.at("backend"), row.what = "timer";
+  row.verdict = timer.at("ok") ? Verdict::same : Verdict::ambiguous;
+  row.sentence = timer.at("ok") ? fmt::format("{}: the timer's certificate holds", row.backend)
+                                : fmt::format(
+                                      "{}: the timer's certificate failed ({}), so no time is judged; run again on a "
+                                      "quieter machine",
+                                      row.backend, timer.at("reason").get<std::string>());
+  return row;
+}
 
 TreePair pair_trees(const Scene& scene, Library library_before, Library library_after, const GateOptions& options) {
   TreePair trees{scene,
@@ -127,7 +139,8 @@ GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, cons
   GateMeasurements measured;
   std::set<std::string> certified, broken;
   const auto run = [&](const std::string& backend, size_t process, double seconds) {
-    GateTask task{backend, process, options.times && !certified.contains(backend), process == 0, seconds};
+    GateTask task{backend, process, options.certify && options.times && !certified.contains(backend),
+                  options.exact && process == 0, seconds};
     const ChildResult child =
         run_in_child([&](const EmitLine& emit) { measure_pairs_of_trees(trees, task, options, limits, emit); });
     take_lines(child, task, measured);
@@ -200,18 +213,6 @@ std::optional<VerdictRow> judge_presence(const VariantPair& pair, const std::str
     return row_about(backend, pair, "code", Verdict::same,
                      name + ": the same code and passes as before, so nothing can differ");
   return std::nullopt;
-}
-
-VerdictRow judge_timer(const nlohmann::json& timer) {
-  VerdictRow row;
-  row.backend = timer.at("backend"), row.what = "timer";
-  row.verdict = timer.at("ok") ? Verdict::same : Verdict::ambiguous;
-  row.sentence = timer.at("ok") ? fmt::format("{}: the timer's certificate holds", row.backend)
-                                : fmt::format(
-                                      "{}: the timer's certificate failed ({}), so no time is judged; run again on a "
-                                      "quieter machine",
-                                      row.backend, timer.at("reason").get<std::string>());
-  return row;
 }
 
 }  // namespace

@@ -128,6 +128,13 @@ int run(int argc, char** argv) {
   gate_command.add_option("--processes", gate.processes, "Processes that measure on each backend, at least")
       ->capture_default_str()
       ->check(CLI::Range(2, 100));
+  CLI::Option* calibrate = gate_command.add_flag("--calibrate", gate.calibrate,
+                                                 "Measure the gate's own error rates here: gates over equal trees, and over "
+                                                 "trees with one slower pass, each within --budget");
+  gate_command.add_option("--gates", gate.equal_gates, "Gates over equal trees")->capture_default_str()->needs(calibrate);
+  gate_command.add_option("--slower-gates", gate.slower_gates, "Gates for each slow-down of 1, 2, 3, 5 and 10%")
+      ->capture_default_str()
+      ->needs(calibrate);
   gate_command.add_flag("!--no-time", gate.times, "Counts, pictures and errors alone");
   gate_command.add_option("--truth-rays", gate.compare.truth_rays, "Rays a pixel and light for the truth; 0: no truth")
       ->capture_default_str()

@@ -17,15 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string cpu_model() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown";
-}
-
-const std::time_t started = std::time(nullptr);  // about when the program did: before main()
-
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
   return value ? value : "";
@@ -79,6 +70,15 @@ Json start(const std::string& command, const std::vector<DeviceInfo>& devices) {
 }
 
 }  // namespace
+
+std::string cpu_model() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+const std::time_t started = std::time(nullptr);  // about when the program did: before main()
 
 Json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices) {
   Json line = start(options.command, devices);

@@ -9,6 +9,8 @@
 
 namespace lamina {
 
+// As /proc/cpuinfo names it.
+std::string cpu_model();
 nlohmann::ordered_json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices);
 // The same for a record that holds functions alone.
 nlohmann::ordered_json run_line(const StressOptions& options, const std::vector<DeviceInfo>& devices);

@@ -138,7 +138,7 @@ void judge_errors(const Subject& subject, const Json& before, const Json& after,
   }
 }
 
-void judge_picture(const Subject& subject, const Json& before, const Json& after, const PictureFacts* facts,
+void judge_picture(const Subject& subject, const Json& before, const Json& after, const PictureFacts* facts, bool hashes_tell,
                    std::set<std::string>& changed) {
   const std::string view = after.at("view");
   const auto nonfinite = after.at("nonfinite_pixels").is_null() ? 0 : after.at("nonfinite_pixels").get<uint64_t>();
@@ -169,7 +169,8 @@ void judge_picture(const Subject& subject, const Json& before, const Json& after
         view);
   }
   const double most = subject.limits.max_picture_change;
-  if (same_hash || nonfinite > 0 || !facts || !facts->most_change || *facts->most_change <= most) return;
+  const bool measured = facts && facts->most_change;
+  if (same_hash || nonfinite > 0 || (measured ? *facts->most_change <= most : !hashes_tell)) return;
   // Its errors have been judged before: rows of this view.
   bool better = false, worse = false;
   for (const VerdictRow& row : subject.rows) {
@@ -181,13 +182,11 @@ void judge_picture(const Subject& subject, const Json& before, const Json& after
   }
   if (better && !worse) return;
   changed.insert("picture");
-  VerdictRow& row =
-      add(subject, "picture", Verdict::worse,
-          fmt::format("{}: the picture changed by up to {:.4g} in linear light, and {}", name_of_cell(subject, view),
-                      *facts->most_change,
-                      after.at("baseline").get<bool>() ? "it is what other variants are held to" : "no error got better by it"),
-          view);
-  row.after = *facts->most_change, row.limit = most;
+  const std::string by = measured ? fmt::format(" by up to {:.4g} in linear light", *facts->most_change) : ", as its hash did";
+  const char* why = after.at("baseline").get<bool>() ? "it is what other variants are held to" : "no error got better by it";
+  VerdictRow& row = add(subject, "picture", Verdict::worse,
+                        fmt::format("{}: the picture changed{}, and {}", name_of_cell(subject, view), by, why), view);
+  if (measured) row.after = *facts->most_change, row.limit = most;
 }
 
 // Views that gave different pictures and now give one: a frame that is not drawn again.
@@ -254,7 +253,7 @@ std::vector<VerdictRow> judge_cells(const CellPair& pair, const Limits& limits) 
       judge_counts(subject, before, after, changed);
       judge_errors(subject, before, after, "baseline", limits.baseline, changed);
       judge_errors(subject, before, after, "truth", limits.truth, changed);
-      judge_picture(subject, before, after, i < pair.facts.size() ? &pair.facts[i] : nullptr, changed);
+      judge_picture(subject, before, after, i < pair.facts.size() ? &pair.facts[i] : nullptr, pair.hashes_tell, changed);
     }
   }
   judge_staleness(subject, pair, changed);

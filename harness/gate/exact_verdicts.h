@@ -24,6 +24,8 @@ PictureFacts picture_facts(const Image& picture, const Image* before);
 struct CellPair {
   std::vector<nlohmann::json> before, after;
   std::vector<PictureFacts> facts;
+  // One machine and driver drew both: then a hash that changed is a picture that changed, however little.
+  bool hashes_tell = false;
 };
 
 // A row for each kind of figure that is the same in all views, and one for each view, pass and texture where it is not.

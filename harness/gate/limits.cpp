@@ -34,6 +34,7 @@ const std::vector<Key>& known_keys() {
   static const std::vector<Key> keys = {
       {"max_slowdown", Form::share, 1e-4, 10, [](Limits& l, double v) { l.max_slowdown = v; }},
       {"max_drift", Form::share, 1e-4, 10, [](Limits& l, double v) { l.max_drift = v; }},
+      {"max_ratio_drift", Form::share, 1e-4, 10, [](Limits& l, double v) { l.max_ratio_drift = v; }},
       {"max_extra_fetches", Form::share, 0, 1000, [](Limits& l, double v) { l.max_extra_fetches = v; }},
       {"max_picture_change", Form::number, 0, largest_linear, [](Limits& l, double v) { l.max_picture_change = v; }},
       {"max_nonfinite_pixels", Form::number, 0, most_pixels,

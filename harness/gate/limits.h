@@ -22,8 +22,9 @@ struct ErrorTolerance {
 };
 
 struct Limits {
-  double max_slowdown = 0.015;   // of a pass or a frame, as a share: the margin inside which times are the same
-  double max_drift = 0.25;       // the same where a time, or a ratio to the baseline variant, comes from a stored record
+  double max_slowdown = 0.015;  // of a pass or a frame, as a share: the margin inside which times are the same
+  // Against a stored record, where nothing is paired: of a frame's time on the same machine, and of its ratio to the baseline.
+  double max_drift = 0.25, max_ratio_drift = 0.05;
   double max_extra_fetches = 0;  // of a pass by texture, as a share
   // Greatest difference of a picture from the one before, linear light: two steps of a half float just under 1. A picture whose
   // errors got better, and none worse, may change further; a baseline without a truth has no errors, so it may not.

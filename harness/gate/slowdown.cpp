@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/gate/slowdown.h"
+
+#include <algorithm>
+#include <regex>
+
+#include "harness/core/text.h"
+
+namespace lamina {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* main_line = "void main() {";
+
+[[noreturn]] void refuse(const fs::path& file, std::string message) {
+  throw Error(ErrorKind::bad_input, "gate", file.string(), std::move(message));
+}
+
+// The files that a shader is made of, itself first: as deep as its includes go once.
+std::string with_includes(const fs::path& file) {
+  const std::string text = read_file(file, "gate");
+  std::string whole = text;
+  const std::regex include("#include \"([^\"]+)\"");
+  for (std::sregex_iterator at(text.begin(), text.end(), include), end; at != end; ++at)
+    if (const fs::path other = file.parent_path() / (*at)[1].str(); fs::exists(other)) whole += read_file(other, "gate");
+  return whole;
+}
+
+std::string first_match(const std::string& text, const std::string& pattern) {
+  std::smatch match;
+  return std::regex_search(text, match, std::regex(pattern)) ? match[1].str() : "";
+}
+
+// `main` of the shader under another name where EXTRA_TAPS is defined, and a main that calls it and then samples.
+std::string slower(std::string text, const std::string& sampler, const std::string& output) {
+  const size_t at = text.find(main_line);
+  text.replace(at, std::string_view(main_line).size(), "#ifdef EXTRA_TAPS\nvoid main_before() {\n#else\nvoid main() {\n#endif");
+  return text + fmt::format(R"(
+#ifdef EXTRA_TAPS
+void main() {{
+  main_before();
+  uvec2 block = uvec2(gl_FragCoord.xy) / 8u;
+  uint hash = (block.x * 1597334677u) ^ (block.y * 3812015801u);
+  hash = (hash ^ (hash >> 16)) * 2246822519u;
+  if (((hash >> 13) & 1023u) < EXTRA_TAPS_BLOCKS) {{
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < EXTRA_TAPS; ++i) sum += textureLod({0}, gl_FragCoord.xy * 0.00137 + float(i) * 0.0171, 0.0);
+    if (sum.x < -1.0) {1} += sum;  // never, which no compiler knows
+  }}
+}}
+#endif
+)",
+                            sampler, output);
+}
+
+void write(const fs::path& file, const std::string& text) { write_file_atomically(file, text); }
+
+}  // namespace
+
+void write_slower_tree(const fs::path& home, const fs::path& folder, const VariantManifest& variant, const std::string& pass,
+                       const ExtraTaps& extra) {
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  for (const char* part : {"variants", "shaders"}) fs::copy(home / part, folder / part, fs::copy_options::recursive);
+  const auto found = std::find_if(variant.passes.begin(), variant.passes.end(), [&](const PassManifest& candidate) {
+    return candidate.name == pass && !candidate.fragment.empty();
+  });
+  if (found == variant.passes.end()) refuse(variant.file, fmt::format("has no pass '{}' with a fragment shader", pass));
+  const fs::path fragment = folder / fs::relative(found->fragment, home);
+  const std::string whole = with_includes(fragment);
+  const std::string output = first_match(whole, R"(layout\(location = 0\) out vec4 (\w+);)");
+  const std::string sampler = first_match(whole, R"(uniform sampler2D (\w+);)");
+  std::string text = read_file(fragment, "gate");
+  if (output.empty() || sampler.empty() || text.find(main_line) == std::string::npos)
+    refuse(fragment, "needs a vec4 output at location 0, a sampler2D and 'void main() {' to be given extra taps");
+  write(fragment, slower(std::move(text), sampler, output));
+
+  // Only this pass asks for them: others may share the shader.
+  const fs::path manifest = folder / fs::relative(variant.file, home);
+  std::string toml = read_file(manifest, "gate");
+  const size_t name = toml.find(fmt::format("name = \"{}\"", pass), toml.find("[[pass]]"));
+  if (name == std::string::npos) refuse(manifest, fmt::format("does not spell pass '{}' as name = \"{}\"", pass, pass));
+  const size_t next = std::min(toml.find("[[pass]]", name), toml.size());
+  const std::string defines = fmt::format("EXTRA_TAPS = \"{}\", EXTRA_TAPS_BLOCKS = \"{}u\"", extra.taps, extra.blocks_of_1024);
+  const size_t define = toml.find("define = {", name);
+  if (define < next)
+    toml.insert(define + std::string_view("define = {").size(), " " + defines + ",");
+  else
+    toml.insert(toml.find('\n', name) + 1, fmt::format("define = {{ {} }}\n", defines));
+  write(manifest, toml);
+}
+
+}  // namespace lamina

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/gate/stored.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "harness/gate/exact_verdicts.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Key {
+  std::string backend, effect, variant;
+  auto operator<=>(const Key&) const = default;
+};
+Key key_of(const Json& cell) { return {cell.at("backend"), cell.at("effect"), cell.at("variant")}; }
+
+const Json* device_of(const Record& record, const std::string& backend) {
+  if (!record.run.contains("devices")) return nullptr;
+  for (const Json& device : record.run.at("devices"))
+    if (device.at("backend") == backend) return &device;
+  return nullptr;
+}
+
+std::string text_of(const Json& object, const char* first, const char* second = nullptr) {
+  const Json* value = object.contains(first) ? &object.at(first) : nullptr;
+  if (value && second) value = value->contains(second) ? &value->at(second) : nullptr;
+  return !value ? "unknown" : value->is_string() ? value->get<std::string>() : value->dump();
+}
+
+// The cells of both, by variant and backend, views in the order of the record and then of the run.
+std::map<Key, CellPair> pairs_of(const Record& stored, const Record& run) {
+  std::map<Key, std::vector<std::string>> views;
+  for (const Record* record : {&stored, &run})
+    for (const Json& cell : record->cells) {
+      std::vector<std::string>& of_key = views[key_of(cell)];
+      if (std::find(of_key.begin(), of_key.end(), cell.at("view")) == of_key.end()) of_key.push_back(cell.at("view"));
+    }
+  const auto find = [](const Record& record, const Key& key, const std::string& view) -> Json {
+    for (const Json& cell : record.cells)
+      if (key_of(cell) == key && cell.at("view") == view) return cell;
+    return nullptr;
+  };
+  std::map<Key, CellPair> pairs;
+  for (const auto& [key, names] : views)
+    for (const std::string& view : names) {
+      pairs[key].before.push_back(find(stored, key, view));
+      pairs[key].after.push_back(find(run, key, view));
+    }
+  return pairs;
+}
+
+// A ratio of two things that were measured apart.
+struct Quotient {
+  Interval ratio;
+  Verdict verdict = Verdict::ambiguous;
+};
+Quotient quotient(const Interval& now, const Interval& then, double margin) {
+  Quotient result;
+  result.ratio = {now.median / then.median, now.low / then.high, now.high / then.low, std::min(now.rounds, then.rounds),
+                  now.coverage + then.coverage - 1};
+  if (result.ratio.low > 1 + margin) result.verdict = Verdict::slower;
+  if (result.ratio.high < 1 / (1 + margin)) result.verdict = Verdict::faster;
+  if (result.ratio.low >= 1 / (1 + margin) && result.ratio.high <= 1 + margin) result.verdict = Verdict::same;
+  return result;
+}
+
+struct Judge {
+  double confidence;  // of each of the two intervals
+  std::vector<VerdictRow>& rows;
+
+  VerdictRow& add(const Json& cell, const char* what, const std::string& pass) {
+    VerdictRow& row = rows.emplace_back();
+    const Key key = key_of(cell);
+    row.backend = key.backend, row.effect = key.effect, row.variant = key.variant;
+    row.view = cell.at("view"), row.what = what, row.pass = pass;
+    return row;
+  }
+
+  void compare(const Json& cell, const char* what, const std::string& pass, const Interval& now, const Interval& then,
+               double margin) {
+    const auto [ratio, verdict] = quotient(now, then, margin);
+    VerdictRow& row = add(cell, what, pass);
+    row.verdict = verdict, row.ratio = ratio, row.before = then.median, row.after = now.median, row.limit = margin;
+    row.sentence = fmt::format("{} on {}: {} {} against the record: {:+.1f}% [{:+.1f}%, {:+.1f}%], margin {:.1f}%", row.variant,
+                               row.backend, pass.empty() ? std::string(what) : "time of pass " + pass, name_of(verdict),
+                               (ratio.median - 1) * 100, (ratio.low - 1) * 100, (ratio.high - 1) * 100, margin * 100);
+  }
+
+  // Samples that are no times are refused: neither a record nor a run may pass by having measured nothing.
+  std::optional<Interval> interval_of(const Json& cell, const char* whose, const std::string& pass,
+                                      const std::vector<double>& ms) {
+    const bool tells_time =
+        ms.size() >= min_rounds_for_95 && std::all_of(ms.begin(), ms.end(), [](double each) { return each > 0; });
+    if (tells_time) {
+      const double most = 1 - std::ldexp(2.0, -static_cast<int>(ms.size()));
+      return median_interval(ms, std::min(confidence, most * (1 - 1e-12)));
+    }
+    VerdictRow& row = add(cell, "time", pass);
+    row.verdict = Verdict::failed;
+    row.sentence = fmt::format("{} on {}: {} {} has no times to compare ({} samples, none may be 0)", row.variant, row.backend,
+                               whose, pass.empty() ? "frame" : "pass " + pass, ms.size());
+    return std::nullopt;
+  }
+
+  void times(const Json& before, const Json& after, double margin) {
+    const std::vector<PassRow> old_passes = passes_of(before), new_passes = passes_of(after);
+    const auto then = interval_of(before, "the record's", "", frame_samples_ms(old_passes));
+    const auto now = interval_of(after, "this run's", "", frame_samples_ms(new_passes));
+    if (then && now) compare(after, "time", "", *now, *then, margin);
+  }
+
+  void ratio(const Json& before, const Json& after, double margin) {
+    const Json &was = before.at("ratio_to_baseline"), &is = after.at("ratio_to_baseline");
+    if (was.is_null() || is.is_null()) return;
+    const auto read = [](const Json& from) {
+      return Interval{from.at("median"), from.at("low"), from.at("high"), from.at("rounds"), from.at("coverage")};
+    };
+    const Interval then = read(was), now = read(is);
+    if (!(then.low > 0) || !(now.low > 0)) {
+      VerdictRow& row = add(after, "ratio", "");
+      row.verdict = Verdict::failed;
+      row.sentence = fmt::format("{} on {}: a ratio to the baseline is 0, which is no measurement", row.variant, row.backend);
+      return;
+    }
+    compare(after, "ratio", "", now, then, margin);
+  }
+};
+
+}  // namespace
+
+std::string difference_of_machines(const Record& stored, const Record& run, const std::string& backend) {
+  const Json *then = device_of(stored, backend), *now = device_of(run, backend);
+  if (!then || !now) return "the record does not say on which device it ran";
+  std::string words;
+  const auto compare = [&](const char* what, const std::string& was, const std::string& is) {
+    if (was != is) words += fmt::format("{}{} was {}, is {}", words.empty() ? "" : "; ", what, was, is);
+  };
+  for (const char* what : {"cpu", "threads", "lp_num_threads"})
+    compare(what, text_of(stored.run, "machine", what), text_of(run.run, "machine", what));
+  for (const char* what : {"device", "driver"}) compare(what, text_of(*then, what), text_of(*now, what));
+  compare("build", text_of(stored.run, "build"), text_of(run.run, "build"));
+  return words;
+}
+
+void check_comparable(const Record& stored, const Record& run, const std::filesystem::path& file) {
+  const auto refuse = [&](std::string message) {
+    throw Error(ErrorKind::bad_input, "gate", file.string(), std::move(message));
+  };
+  constexpr const char* make_again = "make it again with --update";
+  if (stored.run.contains("truncated"))
+    refuse(fmt::format("{}; a record that lost cells is no baseline: {}", stored.run.at("truncated").get<std::string>(),
+                       make_again));
+  if (stored.cells.empty()) refuse(fmt::format("holds no cells; {}", make_again));
+  const auto differ = [&](const char* what, const std::string& was, const std::string& is) {
+    if (was != is) refuse(fmt::format("is of {} {}, this run of {}; compare like with like, or {}", what, was, is, make_again));
+  };
+  differ("scene", text_of(stored.run, "scene"), text_of(run.run, "scene"));
+  differ("moment", text_of(stored.run, "time_s"), text_of(run.run, "time_s"));
+  differ("width", text_of(stored.run, "settings", "width"), text_of(run.run, "settings", "width"));
+  differ("height", text_of(stored.run, "settings", "height"), text_of(run.run, "settings", "height"));
+  std::set<Key> known;
+  for (const Json& cell : stored.cells) known.insert(key_of(cell));
+  if (std::none_of(run.cells.begin(), run.cells.end(), [&](const Json& cell) { return known.contains(key_of(cell)); }))
+    refuse("has no cell in common with this run: no variant on the same backend");
+}
+
+std::vector<VerdictRow> judge_stored(const Record& stored, const Record& run, const LimitsFile& limits, double family_error) {
+  std::map<Key, CellPair> pairs = pairs_of(stored, run);
+  std::vector<VerdictRow> rows;
+  // Two intervals a comparison, at most two comparisons a pair: Bonferroni, since intervals of stored ratios are what they are.
+  Judge judge{1 - family_error / (4 * static_cast<double>(std::max<size_t>(pairs.size(), 1))), rows};
+  std::map<std::string, std::string> differences;
+  for (auto& [key, pair] : pairs) {
+    if (!differences.contains(key.backend)) {
+      const std::string words = differences[key.backend] = difference_of_machines(stored, run, key.backend);
+      if (!words.empty()) {
+        VerdictRow& row = rows.emplace_back();
+        row.backend = key.backend, row.what = "time", row.verdict = Verdict::not_compared;
+        row.sentence = fmt::format(
+            "{}: times are compared as ratios to the baseline variant alone, since the record is from "
+            "another machine: {}",
+            key.backend, words);
+      }
+    }
+    const bool same_machine = differences[key.backend].empty();
+    const Limits cell_limits = limits.of(key.effect, key.variant, key.backend);
+    pair.hashes_tell = same_machine;
+    for (VerdictRow& row : judge_cells(pair, cell_limits)) rows.push_back(std::move(row));
+    for (size_t view = 0; view < pair.after.size(); ++view) {
+      const Json &before = pair.before[view], &after = pair.after[view];
+      if (before.is_null() || after.is_null() || before.at("status") == "failed" || after.at("status") == "failed") continue;
+      const auto timed = [](const Json& cell) { return !cell.at("median_ms").is_null(); };
+      if (!timed(after) && !timed(before)) continue;
+      if (timed(before) != timed(after)) {
+        VerdictRow& row = judge.add(after, "time", "");
+        row.verdict = timed(before) && after.at("timed").get<bool>() == false ? Verdict::ambiguous : Verdict::not_compared;
+        row.sentence = fmt::format("{} on {}: only {} has times of view {}", row.variant, row.backend,
+                                   timed(before) ? "the record" : "this run", row.view);
+        continue;
+      }
+      judge.ratio(before, after, cell_limits.max_ratio_drift);
+      if (same_machine) judge.times(before, after, cell_limits.max_drift);
+    }
+  }
+  return rows;
+}
+
+}  // namespace lamina
