@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+// Counts, pictures and errors of cells made by hand: each kind of change alone, and nothing else, changes the verdict.
+#include "harness/gate/exact_verdicts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "tests/reports/example_record.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+
+CellRow cell(const std::string& view = "front", const std::string& variant = "vertex_normal") {
+  CellRow row = example_cell(variant, view, {});
+  row.image_hash = "hash of " + view;
+  return row;
+}
+
+// The rows for one variant of two views; `change` is made to the cells after.
+template <class Change>
+std::vector<VerdictRow> rows_after(Change&& change, const Limits& limits = {}, PictureFacts facts = {1, 0.0},
+                                   const std::string& variant = "vertex_normal") {
+  CellPair pair;
+  for (const char* view : {"front", "side"}) {
+    CellRow before = cell(view, variant), after = before;
+    change(after);
+    pair.before.push_back(Json(to_json(before)));
+    pair.after.push_back(Json(to_json(after)));
+    pair.facts.push_back(facts);
+  }
+  return judge_cells(pair, limits);
+}
+
+size_t count(const std::vector<VerdictRow>& rows, std::string_view what, Verdict verdict) {
+  return static_cast<size_t>(std::count_if(rows.begin(), rows.end(),
+                                           [&](const VerdictRow& row) { return row.what == what && row.verdict == verdict; }));
+}
+int status(const std::vector<VerdictRow>& rows) { return outcome_of(rows).status; }
+
+TEST(ExactVerdicts, NothingChangedIsTheSameAndOneRowAKind) {
+  const auto rows = rows_after([](CellRow&) {});
+  EXPECT_EQ(status(rows), 0);
+  EXPECT_EQ(outcome_of(rows).verdict, Verdict::same);
+  for (const char* what : {"fetches", "errors", "nonfinite", "blank"}) EXPECT_EQ(count(rows, what, Verdict::same), 1u) << what;
+  EXPECT_EQ(rows.size(), 4u);
+}
+
+TEST(ExactVerdicts, OneFetchMoreIsWorseAndOneLessBetter) {
+  const auto more = rows_after([](CellRow& after) { after.passes[0].by_texture[1].fetches += 1; });
+  EXPECT_EQ(count(more, "fetches", Verdict::worse), 2u) << "in each view";
+  EXPECT_EQ(more[0].texture, "outer_albedo (rgba8_srgb, trilinear)");
+  EXPECT_EQ(more[0].before, 200);
+  EXPECT_EQ(more[0].after, 201);
+  EXPECT_EQ(status(more), 1);
+  const auto less = rows_after([](CellRow& after) { after.passes[0].by_texture[1].fetches -= 1; });
+  EXPECT_EQ(count(less, "fetches", Verdict::better), 2u);
+  EXPECT_EQ(status(less), 0);
+}
+
+TEST(ExactVerdicts, TheAllowanceIsAShareOfWhatThereWas) {
+  Limits limits;
+  limits.max_extra_fetches = 0.01;
+  EXPECT_EQ(status(rows_after([](CellRow& after) { after.passes[0].by_texture[1].fetches = 202; }, limits)), 0);
+  EXPECT_EQ(status(rows_after([](CellRow& after) { after.passes[0].by_texture[1].fetches = 203; }, limits)), 1);
+}
+
+TEST(ExactVerdicts, AnotherFormatOrANewPassIsSeen) {
+  EXPECT_EQ(status(rows_after([](CellRow& after) { after.passes[0].by_texture[0].format = "rgba32_float"; })), 1);
+  EXPECT_EQ(status(rows_after([](CellRow& after) {
+              PassRow extra;
+              extra.name = "extra";
+              extra.fragments = 10;
+              after.passes.push_back(extra);
+            })),
+            1);
+}
+
+TEST(ExactVerdicts, ErrorsAreWorseBeyondTheirToleranceAlone) {
+  const Limits limits;
+  EXPECT_EQ(status(rows_after([](CellRow& after) { after.error_covered->ssim -= 0.00009; })), 0);
+  EXPECT_EQ(count(rows_after([](CellRow& after) { after.error_covered->ssim -= 0.00011; }), "ssim", Verdict::worse), 2u);
+  EXPECT_EQ(count(rows_after([](CellRow& after) { after.error_covered->ssim += 0.00011; }), "ssim", Verdict::better), 2u);
+  EXPECT_EQ(count(rows_after([](CellRow& after) { after.error_covered->psnr_db -= 0.06; }), "psnr_db", Verdict::worse), 2u);
+  EXPECT_EQ(count(rows_after([](CellRow& after) { after.error_covered->flip += 0.0002; }), "flip", Verdict::worse), 2u);
+  EXPECT_EQ(
+      count(rows_after([](CellRow& after) { after.error_covered->rmse_linear += 0.0002; }), "rmse_linear", Verdict::worse), 2u);
+  EXPECT_EQ(count(rows_after([](CellRow& after) { after.error_covered->max_linear += 0.003; }), "max_linear", Verdict::worse),
+            2u);
+}
+
+// Identical pictures have an infinite PSNR, which records write as null.
+TEST(ExactVerdicts, FromIdenticalToNotIsWorseAndBackIsBetter) {
+  CellRow same = cell(), other = cell();
+  same.error_covered->psnr_db = std::numeric_limits<double>::infinity();
+  CellPair pair{{Json(to_json(same))}, {Json(to_json(other))}, {{1, 0.0}}};
+  EXPECT_EQ(count(judge_cells(pair, {}), "psnr_db", Verdict::worse), 1u);
+  std::swap(pair.before, pair.after);
+  EXPECT_EQ(count(judge_cells(pair, {}), "psnr_db", Verdict::better), 1u);
+}
+
+TEST(ExactVerdicts, BoundsOfTheGateFileHoldWhateverWasBefore) {
+  Limits limits;
+  limits.baseline.min_ssim = 0.91;  // both have 0.9
+  const auto rows = rows_after([](CellRow&) {}, limits);
+  EXPECT_EQ(count(rows, "ssim", Verdict::failed), 2u);
+  EXPECT_EQ(status(rows), 1);
+}
+
+TEST(ExactVerdicts, ErrorsToTheTruthAreJudgedApart) {
+  const ErrorFigures good{30, 0.9, 0.1, 0.02, 0.3}, bad{30, 0.8, 0.1, 0.02, 0.3};
+  CellRow before = cell(), after = cell();
+  before.error_truth = good, after.error_truth = bad;
+  const CellPair pair{{Json(to_json(before))}, {Json(to_json(after))}, {}};
+  EXPECT_EQ(count(judge_cells(pair, {}), "ssim to truth", Verdict::worse), 1u);
+}
+
+TEST(ExactVerdicts, NonFinitePixelsBlankPicturesAndLostCoverFail) {
+  EXPECT_EQ(count(rows_after([](CellRow& after) { after.nonfinite_pixels = 1; }), "nonfinite", Verdict::failed), 2u);
+  EXPECT_EQ(count(rows_after([](CellRow&) {}, {}, {0.0, 0.0}), "blank", Verdict::failed), 2u) << "one colour all over";
+  EXPECT_EQ(count(rows_after([](CellRow& after) { after.covered_pixels = 0; }), "blank", Verdict::failed), 2u);
+}
+
+TEST(ExactVerdicts, ViewsThatShowOnePictureAreStale) {
+  const auto rows = rows_after([](CellRow& after) { after.image_hash = "one"; });
+  EXPECT_EQ(count(rows, "stale", Verdict::failed), 1u);
+}
+
+TEST(ExactVerdicts, APictureMayChangeWhereItsErrorsGetBetter) {
+  const auto change = [](CellRow& after) { after.image_hash += "x"; };
+  EXPECT_EQ(count(rows_after(change, {}, {1, 0.01}), "picture", Verdict::worse), 2u);
+  EXPECT_EQ(status(rows_after(change, {}, {1, 0.001})), 0) << "rounding";
+  EXPECT_EQ(status(rows_after(
+                [&](CellRow& after) {
+                  change(after);
+                  after.error_covered->ssim += 0.01;
+                },
+                {}, {1, 0.01})),
+            0);
+  EXPECT_EQ(status(rows_after(
+                [&](CellRow& after) {
+                  change(after);
+                  after.error_covered->ssim += 0.01, after.error_covered->flip += 0.01;
+                },
+                {}, {1, 0.01})),
+            1)
+      << "one error better, one worse";
+}
+
+TEST(ExactVerdicts, ABaselinesPictureIsHeldToWhatItWas) {
+  const auto rows = rows_after([](CellRow& after) { after.image_hash += "x"; }, {}, {1, 0.01}, "light_map");
+  EXPECT_EQ(count(rows, "picture", Verdict::worse), 2u);
+}
+
+TEST(ExactVerdicts, HashesDecideWhereTheyAreAskedToOrTell) {
+  Limits limits;
+  limits.same_image = true;
+  const auto change = [](CellRow& after) { after.image_hash += "x"; };
+  EXPECT_EQ(count(rows_after(change, limits, {1, 0.0}), "image_hash", Verdict::failed), 2u);
+  CellRow before = cell(), after = cell();
+  change(after);
+  CellPair pair{{Json(to_json(before))}, {Json(to_json(after))}, {}};
+  EXPECT_EQ(status(judge_cells(pair, {})), 0) << "another driver may round otherwise";
+  pair.hashes_tell = true;
+  EXPECT_EQ(count(judge_cells(pair, {}), "picture", Verdict::worse), 1u);
+}
+
+TEST(ExactVerdicts, WhatVanishedOrFailedIsNeverAPass) {
+  const Json here = Json(to_json(cell()));
+  CellRow broken = cell();
+  broken.failed = true, broken.reason = "no device memory";
+  const Json failed = Json(to_json(broken));
+  EXPECT_EQ(status(judge_cells({{here}, {nullptr}, {}}, {})), 1) << "vanished";
+  EXPECT_EQ(status(judge_cells({{here}, {failed}, {}}, {})), 1) << "failed";
+  EXPECT_EQ(status(judge_cells({{nullptr}, {here}, {}}, {})), 3) << "new: nothing was compared";
+  EXPECT_EQ(status(judge_cells({{failed}, {here}, {}}, {})), 3) << "failed before";
+}
+
+TEST(PictureFacts_, RangeAndGreatestChangeAreOverColoursAlone) {
+  Image before{2, 1, {0.1f, 0.2f, 0.3f, 0, 0.1f, 0.2f, 0.3f, 1}}, after = before;
+  after.rgba[4] = 0.6f, after.rgba[7] = 0.5f;
+  const PictureFacts facts = picture_facts(after, &before);
+  EXPECT_NEAR(facts.range, 0.5, 1e-6);
+  EXPECT_NEAR(*facts.most_change, 0.5, 1e-6);
+  EXPECT_FALSE(picture_facts(after, nullptr).most_change);
+  const Image flat{2, 1, {0.2f, 0.2f, 0.2f, 0, 0.2f, 0.2f, 0.2f, 1}};
+  EXPECT_EQ(picture_facts(flat, nullptr).range, 0);
+  const Image larger{2, 2, std::vector<float>(16, 0.0f)};
+  EXPECT_THROW(picture_facts(larger, &before), Error);
+}
+
+TEST(GateOutcome_, ComesFromTheWorstRow) {
+  const auto outcome = [](std::vector<Verdict> verdicts) {
+    std::vector<VerdictRow> rows;
+    for (const Verdict verdict : verdicts) rows.emplace_back().verdict = verdict;
+    return outcome_of(rows).status;
+  };
+  EXPECT_EQ(outcome({Verdict::same, Verdict::faster, Verdict::better}), 0);
+  EXPECT_EQ(outcome({Verdict::same, Verdict::ambiguous}), 3);
+  EXPECT_EQ(outcome({Verdict::ambiguous, Verdict::slower}), 1);
+  EXPECT_EQ(outcome({Verdict::same, Verdict::worse}), 1);
+  EXPECT_EQ(outcome({Verdict::same, Verdict::failed}), 1);
+  EXPECT_EQ(outcome({Verdict::not_compared}), 3) << "nothing was compared";
+  EXPECT_EQ(outcome({Verdict::same, Verdict::not_compared}), 0);
+  EXPECT_EQ(outcome({}), 3);
+}
+
+}  // namespace
+}  // namespace lamina

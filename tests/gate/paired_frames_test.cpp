@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames in pieces, on every backend: the pieces make the frame's picture, and paired rounds hold every piece of every frame.
+#include "harness/gate/paired_frames.h"
+
+#include <set>
+
+#include "harness/gate/slowdown.h"
+#include "tests/graph/each_backend.h"
+#include "tests/graph/quad_scene.h"
+
+namespace lamina {
+namespace {
+
+class Pieces : public EachBackend {
+ protected:
+  // A frame of the variant that has run once, for a quad with both layers.
+  struct Ready {
+    Graph graph;
+    std::unique_ptr<Frame> frame;
+  };
+  void SetUp() override {
+    EachBackend::SetUp();
+    if (!backend_) return;
+    scene_.mesh_moves = true;  // so that the light is drawn every frame
+    plan_ = make_plan(library(), scene_);
+    shaders_ = std::make_unique<ShaderCache>(backend_->info().api, library().shaders);
+    resources_ = std::make_unique<SceneResources>(*backend_, scene_, 96, 80);
+  }
+  void TearDown() override {
+    ready_.clear();
+    resources_.reset();
+    EachBackend::TearDown();
+  }
+  Frame& ready(std::string_view name) {
+    Ready& ready = *ready_.emplace_back(std::make_unique<Ready>());
+    ready.graph = make_graph(plan_, configuration_with(plan_, variant(name)), scene_, *shaders_);
+    ready.frame = std::make_unique<Frame>(*resources_, ready.graph, Build::timed);
+    ready.frame->run_once(Timing::off);
+    ready.frame->run(0, Timing::off);
+    return *ready.frame;
+  }
+  Scene scene_ = quad_scene({4, 0.5f, glm::vec3(0.5f), glm::vec3(0.25f)});
+  Plan plan_;
+  std::unique_ptr<ShaderCache> shaders_;
+  std::unique_ptr<SceneResources> resources_;
+  std::vector<std::unique_ptr<Ready>> ready_;
+};
+INSTANTIATE_TEST_SUITE_P(Backends, Pieces, backend_parameters, backend_test_name);
+
+TEST_P(Pieces, StripsMakeThePictureOfTheFrame) {
+  for (const char* name : {"light_map", "vertex_normal"}) {
+    Frame& frame = ready(name);
+    const Image whole = frame.picture();
+    for (const uint32_t parts : {1u, 3u, 7u, 80u, 1000u}) {
+      std::vector<Pass> passes;
+      std::set<size_t> steps;
+      for (const Frame::Slice& slice : frame.slices(0, std::vector<uint32_t>(frame.frame_names().size(), parts))) {
+        passes.push_back(slice.piece);
+        steps.insert(slice.pass);
+      }
+      EXPECT_EQ(steps.size(), frame.frame_names().size()) << "every pass has its pieces";
+      backend_->run(passes, Timing::off);
+      EXPECT_EQ(frame.picture().rgba, whole.rgba) << name << " in " << parts;
+    }
+  }
+}
+
+// One strip alone changes its rows and no others.
+TEST_P(Pieces, AStripLeavesTheOtherRowsAlone) {
+  Frame& frame = ready("vertex_normal");
+  const Image whole = frame.picture();
+  std::vector<Frame::Slice> strips = frame.slices(0, std::vector<uint32_t>{4});
+  ASSERT_EQ(strips.size(), 4u);
+  Pass strip = strips[1].piece;
+  EXPECT_EQ(strip.area->y, 20u);
+  EXPECT_EQ(strip.area->height, 20u);
+  for (Attachment& color : strip.colors) color.clear = {9, 9, 9, 9};
+  strip.draws.clear();  // the clear alone
+  backend_->run(std::vector<Pass>{strip}, Timing::off);
+  const Image changed = frame.picture();
+  for (int y = 0; y < 80; ++y)
+    for (int x = 0; x < 96; x += 5) {
+      const size_t at = (size_t(y) * 96 + size_t(x)) * 4;
+      ASSERT_EQ(changed.rgba[at], y >= 20 && y < 40 ? 9.0f : whole.rgba[at]) << x << "," << y;
+    }
+}
+
+TEST_P(Pieces, AnAreaOutsideTheTargetsIsRefused) {
+  Frame& frame = ready("vertex_normal");
+  Pass pass = frame.slices(0, std::vector<uint32_t>{1}).front().piece;
+  for (const Area bad :
+       {Area{0, 0, 0, 4}, Area{0, 0, 97, 4}, Area{90, 0, 7, 4}, Area{0, 80, 4, 1}, Area{0, 0xffffffff, 4, 2}}) {
+    pass.area = bad;
+    EXPECT_THROW(backend_->run(std::vector<Pass>{pass}, Timing::off), Error);
+  }
+}
+
+TEST_P(Pieces, RoundsHoldASampleOfEveryPassOfEveryFrame) {
+  Frame &a = ready("light_map"), &b = ready("light_map");
+  PairedFrames paired(*backend_, {&a, &b}, 0, {.piece_ms = 1e-4, .most_strips = 8, .most_repeats = 1});
+  std::mt19937_64 random(1);
+  for (int round = 0; round < 8; ++round) paired.run_round(random);
+  EXPECT_EQ(paired.rounds(), 8u);
+  ASSERT_EQ(paired.passes().size(), a.frame_names().size());
+  for (const PairedPass& pass : paired.passes()) {
+    EXPECT_EQ(pass.cut, pass.name != "light_mips") << pass.name << ": a mip chain is one piece";
+    for (const std::vector<double>& ms : pass.ms) {
+      ASSERT_EQ(ms.size(), 8u) << pass.name;
+      for (const double sample : ms) EXPECT_GT(sample, 0) << pass.name;
+    }
+  }
+  EXPECT_EQ(frame_ms(paired.passes()).front().size(), 8u);
+  EXPECT_GT(*whole_ms(paired.passes().front(), 0), 0);
+}
+
+TEST_P(Pieces, FramesOfDifferentPassesArePairedByName) {
+  Frame &a = ready("light_map"), &b = ready("vertex_normal");
+  PairedFrames paired(*backend_, {&a, &b}, 0);
+  std::mt19937_64 random(1);
+  paired.run_round(random);
+  for (const PairedPass& pass : paired.passes()) {
+    EXPECT_EQ(pass.ms[0].size(), 1u) << pass.name;
+    EXPECT_EQ(pass.ms[1].size(), pass.name == "composite" ? 1u : 0u) << pass.name;
+  }
+}
+
+// The picture stays, the counts rise by the taps in the chosen blocks: all of them, here.
+TEST_P(Pieces, ASlowerTreeDrawsTheSamePictureWithMoreFetches) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("lamina_slower_" + std::to_string(::getpid()));
+  write_slower_tree(LAMINA_SOURCE_DIR, folder, variant("light_map"), "composite", {5, 1024});
+  const Library slower = load_library(folder);
+  const Plan plan = make_plan(slower, scene_);
+  ShaderCache shaders(backend_->info().api, slower.shaders);
+  for (const VariantManifest& changed : plan.of("layered_material")->effect->variants) {
+    const Graph graph = make_graph(plan, configuration_with(plan, changed), scene_, shaders);
+    Frame frame(*resources_, graph, Build::counting);
+    Frame& original = ready(changed.name);
+    Frame counting(*resources_, ready_.back()->graph, Build::counting);
+    for (Frame* each : {&frame, &counting}) {
+      each->run_once(Timing::off);
+      each->run(0, Timing::off);
+    }
+    EXPECT_EQ(frame.picture().rgba, original.picture().rgba);
+    const PassCounts now = frame.frame_counts().back(), was = counting.frame_counts().back();
+    EXPECT_EQ(now.fetches(), was.fetches() + (changed.name == "light_map" ? 5 * was.fragments : 0)) << changed.name;
+  }
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace lamina
