@@ -17,6 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+const std::time_t started = std::time(nullptr);  // about when the program did: before main()
+
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
   return value ? value : "";
@@ -78,7 +80,6 @@ std::string cpu_model() {
   return "unknown";
 }
 
-const std::time_t started = std::time(nullptr);  // about when the program did: before main()
 
 Json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices) {
   Json line = start(options.command, devices);
