@@ -29,6 +29,7 @@ git update-ref refs/remotes/origin/main HEAD^   # the base of the pull request
 try() {
   local system=$1 event=$2 script
   shift 2
+  rm -rf build/base && git worktree prune
   echo "=== $system.yml, $event"
   script=$(python3 examples/ci/steps.py "$system" "examples/ci/$system.yml" "$event")
   env "$@" bash -c "$script"
