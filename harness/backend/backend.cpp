@@ -20,6 +20,16 @@ void check_name(std::string_view name) {
 
 }  // namespace
 
+void check_area(const Pass& pass, uint32_t width, uint32_t height) {
+  if (!pass.area) return;
+  const Area& area = *pass.area;
+  const auto fits = [](uint32_t at, uint32_t size, uint32_t whole) { return size > 0 && at < whole && size <= whole - at; };
+  if (!fits(area.x, area.width, width) || !fits(area.y, area.height, height))
+    throw Error(ErrorKind::bad_input, "backend", pass.name,
+                fmt::format("the area of {}x{} pixels at {},{} is empty or reaches out of targets of {}x{}", area.width,
+                            area.height, area.x, area.y, width, height));
+}
+
 std::span<const std::string_view> backend_names() { return names; }
 
 std::unique_ptr<Backend> open_backend(std::string_view name, const BackendOptions& options) {

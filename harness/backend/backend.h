@@ -141,6 +141,11 @@ enum class PassKind : uint8_t {
   mips,  // fill levels 1.. of `mips_of` from level 0, each by a linear filter of the one above
 };
 
+// Pixels of a target, from its top left corner.
+struct Area {
+  uint32_t x = 0, y = 0, width = 0, height = 0;
+};
+
 // A pass must not read, as a texture, a level that it also draws into.
 struct Pass {
   std::string name;
@@ -149,6 +154,9 @@ struct Pass {
   std::optional<Attachment> depth;
   std::vector<Draw> draws;
   TextureId mips_of;
+  // Of a raster pass: only these pixels are loaded, cleared and drawn; what the others hold stays. Absent: all. It must lie
+  // inside the targets.
+  std::optional<Area> area;
 };
 
 enum class Timing : uint8_t { off, bracketed };
@@ -188,6 +196,9 @@ class Backend {
   // Messages of warning or error severity from the API's own checker (validation layers, GL debug output) since the last call.
   virtual std::vector<std::string> take_messages() = 0;
 };
+
+// Throws Error(bad_input) for an area that is empty or reaches out of targets of this size. Backends ask it.
+void check_area(const Pass& pass, uint32_t width, uint32_t height);
 
 struct BackendOptions {
   std::string device;  // part of a device's name, or its index in list_devices(); empty: see default_device in README

@@ -174,6 +174,12 @@ Image BackendRun::render(Variant& variant, size_t view) {
   return variant.frame->picture();
 }
 
+std::optional<Image> BackendRun::picture(std::string_view variant, size_t view) {
+  for (Variant& candidate : variants_)
+    if (candidate.manifest->name == variant && candidate.frame) return render(candidate, view);
+  return std::nullopt;
+}
+
 std::string BackendRun::picture_path(const CellRow& row, std::string_view suffix) const {
   return file_name_of(fmt::format("{}-{}-{}-{}{}", row.effect, row.variant, row.backend, row.view, suffix)) + ".png";
 }

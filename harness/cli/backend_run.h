@@ -23,6 +23,9 @@ class BackendRun {
   void score(Progress& progress);    // pictures, and their errors
   RoundsResult time(Progress& progress, bool timer_ok);
 
+  // The variant's picture of a view, drawn again; none where it failed or is not compared.
+  std::optional<Image> picture(std::string_view variant, size_t view);
+
   // One row a variant and view, the baseline's first.
   std::vector<CellRow> rows() const;
 

@@ -55,11 +55,25 @@ struct HistoryOptions {
   std::filesystem::path csv;                   // empty: none
 };
 
+struct GateOptions {
+  CompareOptions compare;          // what is measured, and how; its budget_s and precision are not used
+  std::filesystem::path against;   // a folder with variants/ and shaders/: the state before
+  std::filesystem::path baseline;  // or a record
+  bool update = false;             // write the record in place of checking it
+  std::filesystem::path limits;    // a gate file; empty: the defaults
+  double budget_s = 60;            // wall time of everything
+  size_t processes = 3;            // at least, on each backend
+  double family_error = 0.05;      // chance of any wrong verdict on times
+  bool times = true;
+  bool time_unchanged = false;  // time variants whose code is the same too
+};
+
 // Difference pictures are |test - baseline| of display values times this; records and reports state it.
 inline constexpr double difference_gain = 4;
 
 // Each returns the exit status, and throws Error.
 int run_compare(const CompareOptions& options);
+int run_gate(const GateOptions& options);
 int run_stress_caps(const StressOptions& options);
 int run_plan(const SceneOptions& options);
 int run_list(const SceneOptions& options);

@@ -103,6 +103,41 @@ int run(int argc, char** argv) {
   compare_command.add_flag("--validation,!--no-validation", compare.validation,
                            "Check API use: Vulkan's validation layers, OpenGL's debug output");
 
+  GateOptions gate;
+  gate.compare.validation = LAMINA_VALIDATION;
+  gate.compare.truth_rays = 64;
+  std::string gate_size = "512x512";
+  CLI::App& gate_command =
+      *app.add_subcommand("gate", "Fails where a state of the code is slower, hungrier or less accurate than the one before");
+  add_scene_options(gate_command, gate.compare.scene);
+  CLI::Option* against = gate_command.add_option(
+      "--against", gate.against, "Tree of variants/ and shaders/ as they were before, measured in the same run");
+  gate_command.add_option("--baseline", gate.baseline, "Record of the state before (record.jsonl or its folder)")
+      ->excludes(against);
+  gate_command.add_flag("--update", gate.update, "Write the record given by --baseline afresh, and say what changed");
+  gate_command.add_option("--limits", gate.limits, "Gate file (.toml): what is allowed, by effect, variant and backend");
+  gate_command.add_option("--out", gate.compare.out, "Folder for record, report and pictures")->capture_default_str();
+  gate_command.add_option("--backend", gate.compare.backends, "vulkan, osmesa or egl (may be given again)")
+      ->capture_default_str();
+  gate_command.add_option("--device", gate.compare.device, "Part of a device's name, or its number in 'lamina list'");
+  gate_command.add_option("--variant", gate.compare.variants, "Only this variant and the baseline (may be given again)");
+  gate_command.add_option("--size", gate_size, "Size of the frame in pixels")->capture_default_str();
+  gate_command.add_option("--budget", gate.budget_s, "Seconds of wall time for everything")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 86400.0));
+  gate_command.add_option("--processes", gate.processes, "Processes that measure on each backend, at least")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 100));
+  gate_command.add_flag("!--no-time", gate.times, "Counts, pictures and errors alone");
+  gate_command.add_option("--truth-rays", gate.compare.truth_rays, "Rays a pixel and light for the truth; 0: no truth")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 65536));
+  gate_command.add_option("--cache", gate.compare.cache, "Folder that keeps bakes and truths; \"\": none")
+      ->capture_default_str();
+  gate_command.add_option("--seed", gate.compare.seed, "Seed of the order of rounds")->capture_default_str();
+  gate_command.add_flag("--validation,!--no-validation", gate.compare.validation,
+                        "Check API use: Vulkan's validation layers, OpenGL's debug output");
+
   StressOptions stress;
   stress.validation = LAMINA_VALIDATION;
   std::string functions;
@@ -150,13 +185,17 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : usage_status;
   }
-  compare.command = stress.command = fmt::format("lamina {}", fmt::join(argv + 1, argv + argc, " "));
+  compare.command = gate.compare.command = stress.command = fmt::format("lamina {}", fmt::join(argv + 1, argv + argc, " "));
   if (compare_command.parsed()) {
     std::tie(compare.width_px, compare.height_px) = parse_size(size);
     if (compare.quick && budget->count() == 0) compare.budget_s = 4;
     if (compare.quick && precision->count() == 0) compare.precision = 0.05;
     if (compare.quick && truth_rays->count() == 0) compare.truth_rays = 64;
     return run_compare(compare);
+  }
+  if (gate_command.parsed()) {
+    std::tie(gate.compare.width_px, gate.compare.height_px) = parse_size(gate_size);
+    return run_gate(gate);
   }
   if (stress_command.parsed()) return run_stress_caps(stress);
   if (plan_command.parsed()) return run_plan(plan);

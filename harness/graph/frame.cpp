@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/graph/frame.h"
 
+#include <algorithm>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
@@ -40,6 +41,40 @@ FrameTimes Frame::run_sequence(Sequence& sequence, size_t view, Timing timing) {
 
 FrameTimes Frame::run_once(Timing timing) { return run_sequence(once_, 0, timing); }
 FrameTimes Frame::run(size_t view, Timing timing) { return run_sequence(frame_, view, timing); }
+
+namespace {
+
+// Strips repeat the vertex stage, which must then have no effect but the picture.
+bool can_be_cut(const Pass& pass) {
+  return pass.kind == PassKind::raster && !pass.colors.empty() &&
+         std::all_of(pass.draws.begin(), pass.draws.end(), [](const Draw& draw) {
+           return draw.images.empty() && std::all_of(draw.buffers.begin(), draw.buffers.end(), [](const BufferBinding& binding) {
+                    return binding.kind == BindingKind::uniform_buffer;
+                  });
+         });
+}
+
+}  // namespace
+
+std::vector<Frame::Slice> Frame::slices(size_t view, std::span<const uint32_t> parts) const {
+  std::vector<Slice> slices;
+  const std::vector<Pass>& passes = frame_.passes_by_view.at(view);
+  for (size_t i = 0; i < passes.size(); ++i) {
+    const size_t step = frame_.step_of_pass[i];
+    if (!can_be_cut(passes[i])) {
+      slices.push_back({step, passes[i]});
+      continue;
+    }
+    const Area whole = whole_.at(passes[i].colors.front().texture);
+    const uint32_t count = std::clamp(parts[step], 1u, whole.height);
+    for (uint32_t strip = 0; strip < count; ++strip) {
+      const auto row = [&](uint32_t edge) { return static_cast<uint32_t>(uint64_t{whole.height} * edge / count); };
+      Slice& slice = slices.emplace_back(Slice{step, passes[i]});
+      slice.piece.area = Area{0, row(strip), whole.width, row(strip + 1) - row(strip)};
+    }
+  }
+  return slices;
+}
 
 Image Frame::picture() {
   return image_from_rgba16(resources_.width_px(), resources_.height_px(), backend_.read_texture(picture_));

@@ -42,6 +42,15 @@ class Frame {
   // One frame of scene.views[view].
   FrameTimes run(size_t view, Timing timing);
 
+  // A frame in small pieces, for comparing two frames piece by piece: raster passes are cut into at most `parts[pass]` strips of
+  // whole rows, as equal as they get; what cannot be cut (compute, mip chains, shaders with storage) is one piece. Running all
+  // of them in order makes the picture of run(). `parts` is beside frame_names().
+  struct Slice {
+    size_t pass = 0;  // index into frame_names()
+    Pass piece;
+  };
+  std::vector<Slice> slices(size_t view, std::span<const uint32_t> parts) const;
+
   // The picture of the last run(): linear light; alpha as the passes left it.
   Image picture();
 
@@ -89,6 +98,7 @@ class Frame {
   Sequence once_, frame_;
   TextureId picture_;
   std::map<std::string, std::pair<TextureId, Format>> targets_;  // as large as the frame, by name
+  std::map<TextureId, Area> whole_;                              // of every target, its level 0
   std::vector<TextureId> textures_;
   std::vector<BufferId> buffers_;
   std::vector<PipelineId> pipelines_;

@@ -334,6 +334,7 @@ FrameBuilder::Target FrameBuilder::make_target(const std::string& label, uint32_
   for (uint32_t i = 0; i < buffers; ++i) {
     made.buffers[i] = backend_.create_texture({label, width, height, made.levels, format, true, storage});
     frame_.textures_.push_back(made.buffers[i]);
+    frame_.whole_[made.buffers[i]] = {0, 0, width, height};
   }
   return made;
 }

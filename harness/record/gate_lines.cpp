@@ -76,4 +76,24 @@ void check_verdict(const Json& line, const std::string& where) {
   check_word(line, "verdict", figure_verdicts, where);
 }
 
+void check_pairs(const Json& line, const std::string& where) {
+  check(line,
+        {{"process", count},
+         {"backend", text},
+         {"effect", text},
+         {"variant", text},
+         {"view", text},
+         {"frames", texts},
+         {"passes", array}},
+        where);
+  for (const Json& pass : line["passes"]) {
+    check(pass, {{"name", text}, {"cut", boolean}, {"ms", array}}, where, "passes.");
+    if (pass["ms"].size() != line["frames"].size())
+      refuse(where, fmt::format("pass '{}' has samples of {} frames, the line names {}", pass["name"].get<std::string>(),
+                                pass["ms"].size(), line["frames"].size()));
+    for (const Json& samples : pass["ms"])
+      if (!numbers.fits(samples)) refuse(where, fmt::format("the field 'passes.ms' holds what is not {}", numbers.words));
+  }
+}
+
 }  // namespace lamina

@@ -12,5 +12,7 @@ namespace lamina {
 void check_gate(const nlohmann::json& line, const std::string& where);
 void check_aa(const nlohmann::json& line, const std::string& where);
 void check_verdict(const nlohmann::json& line, const std::string& where);
+// Of kind "pairs": the samples that verdicts on times are made of.
+void check_pairs(const nlohmann::json& line, const std::string& where);
 
 }  // namespace lamina

@@ -207,7 +207,8 @@ void add_line(Record& record, Json line, const std::string& where) {
                         {"function_picture", check_function_picture, &record.function_pictures},
                         {"gate", check_gate, &record.gates},
                         {"aa", check_aa, &record.aas},
-                        {"verdict", check_verdict, &record.verdicts}};
+                        {"verdict", check_verdict, &record.verdicts},
+                        {"pairs", check_pairs, &record.pairs}};
   std::vector<std::string> known = {"run"};
   for (const auto& [name, check_line, lines] : kinds) {
     known.push_back(name);

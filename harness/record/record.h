@@ -106,6 +106,7 @@ struct Record {
   std::vector<nlohmann::json> timers, plans, cells, bakes;
   std::vector<nlohmann::json> phases;  // how long the rounds took beside what they measured
   std::vector<nlohmann::json> functions, function_times, function_pictures;  // see function_rows.h
+  std::vector<nlohmann::json> pairs;  // the samples behind a gate's verdicts on times
   std::vector<nlohmann::json> gates, aas, verdicts;  // a gate's answer, its A/A arms, each figure's verdict: gate_lines.h
 };
 // Throws Error(bad_input, "record", "FILE:LINE", ...) for a line that is not JSON, another schema, no first line of kind "run",

@@ -18,12 +18,15 @@ class DebugGroup {
   DebugGroup& operator=(const DebugGroup&) = delete;
 };
 
+// Clears obey the scissor. What is discarded is discarded everywhere, so an area keeps it instead.
 void load_attachments(const PreparedPass& prepared) {
   const GLuint framebuffer = prepared.target.name;
+  const bool whole = !prepared.pass->area;
   for (size_t i = 0; i < prepared.colors.size(); ++i) {
     const PreparedAttachment& color = prepared.colors[i];
     const auto index = static_cast<GLint>(i);
     if (color.load == Load::discard) {
+      if (!whole) continue;
       const GLenum point = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
       glInvalidateNamedFramebufferData(framebuffer, 1, &point);
     } else if (color.load == Load::clear && color.integer) {
@@ -34,7 +37,7 @@ void load_attachments(const PreparedPass& prepared) {
     }
   }
   const std::optional<Attachment>& depth = prepared.pass->depth;
-  if (depth && depth->load == Load::discard) {
+  if (depth && depth->load == Load::discard && whole) {
     const GLenum point = GL_DEPTH_ATTACHMENT;
     glInvalidateNamedFramebufferData(framebuffer, 1, &point);
   } else if (depth && depth->load == Load::clear) {
@@ -79,6 +82,11 @@ void execute(const PreparedPass& prepared) {
   if (kind == PassKind::raster) {
     glBindFramebuffer(GL_FRAMEBUFFER, prepared.target.name);
     glViewport(0, 0, static_cast<GLsizei>(prepared.target.width), static_cast<GLsizei>(prepared.target.height));
+    if (const std::optional<Area>& area = prepared.pass->area) {
+      glEnable(GL_SCISSOR_TEST);
+      glScissor(static_cast<GLint>(area->x), static_cast<GLint>(area->y), static_cast<GLsizei>(area->width),
+                static_cast<GLsizei>(area->height));
+    }
     load_attachments(prepared);
   }
   for (const PreparedDraw& draw : prepared.draws) {
@@ -89,6 +97,7 @@ void execute(const PreparedPass& prepared) {
     else
       draw_triangles(draw);
   }
+  if (prepared.pass->area) glDisable(GL_SCISSOR_TEST);
 }
 
 }  // namespace

@@ -80,7 +80,10 @@ PreparedDraw prepare(Resources& resources, const Pass& pass, const Draw& draw) {
 PreparedPass prepare(Resources& resources, const Pass& pass) {
   PreparedPass prepared{.pass = &pass};
   if (pass.kind == PassKind::mips) prepared.mips_of = resources.textures.at(pass.mips_of).object.name();
-  if (pass.kind == PassKind::raster) prepared.target = resources.framebuffers.of(pass, resources.textures);
+  if (pass.kind == PassKind::raster) {
+    prepared.target = resources.framebuffers.of(pass, resources.textures);
+    check_area(pass, prepared.target.width, prepared.target.height);
+  }
   for (const Attachment& color : pass.colors)
     prepared.colors.push_back({.load = color.load,
                                .clear = color.clear,

@@ -90,6 +90,8 @@ void FrameRunner::record_raster(VkCommandBuffer commands, const Pass& pass, cons
 
   VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
   info.renderArea.extent = prepared.extent;
+  if (const std::optional<Area>& area = pass.area)
+    info.renderArea = {{static_cast<int32_t>(area->x), static_cast<int32_t>(area->y)}, {area->width, area->height}};
   info.layerCount = 1;
   info.colorAttachmentCount = static_cast<uint32_t>(colors.size());
   info.pColorAttachments = colors.data();

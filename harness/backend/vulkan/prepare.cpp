@@ -40,6 +40,7 @@ void FrameRunner::prepare_targets(const Pass& pass, PreparedPass& prepared) {
     use(attachment->texture,
         as_depth ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, pass, prepared);
   }
+  check_area(pass, prepared.extent.width, prepared.extent.height);
 }
 
 void FrameRunner::prepare_draw(const Pass& pass, const Draw& draw, PreparedPass& prepared) {

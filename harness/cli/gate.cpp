@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// lamina gate: is a state of the code slower, hungrier or less accurate than the one before? The whole flow, top to bottom.
+#include "harness/cli/gate.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+
+#include "harness/cli/run_line.h"
+#include "harness/core/text.h"
+#include "harness/record/record.h"
+#include "reports/gate.h"
+#include "reports/reports.h"
+
+namespace lamina {
+namespace {
+
+GateNames names_in(const TreePair& trees, const GateOptions& options) {
+  GateNames names;
+  for (const VariantPair& pair : trees.variants) {
+    const VariantManifest& manifest = pair.after ? *pair.after : *pair.before;
+    names.effects.push_back(manifest.effect);
+    names.variants.push_back(manifest.name);
+  }
+  names.backends = options.compare.backends;
+  return names;
+}
+
+// Devices, asked in a process of their own: the measuring ones must begin without any driver loaded.
+std::vector<DeviceInfo> probe_devices(GateOptions& options) {
+  std::vector<DeviceInfo> devices;
+  std::vector<std::string> usable;
+  for (const std::string& name : options.compare.backends) {
+    const ChildResult child = run_in_child([&](const EmitLine& emit) {
+      const DeviceInfo info = open_backend(name, {options.compare.device, options.compare.validation})->info();
+      emit({{"backend", info.backend},
+            {"device", info.device},
+            {"driver", info.driver},
+            {"api_version", info.api_version},
+            {"software", info.software},
+            {"max_texture_size", info.max_texture_size}});
+    });
+    if (!child.failure.empty() || child.lines.empty()) {
+      fmt::print(stderr, "lamina: {}: {}\n", name, child.failure);
+      continue;
+    }
+    const nlohmann::json& line = child.lines.front();
+    DeviceInfo info;
+    info.backend = line["backend"], info.device = line["device"], info.driver = line["driver"];
+    info.api_version = line["api_version"], info.software = line["software"], info.max_texture_size = line["max_texture_size"];
+    if (std::max(options.compare.width_px, options.compare.height_px) > info.max_texture_size)
+      throw Error(ErrorKind::bad_input, "gate", "--size",
+                  fmt::format("{}x{} is larger than {} pixels, the most that {} can draw", options.compare.width_px,
+                              options.compare.height_px, info.max_texture_size, name));
+    devices.push_back(info);
+    usable.push_back(name);
+  }
+  if (usable.empty()) throw_no_backend("gate");
+  if (usable.size() < options.compare.backends.size())
+    throw Error(
+        ErrorKind::no_device, "gate", "--backend",
+        "a backend that was asked for does not open here (see above), and a cell that is not run is never a pass; choose "
+        "those that do with --backend");
+  return devices;
+}
+
+int run_against(GateOptions options, const std::function<double()>& elapsed_s) {
+  const Scene scene = load_scene_for(options.compare.scene);
+  TreePair trees = pair_trees(scene, load_library(options.against, {}), load_library_for(options.compare.scene), options);
+  std::vector<std::string> variants;
+  for (const VariantPair& pair : trees.variants) variants.push_back(pair.after ? pair.after->name : pair.before->name);
+  check_variant_names("gate", options.compare.variants, variants);
+  const LimitsFile limits = options.limits.empty() ? LimitsFile() : LimitsFile(options.limits, names_in(trees, options));
+  const std::vector<DeviceInfo> devices = probe_devices(options);
+
+  std::error_code not_there;
+  std::filesystem::remove_all(options.compare.out / "images", not_there);  // an earlier run's
+  make_run_folder("gate", options.compare.out);
+  RecordWriter record(options.compare.out / "record.jsonl");
+  record.append(run_line(options.compare, scene, devices));
+  record.append(plan_line(trees.after.plan, scene, trees.after.shaders.begin()->second));
+
+  const GateMeasurements measured = measure_trees(trees, options, limits, elapsed_s);
+  const GateResult result = judge_trees(trees, measured, options, limits);
+  const GateOutcome outcome = outcome_of(result.rows);
+  for (const auto* lines : {&measured.timers, &measured.cells_after})
+    for (const nlohmann::json& line : *lines) record.append(nlohmann::ordered_json(line));
+  for (const PairsRow& row : measured.pairs) record.append(to_json(row));
+  for (const SameArmRow& row : result.times.same_arms) record.append(to_json(row));
+  for (const VerdictRow& row : result.rows) record.append(to_json(row));
+  record.append(
+      to_json(GateRow{"against", fmt::format("the variants and shaders of {}", options.against.string()), outcome.verdict,
+                      outcome.status, measured.processes, result.times.rounds, result.times.comparisons, elapsed_s(),
+                      limits.of("", "", "").max_slowdown, 1 - options.family_error}));
+  return finish_gate(options.compare.out);
+}
+
+}  // namespace
+
+int finish_gate(const std::filesystem::path& out) {
+  const Record written = read_record(out / "record.jsonl");
+  write_reports(out);
+  fmt::print("{}\nreport: {}\n", gate_table(written, ::isatty(STDOUT_FILENO) == 1), (out / "index.html").string());
+  announce_on_github(written);
+  return written.gates.front().at("status");
+}
+
+int run_gate(const GateOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto elapsed_s = [start] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  if (options.against.empty() == options.baseline.empty())
+    throw Error(ErrorKind::bad_input, "gate", "options",
+                "say what to compare with: --against DIR, a tree of variants and shaders, or --baseline RECORD; one of them");
+  for (const char* folder : {"variants", "shaders"})
+    if (!options.against.empty() && !std::filesystem::is_directory(options.against / folder))
+      throw Error(ErrorKind::bad_input, "gate", options.against.string(),
+                  fmt::format("has no folder '{}'; give a tree with variants/ and shaders/, such as a checkout", folder));
+  return run_against(options, elapsed_s);
+}
+
+}  // namespace lamina

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the commands of the gate share: the options, the two trees, and what a process of measuring hands over.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <tuple>
+
+#include "harness/cli/commands.h"
+#include "harness/gate/child.h"
+#include "harness/gate/exact_verdicts.h"
+#include "harness/gate/pairs.h"
+
+namespace lamina {
+
+// Variants and shaders at one state of the code.
+struct Tree {
+  Library library;
+  Plan plan;  // points into library
+  std::map<Api, ShaderCache> shaders;
+};
+
+// One variant, before and after. Null: not there.
+struct VariantPair {
+  const EffectManifest *effect_before = nullptr, *effect_after = nullptr;
+  const VariantManifest *before = nullptr, *after = nullptr;
+  bool same_code = false;
+  std::string failure;  // of the one after, where it cannot even be compiled
+};
+
+struct TreePair {
+  const Scene& scene;
+  Tree before, after;
+  std::vector<VariantPair> variants;  // of the effects that the scene calls for
+};
+
+// What one process does on one backend.
+struct GateTask {
+  std::string backend;
+  size_t process = 0;
+  bool certify = false;  // the timer
+  bool exact = false;    // counts, pictures and errors
+  double until_s = 0;    // seconds of this process's own clock, for everything
+};
+
+// Runs in the child. Emits {"timer":..}, {"cell":..,"side":"before"|"after"}, {"facts":..} and {"pairs":..} objects.
+void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOptions& options, const LimitsFile& limits,
+                            const EmitLine& emit);
+
+// What the processes of a gate have handed over, in record form.
+struct GateMeasurements {
+  std::vector<nlohmann::json> timers, cells_before, cells_after;
+  std::map<std::tuple<std::string, std::string, std::string>, PictureFacts> facts;  // by backend, variant, view
+  std::vector<PairsRow> pairs;
+  std::vector<VerdictRow> failures;  // of backends and processes
+  size_t processes = 0;
+};
+
+// Runs processes on every backend until `options.processes` have run on each and times are precise, or the budget is spent.
+// `elapsed_s` tells the wall time since the command began.
+GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, const LimitsFile& limits,
+                               const std::function<double()>& elapsed_s);
+
+// The trees of `lamina gate SCENE --against DIR`. Throws Error(bad_input) where they have no variant in common.
+TreePair pair_trees(const Scene& scene, Library before, Library after, const GateOptions& options);
+
+// All verdicts on two trees.
+struct GateResult {
+  std::vector<VerdictRow> rows;
+  TimeReport times;
+};
+GateResult judge_trees(const TreePair& trees, const GateMeasurements& measured, const GateOptions& options,
+                       const LimitsFile& limits);
+
+// Reports from the record in `out`; prints the table. Returns the exit status that the record holds.
+int finish_gate(const std::filesystem::path& out);
+
+}  // namespace lamina

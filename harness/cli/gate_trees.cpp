@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two trees of variants and shaders: paired, measured by processes, judged.
+#include <algorithm>
+#include <set>
+
+#include "harness/cli/gate.h"
+#include "harness/core/text.h"
+#include "harness/gate/identity.h"
+
+namespace lamina {
+namespace {
+
+// A process is not begun for less: most of it would be preparation.
+constexpr double least_process_s = 4;
+
+Tree load_tree(Library library, const Scene& scene, const std::vector<std::string>& backends) {
+  Tree tree{std::move(library), {}, {}};
+  for (const std::string& backend : backends) {
+    const Api api = backend == "vulkan" ? Api::vulkan : Api::opengl;
+    tree.shaders.try_emplace(api, api, tree.library.shaders);
+  }
+  tree.plan = make_plan(tree.library, scene);
+  return tree;
+}
+
+const VariantManifest* find_variant(const EffectManifest* effect, const std::string& name) {
+  if (!effect) return nullptr;
+  for (const VariantManifest& variant : effect->variants)
+    if (variant.name == name) return &variant;
+  return nullptr;
+}
+
+const EffectManifest* find_effect(const Plan& plan, const std::string& name) {
+  for (const EffectPlan& entry : plan.effects)
+    if (entry.called_for && entry.effect->name == name) return entry.effect;
+  return nullptr;
+}
+
+std::string identity_over_apis(Tree& tree, const Scene& scene, const VariantManifest& variant) {
+  std::string identity;
+  for (auto& [api, shaders] : tree.shaders)
+    identity += identity_of(variant, make_graph(tree.plan, configuration_with(tree.plan, variant), scene, shaders));
+  return identity;
+}
+
+// Whether the code is the same; compiles the shaders, so that every process finds them compiled.
+void look_at_code(VariantPair& pair, Tree& before, Tree& after, const Scene& scene) {
+  std::string old_identity;
+  try {
+    if (pair.before) old_identity = identity_over_apis(before, scene, *pair.before);
+  } catch (const Error&) {  // its cells say so
+  }
+  try {
+    if (pair.after) pair.same_code = identity_over_apis(after, scene, *pair.after) == old_identity && pair.before;
+  } catch (const Error& error) {
+    pair.failure = error.what();
+  }
+}
+
+bool is_asked_for(const std::string& variant, const VariantPair& pair, const GateOptions& options) {
+  const std::vector<std::string>& wanted = options.compare.variants;
+  const VariantManifest& manifest = pair.before ? *pair.before : *pair.after;
+  return manifest.baseline || wanted.empty() || std::find(wanted.begin(), wanted.end(), variant) != wanted.end();
+}
+
+void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements& measured) {
+  for (const nlohmann::json& line : child.lines) {
+    if (line.contains("timer")) measured.timers.push_back(line["timer"]);
+    if (line.contains("cell"))
+      (line["side"] == "before" ? measured.cells_before : measured.cells_after).push_back(line["cell"]);
+    if (line.contains("pairs")) measured.pairs.push_back(pairs_from_json(line["pairs"]));
+    if (line.contains("facts")) {
+      const nlohmann::json& from = line["facts"];
+      PictureFacts& facts = measured.facts[{task.backend, from["variant"], from["view"]}];
+      facts.range = from["range"];
+      if (!from["most_change"].is_null()) facts.most_change = from["most_change"].get<double>();
+    }
+    if (!line.contains("messages")) continue;
+    for (const nlohmann::json& message : line["messages"]) {
+      VerdictRow& row = measured.failures.emplace_back();
+      row.backend = task.backend, row.what = "api", row.verdict = Verdict::failed;
+      row.sentence = fmt::format("{}: the API's checker says: {}", task.backend, message.get<std::string>());
+    }
+  }
+  if (child.failure.empty()) return;
+  VerdictRow& row = measured.failures.emplace_back();
+  row.backend = task.backend, row.what = "cell", row.verdict = Verdict::failed;
+  row.sentence = fmt::format("{}: nothing could be measured: {}", task.backend, child.failure);
+}
+
+}  // namespace
+
+TreePair pair_trees(const Scene& scene, Library library_before, Library library_after, const GateOptions& options) {
+  TreePair trees{scene,
+                 load_tree(std::move(library_before), scene, options.compare.backends),
+                 load_tree(std::move(library_after), scene, options.compare.backends),
+                 {}};
+  std::vector<std::string> effects;
+  for (const Plan* plan : {&trees.before.plan, &trees.after.plan})
+    for (const EffectPlan& entry : plan->effects)
+      if (entry.called_for && std::find(effects.begin(), effects.end(), entry.effect->name) == effects.end())
+        effects.push_back(entry.effect->name);
+  for (const std::string& effect : effects) {
+    const EffectManifest* before = find_effect(trees.before.plan, effect);
+    const EffectManifest* after = find_effect(trees.after.plan, effect);
+    std::vector<std::string> names;
+    for (const EffectManifest* side : {before, after})
+      if (side)
+        for (const VariantManifest& variant : side->variants)
+          if (std::find(names.begin(), names.end(), variant.name) == names.end()) names.push_back(variant.name);
+    for (const std::string& name : names) {
+      VariantPair pair{before, after, find_variant(before, name), find_variant(after, name), false, ""};
+      if (!is_asked_for(name, pair, options)) continue;
+      look_at_code(pair, trees.before, trees.after, scene);
+      trees.variants.push_back(std::move(pair));
+    }
+  }
+  if (std::none_of(trees.variants.begin(), trees.variants.end(),
+                   [](const VariantPair& pair) { return pair.before && pair.after; }))
+    throw Error(ErrorKind::bad_input, "gate", options.against.string(),
+                "no variant that the scene calls for is in both trees, so there is nothing to compare");
+  return trees;
+}
+
+GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, const LimitsFile& limits,
+                               const std::function<double()>& elapsed_s) {
+  GateMeasurements measured;
+  std::set<std::string> certified, broken;
+  const auto run = [&](const std::string& backend, size_t process, double seconds) {
+    GateTask task{backend, process, options.times && !certified.contains(backend), process == 0, seconds};
+    const ChildResult child =
+        run_in_child([&](const EmitLine& emit) { measure_pairs_of_trees(trees, task, options, limits, emit); });
+    take_lines(child, task, measured);
+    if (!child.failure.empty()) broken.insert(backend);
+    for (const nlohmann::json& timer : measured.timers)
+      if (timer.at("backend") == backend && timer.at("ok")) certified.insert(backend);
+  };
+  const size_t planned = options.times ? options.processes : 1;
+  for (size_t process = 0; process < planned; ++process)
+    for (size_t i = 0; i < options.compare.backends.size(); ++i) {
+      const std::string& backend = options.compare.backends[i];
+      const size_t left = (planned - process) * options.compare.backends.size() - i;
+      const double seconds = (options.budget_s - elapsed_s()) / static_cast<double>(left);
+      if (!broken.contains(backend)) run(backend, process, seconds);
+    }
+  measured.processes = planned;
+  // Backends that are still ambiguous get what is left.
+  while (options.times && !measured.pairs.empty()) {
+    const TimeReport report = judge_pairs(measured.pairs, limits, options.family_error);
+    std::vector<std::string> undecided;
+    for (const std::string& backend : report.undecided)
+      if (!broken.contains(backend)) undecided.push_back(backend);
+    const double left_s = options.budget_s - elapsed_s();
+    if (undecided.empty() || left_s < least_process_s * static_cast<double>(undecided.size())) break;
+    for (size_t i = 0; i < undecided.size(); ++i)
+      run(undecided[i], measured.processes, (options.budget_s - elapsed_s()) / static_cast<double>(undecided.size() - i));
+    ++measured.processes;
+  }
+  return measured;
+}
+
+namespace {
+
+CellPair cells_of(const VariantPair& pair, const std::string& backend, const GateMeasurements& measured, const Scene& scene) {
+  const std::string& name = pair.after ? pair.after->name : pair.before->name;
+  const auto find = [&](const std::vector<nlohmann::json>& cells, const std::string& view) -> nlohmann::json {
+    for (const nlohmann::json& cell : cells)
+      if (cell.at("backend") == backend && cell.at("variant") == name && cell.at("view") == view) return cell;
+    return nullptr;
+  };
+  CellPair cells;
+  for (const View& view : scene.views) {
+    cells.before.push_back(find(measured.cells_before, view.name));
+    cells.after.push_back(find(measured.cells_after, view.name));
+    const auto facts = measured.facts.find({backend, name, view.name});
+    if (facts != measured.facts.end()) cells.facts.push_back(facts->second);
+  }
+  if (cells.facts.size() != cells.after.size()) cells.facts.clear();
+  return cells;
+}
+
+VerdictRow row_about(const std::string& backend, const VariantPair& pair, std::string what, Verdict verdict,
+                     std::string sentence) {
+  const VariantManifest& manifest = pair.after ? *pair.after : *pair.before;
+  VerdictRow row;
+  row.backend = backend, row.effect = manifest.effect, row.variant = manifest.name;
+  row.what = std::move(what), row.verdict = verdict, row.sentence = std::move(sentence);
+  return row;
+}
+
+// What is judged without any cell; nothing where cells decide.
+std::optional<VerdictRow> judge_presence(const VariantPair& pair, const std::string& backend) {
+  const std::string name = fmt::format("{} on {}", pair.after ? pair.after->name : pair.before->name, backend);
+  if (!pair.after) return row_about(backend, pair, "cell", Verdict::failed, name + " is gone: it was there before");
+  if (!pair.failure.empty())
+    return row_about(backend, pair, "cell", Verdict::failed, fmt::format("{} cannot be run: {}", name, pair.failure));
+  if (!pair.before)
+    return row_about(backend, pair, "cell", Verdict::not_compared, name + " is new: there is nothing to compare it with");
+  if (pair.same_code)
+    return row_about(backend, pair, "code", Verdict::same,
+                     name + ": the same code and passes as before, so nothing can differ");
+  return std::nullopt;
+}
+
+VerdictRow judge_timer(const nlohmann::json& timer) {
+  VerdictRow row;
+  row.backend = timer.at("backend"), row.what = "timer";
+  row.verdict = timer.at("ok") ? Verdict::same : Verdict::ambiguous;
+  row.sentence = timer.at("ok") ? fmt::format("{}: the timer's certificate holds", row.backend)
+                                : fmt::format(
+                                      "{}: the timer's certificate failed ({}), so no time is judged; run again on a "
+                                      "quieter machine",
+                                      row.backend, timer.at("reason").get<std::string>());
+  return row;
+}
+
+}  // namespace
+
+GateResult judge_trees(const TreePair& trees, const GateMeasurements& measured, const GateOptions& options,
+                       const LimitsFile& limits) {
+  GateResult result;
+  result.rows = measured.failures;
+  for (const std::string& backend : options.compare.backends) {
+    const nlohmann::json* timer = nullptr;  // the last one: an earlier one that failed was asked again
+    for (const nlohmann::json& each : measured.timers)
+      if (each.at("backend") == backend) timer = &each;
+    if (timer) result.rows.push_back(judge_timer(*timer));
+    for (const VariantPair& pair : trees.variants) {
+      if (auto row = judge_presence(pair, backend)) {
+        result.rows.push_back(std::move(*row));
+        continue;
+      }
+      const CellPair cells = cells_of(pair, backend, measured, trees.scene);
+      const auto missing = [](const std::vector<nlohmann::json>& side) {
+        return std::all_of(side.begin(), side.end(), [](const nlohmann::json& cell) { return cell.is_null(); });
+      };
+      if (missing(cells.after) && missing(cells.before)) {
+        result.rows.push_back(row_about(backend, pair, "cell", Verdict::failed,
+                                        fmt::format("{} on {} was not measured", pair.after->name, backend)));
+        continue;
+      }
+      for (VerdictRow& row : judge_cells(cells, limits.of(pair.after->effect, pair.after->name, backend)))
+        result.rows.push_back(std::move(row));
+    }
+  }
+  if (options.times) {
+    result.times = judge_pairs(measured.pairs, limits, options.family_error);
+    result.rows.insert(result.rows.end(), result.times.rows.begin(), result.times.rows.end());
+  }
+  return result;
+}
+
+}  // namespace lamina

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Work done in a process of its own, so that measurements do not share a memory layout, two OpenGL contexts never meet, and a
+// driver that crashes takes nothing with it.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace lamina {
+
+using EmitLine = std::function<void(const nlohmann::ordered_json&)>;
+
+struct ChildResult {
+  std::vector<nlohmann::json> lines;
+  std::string failure;  // "" where it ended well: an error's words, or the signal that ended it
+};
+
+// Forks; `work` runs in the child and hands its lines over one by one; what it throws becomes the failure. The parent must have
+// no threads and no open backend. Throws Error(failed) where no process can be made.
+ChildResult run_in_child(const std::function<void(const EmitLine&)>& work);
+
+}  // namespace lamina

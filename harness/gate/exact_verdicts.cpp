@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/gate/exact_verdicts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "harness/core/error.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double blank_range = 1e-4;  // below any difference that a display shows
+
+struct Subject {
+  const Limits& limits;
+  VerdictRow blank;  // names the variant and backend
+  std::vector<VerdictRow>& rows;
+};
+
+VerdictRow& add(const Subject& subject, std::string_view what, Verdict verdict, std::string sentence, std::string view = "") {
+  VerdictRow& row = subject.rows.emplace_back(subject.blank);
+  row.what = what;
+  row.verdict = verdict;
+  row.sentence = std::move(sentence);
+  row.view = std::move(view);
+  return row;
+}
+
+// "light_map on vulkan, view front": how sentences begin.
+std::string name_of_cell(const Subject& subject, const std::string& view = "") {
+  return fmt::format("{} on {}{}", subject.blank.variant, subject.blank.backend, view.empty() ? "" : ", view " + view);
+}
+
+// Counts of a cell by what they count: a pass's invocations, and its fetches by texture.
+struct Count {
+  std::string what, pass, texture;
+  auto operator<=>(const Count&) const = default;
+};
+std::map<Count, double> counts_of(const Json& cell) {
+  const auto value = [](const Json& count) { return count.is_null() ? 0.0 : count.get<double>(); };
+  std::map<Count, double> counts;
+  for (const Json& pass : cell.at("passes")) {
+    const std::string name = pass.at("name");
+    counts[{"fragments", name, ""}] += value(pass.at("fragments"));
+    counts[{"vertices", name, ""}] += value(pass.at("vertices"));
+    for (const Json& fetched : pass.at("by_texture"))
+      counts[{"fetches", name,
+              fmt::format("{} ({}, {})", fetched.at("texture").get<std::string>(), fetched.at("format").get<std::string>(),
+                          fetched.at("filter").get<std::string>())}] += value(fetched.at("fetches"));
+  }
+  return counts;
+}
+
+void judge_counts(const Subject& subject, const Json& before, const Json& after, std::set<std::string>& changed) {
+  const std::map<Count, double> old_counts = counts_of(before), new_counts = counts_of(after);
+  std::set<Count> all;
+  for (const auto& [count, value] : old_counts) all.insert(count);
+  for (const auto& [count, value] : new_counts) all.insert(count);
+  const auto of = [](const std::map<Count, double>& counts, const Count& count) {
+    const auto found = counts.find(count);
+    return found == counts.end() ? 0.0 : found->second;
+  };
+  const std::string view = after.at("view");
+  for (const Count& count : all) {
+    const double old_count = of(old_counts, count), new_count = of(new_counts, count);
+    if (old_count == new_count) continue;
+    changed.insert(count.what);
+    const double allowed = old_count * (1 + subject.limits.max_extra_fetches);
+    const Verdict verdict = new_count > allowed ? Verdict::worse : new_count > old_count ? Verdict::same : Verdict::better;
+    VerdictRow& row =
+        add(subject, count.what, verdict,
+            fmt::format("{}: pass {} makes {:.0f} {}{} where it made {:.0f}", name_of_cell(subject, view), count.pass,
+                        new_count, count.what == "fetches" ? "fetches" : "invocations of its " + count.what,
+                        count.texture.empty() ? "" : " of " + count.texture, old_count),
+            view);
+    row.pass = count.pass, row.texture = count.texture;
+    row.before = old_count, row.after = new_count, row.limit = allowed;
+  }
+}
+
+struct Figure {
+  const char* name;
+  bool more_is_better;
+  double ErrorTolerance::*tolerance;
+  std::optional<double> ErrorLimits::*bound;
+};
+constexpr Figure figures[] = {{"psnr_db", true, &ErrorTolerance::psnr_db, &ErrorLimits::min_psnr_db},
+                              {"ssim", true, &ErrorTolerance::ssim, &ErrorLimits::min_ssim},
+                              {"flip", false, &ErrorTolerance::flip, &ErrorLimits::max_flip},
+                              {"rmse_linear", false, &ErrorTolerance::rmse_linear, &ErrorLimits::max_rmse_linear},
+                              {"max_linear", false, &ErrorTolerance::max_linear, &ErrorLimits::max_max_linear}};
+
+// Null PSNR is that of identical pictures.
+double value_of(const Json& error, const Figure& figure) {
+  const Json& value = error.at(figure.name);
+  return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
+}
+
+void judge_errors(const Subject& subject, const Json& before, const Json& after, const char* against, const ErrorLimits& bounds,
+                  std::set<std::string>& changed) {
+  const Json& old_error = before.at("error").at(against);
+  const Json& new_error = after.at("error").at(against);
+  const std::string view = after.at("view");
+  if (new_error.is_null()) {
+    if (old_error.is_null()) return;
+    changed.insert("errors");
+    add(subject, fmt::format("error to {}", against), Verdict::failed,
+        fmt::format("{}: its error to the {} could be measured before, now it cannot", name_of_cell(subject, view), against),
+        view);
+    return;
+  }
+  for (const Figure& figure : figures) {
+    const std::string what = std::string(figure.name) + (std::string_view(against) == "truth" ? " to truth" : "");
+    const double now = value_of(new_error, figure), sign = figure.more_is_better ? 1 : -1;
+    const auto report = [&](Verdict verdict, std::optional<double> old_value, std::optional<double> limit,
+                            std::string sentence) {
+      changed.insert("errors");
+      VerdictRow& row = add(subject, what, verdict, std::move(sentence), view);
+      row.before = old_value, row.after = now, row.limit = limit;
+    };
+    if (const std::optional<double>& bound = bounds.*figure.bound; bound && sign * now < sign * *bound) {
+      report(Verdict::failed, old_error.is_null() ? std::nullopt : std::optional(value_of(old_error, figure)), bound,
+             fmt::format("{}: {} is {:.6g}, the gate file asks for {} {:.6g}", name_of_cell(subject, view), what, now,
+                         figure.more_is_better ? "at least" : "at most", *bound));
+      continue;
+    }
+    if (old_error.is_null()) continue;
+    const double was = value_of(old_error, figure), tolerance = subject.limits.tolerance.*figure.tolerance;
+    if (now == was || std::abs(now - was) <= tolerance) continue;
+    const bool worse = sign * now < sign * was;
+    report(worse ? Verdict::worse : Verdict::better, was, was - sign * tolerance,
+           fmt::format("{}: {} went from {:.6g} to {:.6g}", name_of_cell(subject, view), what, was, now));
+  }
+}
+
+void judge_picture(const Subject& subject, const Json& before, const Json& after, const PictureFacts* facts,
+                   std::set<std::string>& changed) {
+  const std::string view = after.at("view");
+  const auto nonfinite = after.at("nonfinite_pixels").is_null() ? 0 : after.at("nonfinite_pixels").get<uint64_t>();
+  if (nonfinite > subject.limits.max_nonfinite_pixels) {
+    changed.insert("nonfinite");
+    VerdictRow& row =
+        add(subject, "nonfinite", Verdict::failed,
+            fmt::format("{}: {} pixels are infinite or not a number", name_of_cell(subject, view), nonfinite), view);
+    row.after = static_cast<double>(nonfinite), row.limit = static_cast<double>(subject.limits.max_nonfinite_pixels);
+  }
+  const auto covered = [](const Json& cell) {
+    return cell.at("covered_pixels").is_null() ? 0 : cell.at("covered_pixels").get<uint64_t>();
+  };
+  if (covered(after) == 0 && covered(before) > 0) {
+    changed.insert("blank");
+    add(subject, "blank", Verdict::failed,
+        fmt::format("{}: the effect covers no pixel, it covered {}", name_of_cell(subject, view), covered(before)), view);
+  } else if (facts && facts->range < blank_range && covered(before) > 0) {
+    changed.insert("blank");
+    add(subject, "blank", Verdict::failed,
+        fmt::format("{}: the picture is blank: all its pixels are of one colour", name_of_cell(subject, view)), view);
+  }
+  const bool same_hash = before.at("image_hash") == after.at("image_hash");
+  if (subject.limits.same_image && !same_hash) {
+    changed.insert("image_hash");
+    add(subject, "image_hash", Verdict::failed,
+        fmt::format("{}: the picture's hash changed, and the gate file asks for the same picture", name_of_cell(subject, view)),
+        view);
+  }
+  const double most = subject.limits.max_picture_change;
+  if (same_hash || nonfinite > 0 || !facts || !facts->most_change || *facts->most_change <= most) return;
+  // Its errors have been judged before: rows of this view.
+  bool better = false, worse = false;
+  for (const VerdictRow& row : subject.rows) {
+    const bool is_error = std::any_of(std::begin(figures), std::end(figures),
+                                      [&](const Figure& figure) { return row.what.starts_with(figure.name); });
+    if (row.view != view || !is_error) continue;
+    better = better || row.verdict == Verdict::better;
+    worse = worse || row.verdict != Verdict::better;
+  }
+  if (better && !worse) return;
+  changed.insert("picture");
+  VerdictRow& row =
+      add(subject, "picture", Verdict::worse,
+          fmt::format("{}: the picture changed by up to {:.4g} in linear light, and {}", name_of_cell(subject, view),
+                      *facts->most_change,
+                      after.at("baseline").get<bool>() ? "it is what other variants are held to" : "no error got better by it"),
+          view);
+  row.after = *facts->most_change, row.limit = most;
+}
+
+// Views that gave different pictures and now give one: a frame that is not drawn again.
+void judge_staleness(const Subject& subject, const CellPair& pair, std::set<std::string>& changed) {
+  for (size_t i = 0; i < pair.after.size(); ++i)
+    for (size_t j = i + 1; j < pair.after.size(); ++j) {
+      const Json &a = pair.after[i], &b = pair.after[j];
+      if (a.is_null() || b.is_null() || pair.before[i].is_null() || pair.before[j].is_null()) continue;
+      if (a.at("image_hash") != b.at("image_hash") || a.at("image_hash") == "") continue;
+      if (pair.before[i].at("image_hash") == pair.before[j].at("image_hash")) continue;
+      changed.insert("blank");
+      add(subject, "stale", Verdict::failed,
+          fmt::format("{}: views {} and {} show the same picture, which they did not: a frame is not drawn again",
+                      name_of_cell(subject), a.at("view").get<std::string>(), b.at("view").get<std::string>()));
+    }
+}
+
+}  // namespace
+
+PictureFacts picture_facts(const Image& picture, const Image* before) {
+  if (before && (before->width != picture.width || before->height != picture.height))
+    throw Error(ErrorKind::failed, "gate", "picture", "the pictures before and after are of different sizes");
+  PictureFacts facts;
+  float least = std::numeric_limits<float>::infinity(), most = -least;
+  double change = 0;
+  for (size_t i = 0; i < picture.rgba.size(); ++i) {
+    if (i % 4 == 3) continue;
+    least = std::min(least, picture.rgba[i]), most = std::max(most, picture.rgba[i]);
+    if (before) change = std::max(change, std::abs(double{picture.rgba[i]} - double{before->rgba[i]}));
+  }
+  facts.range = picture.rgba.empty() ? 0 : double{most} - double{least};
+  if (before) facts.most_change = change;
+  return facts;
+}
+
+std::vector<VerdictRow> judge_cells(const CellPair& pair, const Limits& limits) {
+  std::vector<VerdictRow> rows;
+  const auto present = [](const std::vector<Json>& cells) {
+    return std::find_if(cells.begin(), cells.end(), [](const Json& cell) { return !cell.is_null(); });
+  };
+  const auto example = present(pair.before) != pair.before.end() ? present(pair.before) : present(pair.after);
+  Subject subject{limits, {}, rows};
+  subject.blank.backend = example->at("backend"), subject.blank.effect = example->at("effect");
+  subject.blank.variant = example->at("variant");
+  std::set<std::string> changed;
+  size_t compared = 0;
+  for (size_t i = 0; i < pair.after.size(); ++i) {
+    const Json &before = pair.before[i], &after = pair.after[i];
+    if (after.is_null()) {
+      add(subject, "cell", Verdict::failed,
+          fmt::format("{} is gone: it was there before", name_of_cell(subject, before.at("view"))), before.at("view"));
+    } else if (after.at("status") == "failed") {
+      add(subject, "cell", Verdict::failed,
+          fmt::format("{} cannot be measured: {}", name_of_cell(subject, after.at("view")),
+                      after.at("reason").get<std::string>()),
+          after.at("view"));
+    } else if (before.is_null() || before.at("status") == "failed") {
+      add(subject, "cell", Verdict::not_compared,
+          fmt::format("{} {}, so there is nothing to compare it with", name_of_cell(subject, after.at("view")),
+                      before.is_null() ? "is new" : "could not be measured before"),
+          after.at("view"));
+    } else {
+      ++compared;
+      judge_counts(subject, before, after, changed);
+      judge_errors(subject, before, after, "baseline", limits.baseline, changed);
+      judge_errors(subject, before, after, "truth", limits.truth, changed);
+      judge_picture(subject, before, after, i < pair.facts.size() ? &pair.facts[i] : nullptr, changed);
+    }
+  }
+  judge_staleness(subject, pair, changed);
+  if (compared > 0)
+    for (const char* what : {"fetches", "errors", "nonfinite", "blank"})
+      if (!changed.contains(what))
+        add(subject, what, Verdict::same, fmt::format("{}: {} as before in {} views", name_of_cell(subject), what, compared));
+  return rows;
+}
+
+}  // namespace lamina

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/gate/paired_frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "harness/measure/statistics.h"
+
+namespace lamina {
+namespace {
+
+// A multiple of rounds_a_frame, so that all rounds take as many strips; 1 where there is no use in cutting.
+uint32_t strips_for(double ms, const PieceOptions& options) {
+  const double wanted = std::min(ms / options.piece_ms, static_cast<double>(options.most_strips)) / rounds_a_frame;
+  return wanted < 0.5 ? 1 : static_cast<uint32_t>(std::round(wanted)) * static_cast<uint32_t>(rounds_a_frame);
+}
+
+uint32_t repeats_for(double ms, const PieceOptions& options) {
+  return static_cast<uint32_t>(
+      std::clamp(options.piece_ms / std::max(ms, 1e-6), 1.0, static_cast<double>(options.most_repeats)));
+}
+
+}  // namespace
+
+PairedFrames::PairedFrames(Backend& backend, std::vector<Frame*> frames, size_t view, const PieceOptions& options)
+    : backend_(backend), frames_(std::move(frames)) {
+  for (size_t frame = 0; frame < frames_.size(); ++frame) cut(frame, view, options);
+  for (size_t pass = 0; pass < passes_.size(); ++pass)
+    passes_[pass].cut = cuts_[pass].strips > 1 &&
+                        std::all_of(cuts_[pass].pieces.begin(), cuts_[pass].pieces.end(), [](const std::vector<Pass>& pieces) {
+                          return pieces.empty() || pieces.size() >= rounds_a_frame;
+                        });
+}
+
+size_t PairedFrames::pass_named(const std::string& name, size_t occurrence) {
+  for (size_t i = 0; i < passes_.size(); ++i)
+    if (passes_[i].name == name && cuts_[i].occurrence == occurrence) return i;
+  passes_.push_back({name, false, std::vector<std::vector<double>>(frames_.size())});
+  cuts_.push_back({occurrence, 0, 1, std::vector<std::vector<Pass>>(frames_.size())});
+  return passes_.size() - 1;
+}
+
+// Cuts by the shorter of two runs: the first one may still compile.
+void PairedFrames::cut(size_t frame, size_t view, const PieceOptions& options) {
+  const std::vector<std::string>& names = frames_[frame]->frame_names();
+  const FrameTimes first = frames_[frame]->run(view, Timing::bracketed), second = frames_[frame]->run(view, Timing::bracketed);
+  std::vector<size_t> passes;
+  std::vector<uint32_t> parts;
+  for (size_t i = 0; i < names.size(); ++i) {
+    const auto here = names.begin() + static_cast<std::ptrdiff_t>(i);
+    const size_t pass = pass_named(names[i], static_cast<size_t>(std::count(names.begin(), here, names[i])));
+    Cut& how = cuts_[pass];
+    if (how.strips == 0) {
+      const double ms = std::min(first.pass_ms[i], second.pass_ms[i]);
+      how.strips = strips_for(ms, options);
+      how.repeats = repeats_for(ms, options);
+    }
+    passes.push_back(pass);
+    parts.push_back(how.strips);
+  }
+  for (Frame::Slice& slice : frames_[frame]->slices(view, parts))
+    cuts_[passes[slice.pass]].pieces[frame].push_back(std::move(slice.piece));
+}
+
+void PairedFrames::run_round(std::mt19937_64& random) {
+  struct Owner {
+    size_t pass, frame;
+  };
+  std::vector<Pass> pieces;
+  std::vector<Owner> owners;
+  std::vector<size_t> order(frames_.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  for (size_t pass = 0; pass < passes_.size(); ++pass) {
+    const Cut& how = cuts_[pass];
+    const size_t step = passes_[pass].cut ? rounds_a_frame : 1, begin = rounds_ % step;
+    size_t end = 0;
+    for (const std::vector<Pass>& of_frame : how.pieces) end = std::max(end, of_frame.size());
+    for (uint32_t repeat = 0; repeat < how.repeats; ++repeat)
+      for (size_t piece = begin; piece < end; piece += step) {
+        for (size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);  // Fisher and Yates
+        for (const size_t frame : order) {
+          if (piece >= how.pieces[frame].size()) continue;
+          pieces.push_back(how.pieces[frame][piece]);
+          owners.push_back({pass, frame});
+        }
+      }
+  }
+  const RunTimes times = backend_.run(pieces, Timing::bracketed);
+  for (size_t pass = 0; pass < passes_.size(); ++pass)
+    for (size_t frame = 0; frame < frames_.size(); ++frame)
+      if (!cuts_[pass].pieces[frame].empty()) passes_[pass].ms[frame].push_back(0);
+  for (size_t i = 0; i < owners.size(); ++i)
+    passes_[owners[i].pass].ms[owners[i].frame].back() += times.pass_ms[i] / cuts_[owners[i].pass].repeats;
+  ++rounds_;
+}
+
+std::vector<std::vector<double>> frame_ms(const std::vector<PairedPass>& passes) {
+  std::vector<std::vector<double>> sums(passes.empty() ? 0 : passes.front().ms.size());
+  for (const PairedPass& pass : passes)
+    for (size_t frame = 0; frame < sums.size(); ++frame) {
+      sums[frame].resize(std::max(sums[frame].size(), pass.ms[frame].size()), 0);
+      for (size_t round = 0; round < pass.ms[frame].size(); ++round)
+        sums[frame][round] += pass.cut ? pass.ms[frame][round] : pass.ms[frame][round] / rounds_a_frame;
+    }
+  return sums;
+}
+
+std::optional<double> whole_ms(const PairedPass& pass, size_t frame) {
+  const std::vector<double>& ms = pass.ms[frame];
+  if (ms.size() < rounds_a_frame) return std::nullopt;
+  if (!pass.cut) return median(ms);
+  double sum = 0;
+  for (size_t kind = 0; kind < rounds_a_frame; ++kind) {
+    std::vector<double> of_kind;
+    for (size_t round = kind; round < ms.size(); round += rounds_a_frame) of_kind.push_back(ms[round]);
+    sum += median(of_kind);
+  }
+  return sum;
+}
+
+}  // namespace lamina

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames that should cost the same, or not, timed against each other piece by piece. Every pass is cut into strips that last a
+// few milliseconds, and a strip of one frame is timed right beside the same strip of the others, in shuffled order: the speed
+// of a shared machine wanders by tens of percent within a second, but hardly within a strip, so ratios of sums over strips are
+// many times steadier than ratios of whole frames (variants/layered_material/README.md has the figures).
+#pragma once
+
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "harness/graph/frame.h"
+
+namespace lamina {
+
+// One round takes every fourth strip of a pass: a fair sample of the picture, and four times the rounds in the same time.
+inline constexpr size_t rounds_a_frame = 4;
+
+struct PairedPass {
+  std::string name;
+  bool cut = false;  // else every round takes all of it
+  // [frame][round]: the sum over the strips of this round; empty for a frame that has no such pass.
+  std::vector<std::vector<double>> ms;
+};
+
+struct PieceOptions {
+  double piece_ms = 3;        // what a strip should last
+  uint32_t most_strips = 64;  // of a pass
+  uint32_t most_repeats = 4;  // of a pass that is shorter than a strip, in each round
+};
+
+class PairedFrames {
+ public:
+  // The frames must outlive this and have run once. Passes are paired by name, and by order among those of one name; the first
+  // frame that has a pass decides how it is cut.
+  PairedFrames(Backend& backend, std::vector<Frame*> frames, size_t view, const PieceOptions& options = {});
+
+  // Times the round's pieces of every frame; a pass that is repeated counts with the mean. Throws Error(failed) on device loss.
+  void run_round(std::mt19937_64& random);
+
+  const std::vector<PairedPass>& passes() const { return passes_; }
+  size_t rounds() const { return rounds_; }
+
+ private:
+  struct Cut {
+    size_t occurrence = 0;  // among the passes of its name
+    uint32_t strips = 1, repeats = 1;
+    std::vector<std::vector<Pass>> pieces;  // [frame]
+  };
+  size_t pass_named(const std::string& name, size_t occurrence);
+  void cut(size_t frame, size_t view, const PieceOptions& options);
+
+  Backend& backend_;
+  std::vector<Frame*> frames_;
+  std::vector<PairedPass> passes_;
+  std::vector<Cut> cuts_;  // beside passes_
+  size_t rounds_ = 0;
+};
+
+// Of each frame, a round: the sum over its passes; one that is not cut counts with a fourth, as the others do.
+std::vector<std::vector<double>> frame_ms(const std::vector<PairedPass>& passes);
+// What a pass of a frame lasts as a whole: for one that is cut, the sum of the medians of the kinds of rounds. Absent where the
+// frame has no such pass, or fewer rounds than make a frame.
+std::optional<double> whole_ms(const PairedPass& pass, size_t frame);
+
+}  // namespace lamina

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times of paired frames from several processes, as lines of the record, and the verdicts on them.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "harness/gate/limits.h"
+#include "harness/gate/paired_frames.h"
+#include "harness/gate/verdict.h"
+
+namespace lamina {
+
+// What a frame of a pair is.
+inline constexpr std::string_view frame_before = "before", frame_after = "after", frame_again = "again";
+
+struct PairsRow {
+  size_t process = 0;
+  std::string backend, effect, variant, view;
+  std::vector<std::string> frames;  // "before", "after", "again" (before a second time), as there are
+  std::vector<PairedPass> passes;   // ms beside frames
+};
+nlohmann::ordered_json to_json(const PairsRow& row);
+PairsRow pairs_from_json(const nlohmann::json& line);
+
+// A pass is judged by itself from this share of its frame on; a smaller one within the frame.
+inline constexpr double least_judged_share = 0.05;
+
+struct TimeReport {
+  std::vector<VerdictRow> rows;  // of frames (pass "") and of passes
+  std::vector<SameArmRow> same_arms;
+  size_t rounds = 0, comparisons = 0;
+  double precision = 0;             // see worst_precision()
+  std::set<std::string> undecided;  // backends with an ambiguous row
+};
+// All rows belong to one gate. `family_error` as for judge_times(). Where frames that are the same read as slower or faster, no
+// time can be believed, and every row that is not the same becomes ambiguous and says so.
+TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& limits, double family_error);
+
+// The ratio of a frame's (pass < 0) or pass's times to those of another frame, by round; empty where either has none.
+std::vector<double> ratios_of(const PairsRow& row, std::string_view frame, std::string_view to, std::ptrdiff_t pass);
+
+}  // namespace lamina
