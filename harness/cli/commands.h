@@ -50,11 +50,6 @@ struct StressOptions {
   std::string command;  // as the user typed it
 };
 
-struct HistoryOptions {
-  std::vector<std::filesystem::path> records;  // run folders or record files
-  std::filesystem::path csv;                   // empty: none
-};
-
 struct GateOptions {
   CompareOptions compare;          // what is measured, and how; its budget_s and precision are not used
   std::filesystem::path against;   // a folder with variants/ and shaders/: the state before
@@ -66,6 +61,11 @@ struct GateOptions {
   double family_error = 0.05;      // chance of any wrong verdict on times
   bool times = true;
   bool time_unchanged = false;  // time variants whose code is the same too
+};
+
+struct HistoryOptions {
+  std::vector<std::filesystem::path> records;  // run folders or record files
+  std::filesystem::path csv;                   // empty: none
 };
 
 // Difference pictures are |test - baseline| of display values times this; records and reports state it.
