@@ -39,8 +39,8 @@ void add_section(std::string& text, const char* title, const GateReading::Rows& 
   text += fmt::format("\n**{}**\n\n", title);
   std::vector<std::string> lines;
   for (const Json* row : rows)
-    lines.push_back(fmt::format("- **{}** {}: {}\n", escaped_markdown(text_at(*row, "/what")),
-                                escaped_markdown(subject_of(*row)), escaped_markdown(text_at(*row, "/sentence"))));
+    lines.push_back(fmt::format("- **{}** ({}) {}\n", escaped_markdown(text_at(*row, "/verdict")),
+                                escaped_markdown(text_at(*row, "/what")), escaped_markdown(text_at(*row, "/sentence"))));
   add_while_they_fit(text, lines, most_bytes / 2, "of these");
 }
 

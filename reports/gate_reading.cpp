@@ -95,9 +95,9 @@ std::string place_of(const Json& verdict) {
 }
 
 std::string subject_of(const Json& verdict) {
-  const std::string place = place_of(verdict);
-  return fmt::format("{} on {}{}{}", text_at(verdict, "/variant"), text_at(verdict, "/backend"), place.empty() ? "" : ", ",
-                     place);
+  const std::string variant = text_at(verdict, "/variant"), backend = text_at(verdict, "/backend"), place = place_of(verdict);
+  return fmt::format("{}{}{}{}{}", variant, variant.empty() || backend.empty() ? "" : " on ", backend,
+                     place.empty() ? "" : ", ", place);
 }
 
 std::string before_and_after(const Json& verdict) {

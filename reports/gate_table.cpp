@@ -2,6 +2,7 @@
 // The gate's answer for a terminal of some 130 columns.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -77,7 +78,9 @@ std::string gate_table(const Record& record, bool colours) {
   if (!reading.same.empty())
     lines.add(fmt::format("{} check{} the same", reading.same.size(), reading.same.size() == 1 ? " is" : "s are"));
   for (const Json& aa : record.aas) lines.add(one_line(words_for_aa(aa)), dim);
-  if (record.aas.empty()) lines.add("no A/A arm was run: how often this gate is wrong is not known", yellow);
+  const bool timed = std::ranges::any_of(record.verdicts, [](const Json& verdict) { return !verdict.at("ratio").is_null(); });
+  if (record.aas.empty() && timed) lines.add("no A/A arm was run: how far these times can be believed is not known", yellow);
+  if (!timed) lines.add("no times were judged", dim);
   if (!reading.unequal_aas.empty())
     lines.add("warning: a variant came out unlike itself: the machine was not quiet, so doubt the times above", yellow);
   for (const std::string& device : device_lines(record)) lines.add(one_line(device), dim);

@@ -14,7 +14,7 @@ CONDITIONS = {
     None: {"push", "pull_request"},
     "${{ !cancelled() }}": {"push", "pull_request"},
     "${{ !cancelled() && steps.build.outcome == 'success' }}": {"push", "pull_request"},
-    "${{ github.event_name == 'push' }}": {"push"},
+    "${{ !cancelled() && steps.build.outcome == 'success' && github.event_name == 'push' }}": {"push"},
 }
 
 
@@ -23,7 +23,8 @@ def github(workflow, event):
         for step in job["steps"]:
             name = step.get("name") or step["uses"]
             if step.get("if") not in CONDITIONS:
-                sys.exit(f"steps.py: step '{name}': unknown condition {step['if']!r}; add it to CONDITIONS")
+                print(f"steps.py: step '{name}': unknown condition {step['if']!r}; add it to CONDITIONS", file=sys.stderr)
+                sys.exit(2)
             if event not in CONDITIONS[step.get("if")]:
                 continue
             if "run" in step:

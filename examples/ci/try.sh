@@ -17,18 +17,22 @@ scratch=$(cd "$scratch" && pwd)
 export HOME=$scratch/home CI=true   # settings that the steps make are not to reach the user's own
 mkdir -p "$HOME"
 
-if [ -d "$scratch/lamina" ]; then
-  git -C "$scratch/lamina" fetch -q origin HEAD && git -C "$scratch/lamina" checkout -q --detach FETCH_HEAD
-else
-  git clone -q "$repository" "$scratch/lamina"
-fi
+# An origin with the last commit as a pull request, and the one before it as the main branch.
+commit=$(git -C "$repository" rev-parse HEAD)
+rm -rf "$scratch/origin.git"
+git clone -q --bare "$repository" "$scratch/origin.git"
+git -C "$scratch/origin.git" update-ref refs/heads/pull-request "$commit"
+git -C "$scratch/origin.git" update-ref refs/heads/main "$commit^"
+[ -d "$scratch/lamina" ] || git clone -q --no-checkout "$scratch/origin.git" "$scratch/lamina"
 cd "$scratch/lamina"
-git update-ref refs/remotes/origin/main HEAD^   # the base of the pull request
+git fetch -q --force origin '+refs/heads/*:refs/remotes/origin/*'
+git checkout -q --detach "$commit"
 
 # try SYSTEM EVENT [NAME=VALUE...]
 try() {
   local system=$1 event=$2 script
   shift 2
+  rm -rf build/base && git worktree prune
   echo "=== $system.yml, $event"
   script=$(python3 examples/ci/steps.py "$system" "examples/ci/$system.yml" "$event")
   env "$@" bash -c "$script"
@@ -46,8 +50,7 @@ for system in "$@"; do
       ;;
     gitlab)
       try gitlab push GITLAB_CI=true CI_DEFAULT_BRANCH=main CI_COMMIT_BRANCH=main
-      # The clone's origin is the repository on disk, whose branch may have any name.
-      try gitlab pull_request GITLAB_CI=true CI_DEFAULT_BRANCH=main CI_MERGE_REQUEST_TARGET_BRANCH_NAME=HEAD
+      try gitlab pull_request GITLAB_CI=true CI_DEFAULT_BRANCH=main CI_MERGE_REQUEST_TARGET_BRANCH_NAME=main
       ;;
     *) echo "try.sh: unknown system '$system' (known: github, gitlab)" >&2; exit 2 ;;
   esac

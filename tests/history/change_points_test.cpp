@@ -81,12 +81,13 @@ TEST(NoisySteps, TooFewSamplesShowNone) {
 
 TEST(NoisySteps, ShortestLevelsAreAsTheHeaderSays) {
   const auto found = [](size_t count, size_t last) {
-    return !noisy_steps(with_step(noise(count, 8), count - last, 50), 0).empty();
+    return !noisy_steps(with_step(std::vector<double>(count, 1.0), count - last, 50), 1).empty();
   };
   EXPECT_FALSE(found(12, 1));
   EXPECT_TRUE(found(12, 2));
   EXPECT_FALSE(found(13, 2));
-  EXPECT_TRUE(found(13, 3));
+  EXPECT_TRUE(found(115, 3));
+  EXPECT_FALSE(found(116, 3));
 }
 
 TEST(NoisySteps, PureNoiseRaisesFewFalseAlarms) {

@@ -111,6 +111,14 @@ TEST(GateJunit, AMissingAnswerIsAnErrorOfItsOwn) {
   EXPECT_TRUE(has(xml, "<testcase classname=\"gate\" name=\"answer\">\n      <error type=\"no answer\"")) << xml;
 }
 
+TEST(GateJunit, ARowOfABackendAloneHasAClassnameAndASubject) {
+  nlohmann::json timer = example_verdict("ambiguous", "timer", "the certificate failed");
+  timer["effect"] = timer["variant"] = "";
+  const Record record = example_gate("ambiguous", 3, {timer});
+  EXPECT_TRUE(has(gate_junit(record), "<testcase classname=\"vulkan\" name=\"timer\">"));
+  EXPECT_EQ(github_annotations(record), "::warning title=ambiguous%3A timer%3A vulkan::the certificate failed\n");
+}
+
 TEST(Xml, EscapesWhatHasAMeaningAndDropsWhatIsNotAllowed) {
   EXPECT_EQ(escaped_xml("a<b>&\"c'"), "a&lt;b&gt;&amp;&quot;c'");
   EXPECT_EQ(escaped_xml("1\t2\n3\r4"), "1&#9;2&#10;3&#13;4");

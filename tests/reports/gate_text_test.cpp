@@ -64,7 +64,11 @@ TEST(GateTable, WarnsOfAnArmThatDiffersFromItselfAndOfNone) {
   record.aas = {example_aa("slower")};
   EXPECT_TRUE(has(gate_table(record, false), "unlike itself"));
   record.aas.clear();
+  EXPECT_TRUE(has(gate_table(record, false), "no times were judged"));
+  record.verdicts.push_back(example_verdict("same", "time", "s"));
+  record.verdicts.back()["ratio"] = example_interval(1, 0.99, 1.01);
   EXPECT_TRUE(has(gate_table(record, false), "no A/A arm was run"));
+  EXPECT_FALSE(has(gate_table(record, false), "no times were judged"));
 }
 
 // What must not be taken for a pass: the words of every report say so.
