@@ -100,7 +100,6 @@ std::vector<DeviceInfo> probe_devices(const GateOptions& options) {
 int finish_gate(const std::filesystem::path& out) {
   const Record written = read_record(out / "record.jsonl");
   write_reports(out);
-  write_gate_reports(written, out);
   fmt::print("{}\nreport: {}\n", gate_table(written, ::isatty(STDOUT_FILENO) == 1), (out / "index.html").string());
   announce_on_github(written);
   return written.gates.front().at("status");
