@@ -235,6 +235,29 @@ void check_function_picture(const Json& line, const std::string& where) {
   check(line, {{"slice", text}, {"axes", text}, {"image", text}, {"full_error", number}}, where);
 }
 
+void check_sweep(const Json& line, const std::string& where) {
+  check(line, {{"parameters", array}, {"zip", boolean}, {"points", count}, {"shard", object}, {"limits", array}}, where);
+  for (const Json& parameter : line["parameters"])
+    check(parameter, {{"path", text}, {"unit", text}, {"values", numbers}}, where, "parameters.");
+  check(line["shard"], {{"index", count}, {"count", count}}, where, "shard.");
+  for (const Json& limit : line["limits"]) check(limit, {{"metric", text}, {"limit", number}}, where, "limits.");
+}
+
+void check_crossover(const Json& line, const std::string& where) {
+  check(line,
+        {{"parameter", text},
+         {"backend", text},
+         {"effect", text},
+         {"variant", text},
+         {"other", text},
+         {"metric", text},
+         {"limit", number_or_null},
+         {"at", number_or_null},
+         {"tolerance", number},
+         {"sentence", text}},
+        where);
+}
+
 void check_run(const Json& line, const std::string& where) {
   check(line, {{"schema", count}}, where);
   if (line["schema"] != record_schema)
@@ -263,7 +286,9 @@ void add_line(Record& record, Json line, const std::string& where) {
                         {"cell", check_cell, &record.cells},
                         {"function", check_function, &record.functions},
                         {"function_time", check_function_time, &record.function_times},
-                        {"function_picture", check_function_picture, &record.function_pictures}};
+                        {"function_picture", check_function_picture, &record.function_pictures},
+                        {"sweep", check_sweep, &record.sweeps},
+                        {"crossover", check_crossover, &record.crossovers}};
   std::vector<std::string> known = {"run"};
   for (const auto& [name, check_line, lines] : kinds) {
     known.push_back(name);

@@ -50,7 +50,8 @@ struct CellRow {
   std::map<std::string, double> params;  // by path; "scene.time" is always there
   bool failed = false;
   std::string reason;  // of the failure
-  bool timed = true;   // false: the timer's certificate failed, so no time is given
+  bool timed = true;    // false: the timer's certificate failed, or a sweep did not ask: no time is given
+  bool counted = true;  // false: a sweep did not ask: fetches and invocations are not known
   std::vector<PassRow> passes;
   double cold_ms = 0;  // the first frame, shader compilation included, host clock
   std::optional<Interval> ratio_to_baseline;
@@ -106,6 +107,7 @@ struct Record {
   std::vector<nlohmann::json> timers, plans, cells, bakes;
   std::vector<nlohmann::json> phases;  // how long the rounds took beside what they measured
   std::vector<nlohmann::json> functions, function_times, function_pictures;  // see function_rows.h
+  std::vector<nlohmann::json> sweeps, crossovers;                            // see sweep_rows.h; at most one sweep
 };
 // Throws Error(bad_input, "record", "FILE:LINE", ...) for a line that is not JSON, another schema, no first line of kind "run",
 // an unknown kind, or a field missing or of the wrong type; what it returns has every field that to_json() writes. A last line
