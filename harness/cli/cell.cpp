@@ -86,6 +86,21 @@ void fail(CellRow& row, const std::string& reason) {
   row.reason = reason;
 }
 
+void append_row(RecordWriter& record, const CellRow& row) {
+  nlohmann::ordered_json line;
+  try {
+    line = to_json(row);
+  } catch (const Error& error) {
+    CellRow failed;
+    failed.scene = row.scene, failed.effect = row.effect, failed.variant = row.variant, failed.baseline = row.baseline;
+    failed.backend = row.backend, failed.device = row.device, failed.view = row.view;
+    failed.width = row.width, failed.height = row.height, failed.params = row.params;
+    failed.failed = true, failed.reason = error.what();
+    line = to_json(failed);
+  }
+  record.append(line);
+}
+
 Mask count_cell(CellRow& row, Frame& counting, const std::vector<PassCounts>& once, const VariantManifest& variant,
                 size_t view) {
   counting.run(view, Timing::off);
@@ -104,7 +119,7 @@ std::string picture_name(const CellRow& row, const std::string& suffix) {
 }
 
 void fill_picture(CellRow& row, const Image& picture, const KeepPicture& keep) {
-  row.image = keep("", to_display(with_marked_nonfinite(picture)));
+  if (keep) row.image = keep("", to_display(with_marked_nonfinite(picture)));
   row.image_hash = linear_hash(picture);
   row.nonfinite_pixels = nonfinite_pixels(picture);
 }
@@ -115,6 +130,7 @@ void fill_errors(CellRow& row, const Image& picture, const Image& baseline, cons
   const ErrorReport report = measure_error(picture, baseline, covered);
   row.error_covered = report.covered;
   row.error_frame = report.frame;
+  if (!keep) return;
   row.difference = keep("-difference", difference_picture(to_display(picture), to_display(baseline), difference_gain));
   row.flip = keep("-flip", flip_picture(report.flip, picture.width, picture.height));
 }

@@ -17,13 +17,16 @@ namespace lamina {
 CellRow blank_row(const std::string& backend, const std::string& device, const Scene& scene, const View& view,
                   const VariantManifest& variant, const CompareOptions& options);
 void fail(CellRow& row, const std::string& reason);
+// A row that cannot be written as measured (a number that is none) becomes a failed one; the others go on.
+void append_row(RecordWriter& record, const CellRow& row);
 
 // Runs a frame of the counting build, whose once_counts() are `once`, and puts what it executed into the row. Returns the
 // pixels that the variant's effect covers.
 Mask count_cell(CellRow& row, Frame& counting, const std::vector<PassCounts>& once, const VariantManifest& variant,
                 size_t view);
 
-// Takes a picture, whose file's name ends in `suffix`, and returns its path for the record.
+// Takes a picture, whose file's name ends in `suffix`, and returns its path for the record. Empty: pictures are not kept, nor
+// made.
 using KeepPicture = std::function<std::string(const std::string& suffix, const DisplayImage& image)>;
 // The name of a cell's picture, "" of its own, made of what identifies the cell within a record of one point.
 std::string picture_name(const CellRow& row, const std::string& suffix);

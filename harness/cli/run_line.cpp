@@ -86,6 +86,25 @@ Json run_line(const CompareOptions& options, const Scene& scene, const std::vect
   return line;
 }
 
+Json run_line(const SweepOptions& options, const Scene& scene, const std::vector<const EffectManifest*>& effects,
+              const std::vector<DeviceInfo>& devices, const std::string& inputs) {
+  Json line = run_line(options.compare, scene, devices);
+  Json& settings = line["settings"];
+  settings["backends"] = options.compare.backends;
+  settings["effects"] = settings["variants"] = settings["views"] = Json::array();
+  for (const EffectManifest* effect : effects) {
+    settings["effects"].push_back(effect->name);
+    for (const VariantManifest& variant : effect->variants)
+      if (is_compared(variant, options.compare)) settings["variants"].push_back(effect->name + "/" + variant.name);
+  }
+  for (const View& view : scene.views) settings["views"].push_back(view.name);
+  settings["time"] = words_of(options.time);
+  settings["fetches"] = words_of(options.fetches);
+  settings["pictures"] = words_of(options.pictures);
+  line["inputs"] = inputs;
+  return line;
+}
+
 Json run_line(const StressOptions& options, const std::vector<DeviceInfo>& devices) {
   Json line = start(options.command, devices);
   line["settings"] = {{"count", options.count}, {"seed", options.seed}, {"validation", options.validation}};

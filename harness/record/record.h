@@ -49,7 +49,7 @@ struct CellRow {
   int width = 0, height = 0;
   std::map<std::string, double> params;  // by path; "scene.time" is always there
   bool failed = false;
-  std::string reason;  // of the failure
+  std::string reason;   // of the failure
   bool timed = true;    // false: the timer's certificate failed, or a sweep did not ask: no time is given
   bool counted = true;  // false: a sweep did not ask: fetches and invocations are not known
   std::vector<PassRow> passes;
@@ -88,10 +88,11 @@ nlohmann::ordered_json to_json(const TimerRow& timer);
 // rays_per_second is null where the result came from the cache or took no time that could be measured.
 nlohmann::ordered_json to_json(const BakeRow& bake);
 
-// Opens a record afresh and appends lines; its folder must exist. Throws Error(bad_input) where the folder cannot be written.
+// Opens a record, afresh or to go on behind its last line, and appends lines; its folder must exist. Throws Error(bad_input)
+// where the folder cannot be written.
 class RecordWriter {
  public:
-  explicit RecordWriter(const std::filesystem::path& file);
+  explicit RecordWriter(const std::filesystem::path& file, bool go_on = false);
   // Appends one line and flushes it. Throws Error(failed) when the disk is full, and at every call after that, so that a line
   // cut short is the last one. Bytes that are not UTF-8 become U+FFFD.
   void append(const nlohmann::ordered_json& line);

@@ -27,7 +27,7 @@ class Collector {
 
   void add(std::string path, std::string unit, std::string title, double low, double high, std::optional<double> value,
            std::function<void(Scene&, double)> set, bool whole = false) {
-    all.push_back({std::move(path), std::move(unit), std::move(title), low, high, whole, value, std::move(set)});
+    all.push_back({std::move(path), std::move(unit), std::move(title), low, high, whole, false, value, std::move(set)});
   }
   // `get` finds the number in any scene like this one.
   template <class Get>
@@ -209,6 +209,12 @@ std::vector<Parameter> parameters_of(const Scene& scene, const Library& library)
       for (const ParameterManifest& parameter : variant.parameters)
         out.add(variant.name + "." + parameter.name, parameter.unit, parameter.title, parameter.low, parameter.high,
                 parameter.value, {});
+  for (Parameter& parameter : out.all) {
+    const auto has = [&](const char* part) { return parameter.path.find(part) != std::string::npos; };
+    parameter.moves =
+        parameter.path.starts_with("views.") ||
+        (parameter.path.starts_with("objects.") && (has(".position.") || has(".rotation_degrees.") || has(".scale")));
+  }
   return std::move(out.all);
 }
 

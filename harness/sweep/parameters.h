@@ -18,6 +18,7 @@ struct Parameter {
   std::string unit, title;  // unit "" for a pure number
   double low = 0, high = 0;
   bool whole = false;           // takes whole numbers alone
+  bool moves = false;           // objects or cameras
   std::optional<double> value;  // in the scene as it is; none where it is no one number (a map, objects that differ)
   // Sets it in a scene with the same objects, lights and views; empty for scene.time, which load_scene() takes, and for
   // parameters of variants, which their shaders take.
