@@ -42,7 +42,9 @@ TEST(Crossings, BendingCurvesKeepTheirTolerance) {
       const auto found = crossings_of(curve, 0, 10, 0.5, limit);
       ASSERT_EQ(found.size(), 1u) << limit;
       EXPECT_LE(std::abs(found[0].at - inverse(limit)), found[0].tolerance + 1e-9) << limit;
-      if (inverse(limit) > 1 && inverse(limit) < 9) EXPECT_LT(found[0].tolerance, 0.1) << limit;
+      if (inverse(limit) > 1 && inverse(limit) < 9) {
+        EXPECT_LT(found[0].tolerance, 0.1) << limit;
+      }
     }
 }
 
