@@ -68,6 +68,8 @@ class SweepTest : public ProgramTest {
   }
 
   const std::string amounts_ = "--set darker.amount=0:0.9:0.1 --fetches every:4 --pictures every:4";
+  // Touches uniforms alone, so that cells follow each other quickly.
+  const std::string lights_ = "--set lights.key.intensity=0:4.5:0.5 --fetches every:4 --pictures every:4";
 };
 
 // The picture is (1 - amount) times the baseline's, so its greatest difference is amount times the baseline's greatest value.
@@ -155,7 +157,7 @@ TEST_F(SweepTest, ARecordOfOtherInputsIsRefused) {
 TEST_F(SweepTest, KilledAtAnyMomentNoCellIsLostOrDoubled) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
-  ASSERT_EQ(sweep("whole", amounts_).status, 0);
+  ASSERT_EQ(sweep("whole", lights_).status, 0);
   const std::vector<Json> whole = lines("whole");
   const double run_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   std::mt19937_64 random(7);
@@ -164,7 +166,7 @@ TEST_F(SweepTest, KilledAtAnyMomentNoCellIsLostOrDoubled) {
     ASSERT_LT(round, 50);
     const std::string out = fmt::format("killed-{}", round);
     for (bool done = false; !done;) {
-      const pid_t child = start(command(out, amounts_));
+      const pid_t child = start(command(out, lights_));
       const auto after = std::chrono::microseconds(static_cast<int64_t>(1000 * run_ms * double(random() % 1000) / 900));
       const auto until = Clock::now() + after;
       int status = 0;
@@ -188,12 +190,12 @@ TEST_F(SweepTest, KilledAtAnyMomentNoCellIsLostOrDoubled) {
 }
 
 TEST_F(SweepTest, ACutRecordGoesOn) {
-  ASSERT_EQ(sweep("whole", amounts_).status, 0);
+  ASSERT_EQ(sweep("whole", lights_).status, 0);
   const std::string text = read_file(file("whole"), "test");
   for (const double share : {0.0, 0.001, 0.2, 0.5, 0.77, 0.995}) {
     std::filesystem::create_directories(folder_ / "cut");
     write("cut/record.jsonl", text.substr(0, static_cast<size_t>(share * double(text.size()))));
-    const Outcome outcome = sweep("cut", amounts_);
+    const Outcome outcome = sweep("cut", lights_);
     ASSERT_EQ(outcome.status, 0) << outcome.output;
     EXPECT_EQ(lines("cut"), lines("whole")) << share;
     std::filesystem::remove_all(folder_ / "cut");
@@ -201,7 +203,7 @@ TEST_F(SweepTest, ACutRecordGoesOn) {
 }
 
 TEST_F(SweepTest, InterruptedItFinishesTheCellAndSaysHowToGoOn) {
-  const std::string many = "--set darker.amount=0:1:0.002 --fetches none --pictures none";
+  const std::string many = "--set lights.key.intensity=0:1:0.002 --fetches none --pictures none";
   const std::filesystem::path said = folder_ / "said";
   const pid_t child = start(command("out", many) + " >" + said.string() + " 2>&1");
   for (int i = 0; i < 30000; ++i) {
@@ -222,9 +224,9 @@ TEST_F(SweepTest, InterruptedItFinishesTheCellAndSaysHowToGoOn) {
 }
 
 TEST_F(SweepTest, AFullDiskStopsClearlyAndCanBeResumed) {
-  ASSERT_EQ(sweep("whole", amounts_).status, 0);
+  ASSERT_EQ(sweep("whole", lights_).status, 0);
   const auto blocks = std::filesystem::file_size(file("whole")) / 1024 / 2;
-  const std::string limited = fmt::format("ulimit -f {}; {} {} 2>&1", blocks, LAMINA_PROGRAM, command("full", amounts_));
+  const std::string limited = fmt::format("ulimit -f {}; {} {} 2>&1", blocks, LAMINA_PROGRAM, command("full", lights_));
   FILE* pipe = ::popen(("bash -c '" + limited + "'").c_str(), "r");
   std::string output;
   for (int c; (c = std::fgetc(pipe)) != EOF;) output += static_cast<char>(c);
@@ -232,15 +234,15 @@ TEST_F(SweepTest, AFullDiskStopsClearlyAndCanBeResumed) {
   EXPECT_EQ(WEXITSTATUS(status), 1) << output;
   EXPECT_SAYS(output, "cannot be written");
   EXPECT_SAYS(output, "free some space and run again");
-  EXPECT_EQ(sweep("full", amounts_).status, 0);
+  EXPECT_EQ(sweep("full", lights_).status, 0);
   EXPECT_EQ(lines("full"), lines("whole"));
 }
 
 TEST_F(SweepTest, ShardsMergeToTheRecordOfOneRun) {
-  ASSERT_EQ(sweep("whole", amounts_).status, 0);
+  ASSERT_EQ(sweep("whole", lights_).status, 0);
   std::string folders;
   for (int k = 1; k <= 3; ++k) {
-    ASSERT_EQ(sweep(fmt::format("part-{}", k), amounts_, fmt::format("--shard {}/3", k)).status, 0);
+    ASSERT_EQ(sweep(fmt::format("part-{}", k), lights_, fmt::format("--shard {}/3", k)).status, 0);
     folders += (folder_ / fmt::format("part-{}", k)).string() + " ";
   }
   const Outcome merged = lamina_program("merge " + folders + "--out " + (folder_ / "merged").string());
@@ -251,7 +253,8 @@ TEST_F(SweepTest, ShardsMergeToTheRecordOfOneRun) {
   const Outcome short_of = lamina_program("merge " + (folder_ / "part-1").string() + " " + (folder_ / "part-3").string() +
                                           " --out " + (folder_ / "short").string());
   EXPECT_EQ(short_of.status, 1);
-  EXPECT_SAYS(short_of.output, "surface/darker on vulkan: 3 of 10 points are missing: darker.amount 0.1; darker.amount 0.4");
+  EXPECT_SAYS(short_of.output,
+              "surface/darker on vulkan: 3 of 10 points are missing: lights.key.intensity 0.5; lights.key.intensity 2;");
 }
 
 TEST_F(SweepTest, TimedPointsHaveRatiosAndOthersHaveNone) {
