@@ -122,7 +122,7 @@ std::string PointRun::key_of(const VariantManifest& variant, size_t point) const
 void PointRun::start_rows(Variant& variant, size_t point) {
   variant.failure.clear();
   variant.rows.clear();
-  for (const View& view : scene_.views) {
+  for (const View& view : scenes_.scene().views) {
     CellRow& row = variant.rows.emplace_back(
         blank_row(backend_.info().backend, backend_.info().device, scene_, view, *variant.manifest, options_.compare));
     for (const auto& [path, value] : scenes_.params(point)) row.params[path] = value;
@@ -205,7 +205,7 @@ void PointRun::time(Progress& progress) {
       if (variants_.front().failure.empty()) cell.baseline = view;  // the baseline's come first, one a view
     }
   }
-  time_cells(cells, options_.compare, progress);
+  if (!cells.empty()) time_cells(cells, options_.compare, progress);
 }
 
 Image PointRun::render(Variant& variant, size_t view) {
@@ -245,18 +245,25 @@ CellRow PointRun::score(Variant& variant, size_t view, const Image* baseline, bo
 
 bool PointRun::run(size_t point, const std::function<bool(const std::string&, const std::string&)>& wanted, Progress& progress,
                    const Done& done) {
-  go_to(point);
+  std::string failure;  // of the point: all its cells fail, the next points go on
+  try {
+    go_to(point);
+  } catch (const std::exception& error) {
+    failure = error.what();
+    resources_key_.clear();  // nothing may be left as it was
+  }
   for (Variant& variant : variants_) {
     start_rows(variant, point);
     attempt(variant, [&] {
+      if (!failure.empty()) throw std::runtime_error(failure);
       prepare(variant, point);
       count(variant, variant.rows.front().counted);
     });
   }
   if (options_.time.has(point) && timer_ok_) time(progress);
   Variant& first = variants_.front();
-  for (size_t view = 0; view < scene_.views.size(); ++view) {
-    const std::string& name = scene_.views[view].name;
+  for (size_t view = 0; view < scenes_.scene().views.size(); ++view) {
+    const std::string& name = scenes_.scene().views[view].name;
     const auto is_wanted = [&](const Variant& variant) { return wanted(variant.manifest->name, name); };
     if (std::none_of(variants_.begin(), variants_.end(), is_wanted)) continue;
     std::optional<Image> baseline;

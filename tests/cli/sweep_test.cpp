@@ -102,6 +102,28 @@ TEST_F(SweepTest, ErrorsFollowTheParameter) {
   EXPECT_SAYS(sweep("out", amounts_, "--backend osmesa --limit rmse_linear=0.05").output, "120 cells are there, 0 to go");
 }
 
+// A flat surface under lights that are the same all over it: the light is one colour, in whatever way it is looked up and
+// blurred, so all variants agree with the baseline at every thickness, up to the light map's half floats (2^-11) in light of
+// about 1.
+TEST_F(SweepTest, UnderEvenLightNoThicknessTellsVariantsApart) {
+  write(
+      "flat.toml",
+      "[scene]\nmodel = \"square.gltf\"\n[lights.key]\nkind = \"directional\"\ndirection = [-0.3, -0.4, -1]\nintensity = 1\n");
+  const Outcome outcome =
+      lamina_program("sweep " + (folder_ / "flat.toml").string() + " --set objects.square.thickness=0,4,16" +
+                     " --size 64x64 --view front --out " + (folder_ / "flat").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  const Record record = read_record(file("flat"));
+  ASSERT_EQ(record.cells.size(), 3u * 3 * 2);
+  for (const Json& cell : record.cells) {
+    if (cell.at("baseline").get<bool>()) continue;
+    EXPECT_LE(cell.at("error").at("baseline").at("max_linear").get<double>(), 2e-3)
+        << cell.at("variant") << " at " << cell.at("params").at("objects.square.thickness");
+  }
+  // Thicker layers are another picture all the same.
+  EXPECT_NE(record.cells[0].at("image_hash"), record.cells[3].at("image_hash"));
+}
+
 // A moving light, mesh place and camera: what a point touches, and nothing else, changes its pictures.
 TEST_F(SweepTest, EveryPointIsThePictureThatItWouldBeAlone) {
   const std::string grid = "--set lights.key.intensity=0,2 --set objects.square.position.x=0,0.5 --fetches all --pictures none";
