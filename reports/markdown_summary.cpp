@@ -4,6 +4,7 @@
 
 #include "reports/functions.h"
 #include "reports/markdown.h"
+#include "reports/sweep_text.h"
 
 namespace lamina {
 namespace {
@@ -55,6 +56,21 @@ std::string assumptions_section(const Record& record) {
   return text.empty() ? "" : "\n## Which assumption costs you\n\n" + text;
 }
 
+std::string sweep_section(const Record& record) {
+  if (record.sweeps.empty()) return "";
+  constexpr size_t all_rows = 1000;
+  std::string text = "\n## Answers\n\n";
+  for (const auto& crossover : record.crossovers) text += fmt::format("- {}\n", escaped_markdown(crossover.at("sentence")));
+  text += "\n## Curves\n\nErrors against the baseline at the same point, the worst view; ratio: time over the baseline's.\n";
+  for (const CurveTable& table : curve_tables(curves_of(record), all_rows)) {
+    text += fmt::format("\n{}\n\n", escaped_markdown(table.title)) + table_row(table.columns) + "|";
+    for (size_t column = 0; column < table.columns.size(); ++column) text += "---:|";
+    text += "\n";
+    for (const std::vector<std::string>& row : table.rows) text += table_row(row);
+  }
+  return text;
+}
+
 std::string functions_section(const Record& record) {
   std::string text;
   for (const FunctionReport& report : summarize_functions(record)) {
@@ -89,6 +105,7 @@ std::string markdown_summary(const Record& record) {
   for (const std::string& warning : warnings_of(record)) text += fmt::format("**Warning:** {}\n\n", escaped_markdown(warning));
   for (const Headline& headline : headlines(rows))
     text += fmt::format("- **{}** {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
+  text += sweep_section(record);
   if (!rows.empty()) text += summary_section(rows);
   text += assumptions_section(record);
   text += passes_section(summarize_passes(record));

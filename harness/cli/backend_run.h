@@ -5,10 +5,8 @@
 
 #include <memory>
 
+#include "harness/cli/cell.h"
 #include "harness/cli/truth_run.h"
-#include "harness/graph/frame.h"
-#include "harness/measure/rounds.h"
-#include "harness/record/record.h"
 
 namespace lamina {
 
@@ -43,7 +41,6 @@ class BackendRun {
   void attempt(Variant& variant, Work&& work);
   void score_view(Variant& variant, size_t view, const Image* baseline, Progress& progress);
   Image render(Variant& variant, size_t view);
-  std::string picture_path(const CellRow& row, std::string_view suffix) const;
 
   SceneResources& resources_;
   const Plan& plan_;

@@ -10,6 +10,7 @@
 #include "harness/backend/backend.h"
 #include "harness/core/disk_cache.h"
 #include "harness/plan/plan.h"
+#include "harness/sweep/points.h"
 
 namespace lamina {
 
@@ -35,6 +36,16 @@ struct CompareOptions {
   std::filesystem::path cache = default_cache_folder();  // of bakes and truths; empty: none
   bool validation = false;
   std::string command;  // as the user typed it
+};
+
+struct SweepOptions {
+  CompareOptions compare{.out = "lamina-sweep", .budget_s = 4, .precision = 0.05};  // budget and precision: a timed point
+  std::vector<std::string> sets;                                                    // PATH=VALUES
+  bool zip = false;
+  std::vector<std::string> views;                   // by name; empty: all
+  std::vector<std::string> limits = {"ssim=0.98"};  // METRIC=NUMBER
+  Shard shard;
+  Schedule time{0}, fetches{8}, pictures{8};  // which points get rounds, counts, pictures
 };
 
 struct StressOptions {
@@ -77,14 +88,25 @@ inline constexpr double difference_gain = 4;
 // Each returns the exit status, and throws Error.
 int run_compare(const CompareOptions& options);
 int run_gate(const GateOptions& options);
+int run_sweep(const SweepOptions& options);
+// Joins the records of shards in `out`.
+int run_merge(const std::vector<std::filesystem::path>& records, const std::filesystem::path& out);
 int run_stress_caps(const StressOptions& options);
 int run_plan(const SceneOptions& options);
 int run_list(const SceneOptions& options);
+int run_list_parameters(const SceneOptions& options);
 int run_report(const std::vector<std::filesystem::path>& records);
 int run_history(const HistoryOptions& options);
 
 // Whether the options ask for this variant; a baseline is always compared.
 bool is_compared(const VariantManifest& variant, const CompareOptions& options);
+
+// Effects with something to compare; where there are none, whatever the scene calls for, so that its picture and cost are
+// known.
+std::vector<const EffectManifest*> compared_effects(const Plan& plan);
+std::vector<std::string> variant_names(const std::vector<const EffectManifest*>& effects);
+// Throws Error(bad_input) where the frame is larger than the device can draw.
+void check_size(std::string_view stage, const CompareOptions& options, const DeviceInfo& device);
 
 // The folder that holds variants/ and shaders/: LAMINA_HOME in the environment, else the source folder of this build.
 std::filesystem::path home_folder();

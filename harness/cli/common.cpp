@@ -29,6 +29,30 @@ void check_variant_names(std::string_view stage, const std::vector<std::string>&
       throw Error(ErrorKind::bad_input, std::string(stage), "--variant", unknown_name("variant", name, known));
 }
 
+std::vector<const EffectManifest*> compared_effects(const Plan& plan) {
+  std::vector<const EffectManifest*> several, all;
+  for (const EffectPlan& entry : plan.effects) {
+    if (!entry.called_for) continue;
+    all.push_back(entry.effect);
+    if (entry.effect->variants.size() > 1) several.push_back(entry.effect);
+  }
+  return several.empty() ? all : several;
+}
+
+std::vector<std::string> variant_names(const std::vector<const EffectManifest*>& effects) {
+  std::vector<std::string> names;
+  for (const EffectManifest* effect : effects)
+    for (const VariantManifest& variant : effect->variants) names.push_back(variant.name);
+  return names;
+}
+
+void check_size(std::string_view stage, const CompareOptions& options, const DeviceInfo& device) {
+  if (std::max(options.width_px, options.height_px) <= device.max_texture_size) return;
+  throw Error(ErrorKind::bad_input, std::string(stage), "--size",
+              fmt::format("{}x{} is larger than {} pixels, the most that {} can draw", options.width_px, options.height_px,
+                          device.max_texture_size, device.backend));
+}
+
 void make_run_folder(std::string_view stage, const std::filesystem::path& out) {
   std::error_code failure;
   std::filesystem::create_directories(out / "images", failure);

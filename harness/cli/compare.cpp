@@ -14,25 +14,6 @@
 namespace lamina {
 namespace {
 
-// Effects with something to compare; where there are none, whatever the scene calls for, so that its picture and cost are
-// known.
-std::vector<const EffectManifest*> compared_effects(const Plan& plan) {
-  std::vector<const EffectManifest*> several, all;
-  for (const EffectPlan& entry : plan.effects) {
-    if (!entry.called_for) continue;
-    all.push_back(entry.effect);
-    if (entry.effect->variants.size() > 1) several.push_back(entry.effect);
-  }
-  return several.empty() ? all : several;
-}
-
-std::vector<std::string> variant_names(const std::vector<const EffectManifest*>& effects) {
-  std::vector<std::string> names;
-  for (const EffectManifest* effect : effects)
-    for (const VariantManifest& variant : effect->variants) names.push_back(variant.name);
-  return names;
-}
-
 struct OpenedBackend {
   std::string name, failure;
   std::optional<DeviceInfo> info;
@@ -46,30 +27,11 @@ std::vector<OpenedBackend> probe_backends(const CompareOptions& options) {
     entry.name = name;
     const auto backend = try_open_backend(name, {options.device, options.validation}, entry.failure);
     if (backend) entry.info = backend->info();
-    if (entry.info && std::max(options.width_px, options.height_px) > entry.info->max_texture_size)
-      throw Error(ErrorKind::bad_input, "compare", "--size",
-                  fmt::format("{}x{} is larger than {} pixels, the most that {} can draw", options.width_px, options.height_px,
-                              entry.info->max_texture_size, name));
+    if (entry.info) check_size("compare", options, *entry.info);
   }
   if (std::none_of(probed.begin(), probed.end(), [](const OpenedBackend& entry) { return entry.info.has_value(); }))
     throw_no_backend("compare");
   return probed;
-}
-
-// A row that cannot be written as measured (a number that is none) becomes a failed one; the others go on.
-void append_row(RecordWriter& record, const CellRow& row) {
-  nlohmann::ordered_json line;
-  try {
-    line = to_json(row);
-  } catch (const Error& error) {
-    CellRow failed;
-    failed.scene = row.scene, failed.effect = row.effect, failed.variant = row.variant, failed.baseline = row.baseline;
-    failed.backend = row.backend, failed.device = row.device, failed.view = row.view;
-    failed.width = row.width, failed.height = row.height, failed.params = row.params;
-    failed.failed = true, failed.reason = error.what();
-    line = to_json(failed);
-  }
-  record.append(line);
 }
 
 // Casts the rays, or reads them, for everything that variants of these effects want. What cannot be baked fails again, with its

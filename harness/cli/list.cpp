@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "harness/cli/commands.h"
+#include "harness/sweep/parameters.h"
 
 namespace lamina {
 
@@ -25,6 +26,15 @@ int run_list(const SceneOptions& options) {
       fmt::print("backend {} device {}: {} ({}, {})\n", backend, i, devices[i].device, devices[i].driver,
                  devices[i].api_version);
   }
+  return 0;
+}
+
+int run_list_parameters(const SceneOptions& options) {
+  const Library library = load_library_for(options);
+  for (const Parameter& parameter : parameters_of(load_scene_for(options), library))
+    fmt::print("{:<40} {:>10} [{:g} to {:g}] {}{}{}\n", parameter.path,
+               parameter.value ? fmt::format("{:.6g}", *parameter.value) : "-", parameter.low, parameter.high, parameter.unit,
+               parameter.unit.empty() || parameter.title.empty() ? "" : ", ", parameter.title);
   return 0;
 }
 

@@ -145,6 +145,62 @@ int run(int argc, char** argv) {
   gate_command.add_flag("--validation,!--no-validation", gate.compare.validation,
                         "Check API use: Vulkan's validation layers, OpenGL's debug output");
 
+  SweepOptions sweep;
+  sweep.compare.validation = LAMINA_VALIDATION;
+  std::string shard, sweep_time = "none", sweep_fetches = "every:8", sweep_pictures = "every:8";
+  CLI::App& sweep_command =
+      *app.add_subcommand("sweep", "How errors and cost of every variant move along parameters; goes on where it was stopped");
+  sweep_command
+      .add_option("scene", sweep.compare.scene.scene, "Scene file (.toml), glTF model (.glb, .gltf) or built-in scene")
+      ->capture_default_str();
+  sweep_command
+      .add_option(
+          "--set", sweep.sets,
+          "PATH=FROM:TO:STEP, PATH=FROM:TO:xFACTOR or PATH=A,B,C (may be given again, for a grid); the moment of the scene "
+          "is scene.time, in seconds; 'lamina list --parameters SCENE' names the paths")
+      ->required();
+  sweep_command.add_flag("--zip", sweep.zip, "Values of several --set in pairs, not as a grid");
+  sweep_command.add_option("--time", sweep_time, "Points whose cost is timed: none, all or every:N")->capture_default_str();
+  sweep_command
+      .add_option("--fetches", sweep_fetches, "Points whose fetches are counted, besides timed ones: none, all or every:N")
+      ->capture_default_str();
+  sweep_command.add_option("--pictures", sweep_pictures, "Points whose pictures are kept: none, all or every:N")
+      ->capture_default_str();
+  sweep_command.add_option("--limit", sweep.limits, "METRIC=NUMBER that is good enough (may be given again)")
+      ->capture_default_str();
+  sweep_command.add_option("--shard", shard, "K/N: the K-th part of N, K from 1; 'lamina merge' joins them");
+  sweep_command
+      .add_option("--out", sweep.compare.out, "Folder for record, report and pictures; one that holds a part of this sweep")
+      ->capture_default_str();
+  sweep_command.add_option("--backend", sweep.compare.backends, "vulkan, osmesa or egl (may be given again)")
+      ->capture_default_str();
+  sweep_command.add_option("--device", sweep.compare.device, "Part of a device's name, or its number in 'lamina list'");
+  sweep_command.add_option("--variant", sweep.compare.variants, "Only this variant and the baseline (may be given again)");
+  sweep_command.add_option("--view", sweep.views, "Only this view (may be given again)");
+  sweep_command.add_option("--variants-dir", sweep.compare.scene.variants_dirs,
+                           "Folder with variants of your own: manifests and shaders (may be given again)");
+  sweep_command.add_option("--size", size, "Size of the frame in pixels")->capture_default_str();
+  sweep_command.add_option("--budget", sweep.compare.budget_s, "Seconds of timed rounds a timed point")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 86400.0));
+  sweep_command.add_option("--precision", sweep.compare.precision, "Half width of each ratio's 95% interval to stop at")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 1.0));
+  sweep_command.add_option("--truth-rays", sweep.compare.truth_rays, "Rays a pixel and light for the truth; 0: no truth")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 65536));
+  sweep_command.add_option("--cache", sweep.compare.cache, "Folder that keeps bakes and truths; \"\": none")
+      ->capture_default_str();
+  sweep_command.add_option("--seed", sweep.compare.seed, "Seed of the order of rounds")->capture_default_str();
+  sweep_command.add_flag("--validation,!--no-validation", sweep.compare.validation,
+                         "Check API use: Vulkan's validation layers, OpenGL's debug output");
+
+  std::vector<fs::path> shards;
+  fs::path merged = "lamina-sweep";
+  CLI::App& merge_command = *app.add_subcommand("merge", "Records of a sweep's shards to one, with the answers of the whole");
+  merge_command.add_option("record", shards, "Run folders or their record.jsonl")->required();
+  merge_command.add_option("--out", merged, "Folder for the joined record, report and pictures")->capture_default_str();
+
   StressOptions stress;
   stress.validation = LAMINA_VALIDATION;
   std::string functions;
@@ -177,6 +233,9 @@ int run(int argc, char** argv) {
   add_scene_options(plan_command, plan);
   SceneOptions list;
   CLI::App& list_command = *app.add_subcommand("list", "Effects, variants, parameters, scenes, backends, devices");
+  bool list_parameters = false;
+  list_command.add_option("scene", list.scene, "Scene whose parameters are listed")->capture_default_str();
+  list_command.add_flag("--parameters", list_parameters, "Every parameter that 'lamina sweep' can set, and nothing else");
   list_command.add_option("--variants-dir", list.variants_dirs, "Folder with variants of your own (may be given again)");
   std::vector<fs::path> records;
   CLI::App& report_command = *app.add_subcommand("report", "Reports again, from records");
@@ -192,7 +251,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : usage_status;
   }
-  compare.command = gate.compare.command = stress.command = fmt::format("lamina {}", fmt::join(argv + 1, argv + argc, " "));
+  compare.command = gate.compare.command = sweep.compare.command = stress.command =
+      fmt::format("lamina {}", fmt::join(argv + 1, argv + argc, " "));
   if (compare_command.parsed()) {
     std::tie(compare.width_px, compare.height_px) = parse_size(size);
     if (compare.quick && budget->count() == 0) compare.budget_s = 4;
@@ -204,9 +264,18 @@ int run(int argc, char** argv) {
     std::tie(gate.compare.width_px, gate.compare.height_px) = parse_size(gate_size);
     return run_gate(gate);
   }
+  if (sweep_command.parsed()) {
+    std::tie(sweep.compare.width_px, sweep.compare.height_px) = parse_size(size);
+    if (!shard.empty()) sweep.shard = parse_shard(shard);
+    sweep.time = parse_schedule("--time", sweep_time);
+    sweep.fetches = parse_schedule("--fetches", sweep_fetches);
+    sweep.pictures = parse_schedule("--pictures", sweep_pictures);
+    return run_sweep(sweep);
+  }
+  if (merge_command.parsed()) return run_merge(shards, merged);
   if (stress_command.parsed()) return run_stress_caps(stress);
   if (plan_command.parsed()) return run_plan(plan);
-  if (list_command.parsed()) return run_list(list);
+  if (list_command.parsed()) return list_parameters ? run_list_parameters(list) : run_list(list);
   if (history_command.parsed()) return run_history(history);
   return run_report(records);
 }

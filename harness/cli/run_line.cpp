@@ -80,7 +80,6 @@ std::string cpu_model() {
   return "unknown";
 }
 
-
 Json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices) {
   Json line = start(options.command, devices);
   line["settings"] = {
@@ -91,6 +90,25 @@ Json run_line(const CompareOptions& options, const Scene& scene, const std::vect
   line["source"] = scene.source;
   line["time_s"] = scene.time_s;
   line["warnings"] = scene.warnings;
+  return line;
+}
+
+Json run_line(const SweepOptions& options, const Scene& scene, const std::vector<const EffectManifest*>& effects,
+              const std::vector<DeviceInfo>& devices, const std::string& inputs) {
+  Json line = run_line(options.compare, scene, devices);
+  Json& settings = line["settings"];
+  settings["backends"] = options.compare.backends;
+  settings["effects"] = settings["variants"] = settings["views"] = Json::array();
+  for (const EffectManifest* effect : effects) {
+    settings["effects"].push_back(effect->name);
+    for (const VariantManifest& variant : effect->variants)
+      if (is_compared(variant, options.compare)) settings["variants"].push_back(effect->name + "/" + variant.name);
+  }
+  for (const View& view : scene.views) settings["views"].push_back(view.name);
+  settings["time"] = words_of(options.time);
+  settings["fetches"] = words_of(options.fetches);
+  settings["pictures"] = words_of(options.pictures);
+  line["inputs"] = inputs;
   return line;
 }
 

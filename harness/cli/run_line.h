@@ -12,6 +12,10 @@ namespace lamina {
 // As /proc/cpuinfo names it.
 std::string cpu_model();
 nlohmann::ordered_json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices);
+// The same for a sweep; `inputs` is a hash of all that its cells follow from.
+nlohmann::ordered_json run_line(const SweepOptions& options, const Scene& scene,
+                                const std::vector<const EffectManifest*>& effects, const std::vector<DeviceInfo>& devices,
+                                const std::string& inputs);
 // The same for a record that holds functions alone.
 nlohmann::ordered_json run_line(const StressOptions& options, const std::vector<DeviceInfo>& devices);
 // {"kind":"plan", "effects":[...]}: each effect with called_for and why, its features, and the passes of every variant.

@@ -75,11 +75,15 @@ std::vector<glm::vec3> TruthRun::light(const ShadingPoints& points, LightModel m
   return light;
 }
 
+void TruthRun::forget() {
+  lit_.clear();
+  traced_.clear();
+}
+
 TruthRun::Lit& TruthRun::lit(const VariantManifest& told, size_t view, const std::function<void(double)>& progress) {
   if (view != view_) {
     view_ = view;
-    lit_.clear();
-    traced_.clear();
+    forget();
   }
   const auto [entry, is_new] = lit_.try_emplace(&told);
   Lit& made = entry->second;

@@ -22,6 +22,8 @@ class TruthRun {
 
   // Writes a picture and returns its path for the record.
   using Write = std::function<std::string(const std::string& suffix, const DisplayImage& image)>;
+  // The scene's numbers have changed: what was lit is another scene's.
+  void forget();
   // Fills in the row's truth and assumptions, where the effect has a truth for the variant's kind of apertures and this view
   // shows any of it. `picture`: the variant's, of this view, all finite.
   void score(const VariantManifest& variant, size_t view, const Image& picture, CellRow& row, const Write& write,

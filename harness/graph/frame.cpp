@@ -39,6 +39,15 @@ FrameTimes Frame::run_sequence(Sequence& sequence, size_t view, Timing timing) {
   return sums;
 }
 
+void Frame::set_background(glm::vec3 linear) {
+  for (std::vector<Pass>& passes : frame_.passes_by_view)
+    for (size_t i = 0; i < passes.size(); ++i) {
+      const PassManifest& manifest = *frame_.steps[frame_.step_of_pass[i]].pass->pass;
+      for (size_t c = 0; c < passes[i].colors.size(); ++c)
+        if (!manifest.clear && manifest.writes[c] == "frame") passes[i].colors[c].clear = {linear.r, linear.g, linear.b, 0};
+    }
+}
+
 FrameTimes Frame::run_once(Timing timing) { return run_sequence(once_, 0, timing); }
 FrameTimes Frame::run(size_t view, Timing timing) { return run_sequence(frame_, view, timing); }
 

@@ -37,6 +37,8 @@ class Frame {
   const std::vector<std::string>& once_names() const { return once_.names; }
   const std::vector<std::string>& frame_names() const { return frame_.names; }
 
+  // The colour that the frame is cleared to where a manifest names none; at first the scene's when the frame was made.
+  void set_background(glm::vec3 linear);
   // The passes done once; before the first run().
   FrameTimes run_once(Timing timing);
   // One frame of scene.views[view].

@@ -29,6 +29,18 @@ SceneResources::SceneResources(Backend& backend, const Scene& scene, uint32_t wi
   }
 }
 
+void SceneResources::update(bool vertices) {
+  for (size_t i = 0; i < meshes_.size(); ++i) {
+    const ObjectUniforms uniforms = object_uniforms(scene_.objects[i]);
+    backend_.write_buffer(meshes_[i].uniforms, std::as_bytes(std::span(&uniforms, 1)));
+    if (vertices) backend_.write_buffer(meshes_[i].vertices, std::as_bytes(std::span(scene_.objects[i].mesh.vertices)));
+  }
+  for (size_t i = 0; i < views_.size(); ++i) {
+    const FrameUniforms uniforms = frame_uniforms(scene_, scene_.views[i], width_px_, height_px_);
+    backend_.write_buffer(views_[i], std::as_bytes(std::span(&uniforms, 1)));
+  }
+}
+
 SceneResources::~SceneResources() {
   for (const MeshBuffers& mesh : meshes_)
     for (const BufferId id : {mesh.vertices, mesh.indices, mesh.uniforms}) backend_.destroy(id);

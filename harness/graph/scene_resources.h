@@ -21,6 +21,10 @@ class SceneResources {
   SceneResources(const SceneResources&) = delete;
   SceneResources& operator=(const SceneResources&) = delete;
 
+  // After numbers of the scene changed: writes the uniforms again, and, where `vertices` says that they moved, the vertices.
+  // Objects, views, textures and numbers of vertices must be the same as before.
+  void update(bool vertices);
+
   struct MeshBuffers {
     BufferId vertices, indices, uniforms;
     uint32_t index_count = 0;

@@ -80,6 +80,7 @@ std::vector<double> frame_samples_ms(std::span<const PassRow> passes) {
 Json to_json(const CellRow& cell) {
   const std::string owner = name_of(cell);
   const auto count = [&](uint64_t value) { return cell.failed && value == 0 ? Json(nullptr) : Json(value); };
+  const auto counted = [&](Json value) { return cell.counted ? std::move(value) : Json(nullptr); };
 
   Json passes = Json::array();
   for (const PassRow& pass : cell.passes) {
@@ -123,9 +124,9 @@ Json to_json(const CellRow& cell) {
   line["once_ms"] = has_times ? once_ms(cell) : Json(nullptr);
   line["cold_ms"] = cell.cold_ms > 0 ? finite(cell.cold_ms, owner, "cold_ms") : Json(nullptr);
   line["ratio_to_baseline"] = has_times ? interval_to_json(cell.ratio_to_baseline, owner, "ratio_to_baseline") : Json(nullptr);
-  line["fetches"] = count(cell.fetches);
+  line["fetches"] = counted(count(cell.fetches));
   line["fetches_per_pixel"] =
-      cell.covered_pixels == 0 ? Json(nullptr) : finite(cell.fetches_per_pixel, owner, "fetches_per_pixel");
+      counted(cell.covered_pixels == 0 ? Json(nullptr) : finite(cell.fetches_per_pixel, owner, "fetches_per_pixel"));
   line["error"] = {{"baseline", figures_to_json(cell.error_covered, owner)},
                    {"frame", figures_to_json(cell.error_frame, owner)},
                    {"truth", figures_to_json(cell.error_truth, owner)}};

@@ -174,6 +174,29 @@ void check_function_picture(const Json& line, const std::string& where) {
   check(line, {{"slice", text}, {"axes", text}, {"image", text}, {"full_error", number}}, where);
 }
 
+void check_sweep(const Json& line, const std::string& where) {
+  check(line, {{"parameters", array}, {"zip", boolean}, {"points", count}, {"shard", object}, {"limits", array}}, where);
+  for (const Json& parameter : line["parameters"])
+    check(parameter, {{"path", text}, {"unit", text}, {"values", numbers}}, where, "parameters.");
+  check(line["shard"], {{"index", count}, {"count", count}}, where, "shard.");
+  for (const Json& limit : line["limits"]) check(limit, {{"metric", text}, {"limit", number}}, where, "limits.");
+}
+
+void check_crossover(const Json& line, const std::string& where) {
+  check(line,
+        {{"parameter", text},
+         {"backend", text},
+         {"effect", text},
+         {"variant", text},
+         {"other", text},
+         {"metric", text},
+         {"limit", number_or_null},
+         {"at", number_or_null},
+         {"tolerance", number},
+         {"sentence", text}},
+        where);
+}
+
 void check_run(const Json& line, const std::string& where) {
   check(line, {{"schema", count}}, where);
   if (line["schema"] != record_schema)
@@ -208,7 +231,9 @@ void add_line(Record& record, Json line, const std::string& where) {
                         {"gate", check_gate, &record.gates},
                         {"aa", check_aa, &record.aas},
                         {"verdict", check_verdict, &record.verdicts},
-                        {"pairs", check_pairs, &record.pairs}};
+                        {"pairs", check_pairs, &record.pairs},
+                        {"sweep", check_sweep, &record.sweeps},
+                        {"crossover", check_crossover, &record.crossovers}};
   std::vector<std::string> known = {"run"};
   for (const auto& [name, check_line, lines] : kinds) {
     known.push_back(name);

@@ -49,8 +49,9 @@ struct CellRow {
   int width = 0, height = 0;
   std::map<std::string, double> params;  // by path; "scene.time" is always there
   bool failed = false;
-  std::string reason;  // of the failure
-  bool timed = true;   // false: the timer's certificate failed, so no time is given
+  std::string reason;   // of the failure
+  bool timed = true;    // false: the timer's certificate failed, or a sweep did not ask: no time is given
+  bool counted = true;  // false: a sweep did not ask: fetches and invocations are not known
   std::vector<PassRow> passes;
   double cold_ms = 0;  // the first frame, shader compilation included, host clock
   std::optional<Interval> ratio_to_baseline;
@@ -87,10 +88,11 @@ nlohmann::ordered_json to_json(const TimerRow& timer);
 // rays_per_second is null where the result came from the cache or took no time that could be measured.
 nlohmann::ordered_json to_json(const BakeRow& bake);
 
-// Opens a record afresh and appends lines; its folder must exist. Throws Error(bad_input) where the folder cannot be written.
+// Opens a record, afresh or to go on behind its last line, and appends lines; its folder must exist. Throws Error(bad_input)
+// where the folder cannot be written.
 class RecordWriter {
  public:
-  explicit RecordWriter(const std::filesystem::path& file);
+  explicit RecordWriter(const std::filesystem::path& file, bool go_on = false);
   // Appends one line and flushes it. Throws Error(failed) when the disk is full, and at every call after that, so that a line
   // cut short is the last one. Bytes that are not UTF-8 become U+FFFD.
   void append(const nlohmann::ordered_json& line);
@@ -106,8 +108,9 @@ struct Record {
   std::vector<nlohmann::json> timers, plans, cells, bakes;
   std::vector<nlohmann::json> phases;  // how long the rounds took beside what they measured
   std::vector<nlohmann::json> functions, function_times, function_pictures;  // see function_rows.h
-  std::vector<nlohmann::json> pairs;  // the samples behind a gate's verdicts on times
+  std::vector<nlohmann::json> pairs;                                         // the samples behind a gate's verdicts on times
   std::vector<nlohmann::json> gates, aas, verdicts;  // a gate's answer, its A/A arms, each figure's verdict: gate_lines.h
+  std::vector<nlohmann::json> sweeps, crossovers;    // see sweep_rows.h; at most one sweep
 };
 // Throws Error(bad_input, "record", "FILE:LINE", ...) for a line that is not JSON, another schema, no first line of kind "run",
 // an unknown kind, or a field missing or of the wrong type; what it returns has every field that to_json() writes. A last line

@@ -13,9 +13,9 @@ std::string system_words() { return errno ? std::generic_category().message(errn
 
 }  // namespace
 
-RecordWriter::RecordWriter(const std::filesystem::path& file) : file_(file) {
+RecordWriter::RecordWriter(const std::filesystem::path& file, bool go_on) : file_(file) {
   errno = 0;
-  stream_.open(file_, std::ios::binary | std::ios::trunc);
+  stream_.open(file_, std::ios::binary | (go_on ? std::ios::app : std::ios::trunc));
   if (!stream_)
     throw Error(ErrorKind::bad_input, "record", file_.string(),
                 fmt::format("cannot be opened for writing: {}; choose another folder with --out", system_words()));

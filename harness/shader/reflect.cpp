@@ -91,6 +91,13 @@ class Reflector {
       check(spvc_compiler_type_struct_member_offset(compiler_, type, m, &offset), context_.get());
       result.members.push_back({spvc_compiler_get_member_name(compiler_, r.base_type_id, m), offset});
     }
+    if (kind != BindingKind::uniform_buffer) return result;
+    const spvc_buffer_range* first = nullptr;
+    size_t count = 0;
+    check(spvc_compiler_get_active_buffer_ranges(compiler_, r.id, &first, &count), context_.get());
+    for (const spvc_buffer_range& range : std::span(first, count))
+      result.read.push_back({static_cast<uint32_t>(range.offset), static_cast<uint32_t>(range.range)});
+    std::ranges::sort(result.read, {}, &ByteRange::offset);
     return result;
   }
 

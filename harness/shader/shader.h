@@ -30,12 +30,16 @@ struct BlockMember {
   std::string name;
   uint32_t offset_bytes = 0;
 };
+struct ByteRange {
+  uint32_t offset = 0, size = 0;
+};
 struct ShaderResource {
   std::string name;  // of the sampler or image variable, or of the block (its type's name: `uniform Frame {...}` is "Frame")
   uint32_t binding = 0;
   BindingKind kind = BindingKind::texture;
   uint32_t size_bytes = 0;           // of a block; a uniform block's is padded to 16, a runtime array at the end has none
   std::vector<BlockMember> members;  // of a block, the outermost only
+  std::vector<ByteRange> read;       // of a uniform block: the members that some code of the shader reads
   uint32_t dimensions = 2;           // of a texture: 2 or 3
 
   BindingSlot slot() const { return {binding, kind, dimensions}; }

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/cli/cell.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "harness/core/text.h"
+
+namespace lamina {
+namespace {
+
+constexpr size_t once_repetitions = 6;  // enough for an interval
+
+// The double that is written as shortly as this float: 10.24, not 10.239999771118164.
+double decimal(float value) { return std::stod(fmt::format("{}", value)); }
+
+std::string linear_hash(const Image& image) {
+  return hash_hex({reinterpret_cast<const char*>(image.rgba.data()), image.rgba.size() * sizeof(float)});
+}
+
+// Names of scenes' views and objects may hold anything; file names may not.
+std::string file_name_of(std::string text) {
+  for (char& c : text)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-') c = '_';
+  return text;
+}
+
+std::vector<PassRow> count_rows(const Frame& counting, const std::vector<PassCounts>& once,
+                                const std::vector<PassCounts>& frame) {
+  std::vector<PassRow> rows;
+  const auto add = [&](const std::vector<std::string>& names, const std::vector<PassCounts>& counts, bool is_once) {
+    for (size_t i = 0; i < names.size(); ++i) {
+      PassRow& row = rows.emplace_back();
+      row.name = names[i];
+      row.once = is_once;
+      row.fragments = counts[i].fragments;
+      row.vertices = counts[i].vertices;
+      row.early_tests = counts[i].early_tests;
+      row.fetches = counts[i].fetches();
+      row.by_texture = counts[i].by_texture;
+    }
+  };
+  add(counting.once_names(), once, true);
+  add(counting.frame_names(), frame, false);
+  return rows;
+}
+
+// A picture of a broken frame can be shown, but not scored: what is not finite becomes magenta.
+Image with_marked_nonfinite(const Image& image) {
+  constexpr std::array<float, 4> magenta = {1, 0, 1, 1};
+  Image marked = image;
+  for (size_t i = 0; i < marked.rgba.size(); i += 4)
+    if (!std::all_of(&marked.rgba[i], &marked.rgba[i] + 4, [](float value) { return std::isfinite(value); }))
+      std::copy(magenta.begin(), magenta.end(), &marked.rgba[i]);
+  return marked;
+}
+
+}  // namespace
+
+CellRow blank_row(const std::string& backend, const std::string& device, const Scene& scene, const View& view,
+                  const VariantManifest& variant, const CompareOptions& options) {
+  CellRow row;
+  row.scene = scene.name;
+  row.effect = variant.effect;
+  row.variant = variant.name;
+  row.baseline = variant.baseline;
+  row.backend = backend;
+  row.device = device;
+  row.view = view.name;
+  row.width = static_cast<int>(options.width_px);
+  row.height = static_cast<int>(options.height_px);
+  row.params["scene.time"] = scene.time_s;
+  for (const Object& object : scene.objects)
+    if (object.layers) {
+      row.params[fmt::format("objects.{}.thickness", object.name)] = decimal(object.layers->thickness_texels);
+      row.params[fmt::format("objects.{}.scattering", object.name)] = decimal(object.layers->scattering);
+    }
+  for (const ParameterManifest& parameter : variant.parameters)
+    row.params[fmt::format("{}.{}", variant.name, parameter.name)] = parameter.value;
+  return row;
+}
+
+void fail(CellRow& row, const std::string& reason) {
+  row.failed = true;
+  row.reason = reason;
+}
+
+void append_row(RecordWriter& record, const CellRow& row) {
+  nlohmann::ordered_json line;
+  try {
+    line = to_json(row);
+  } catch (const Error& error) {
+    CellRow failed;
+    failed.scene = row.scene, failed.effect = row.effect, failed.variant = row.variant, failed.baseline = row.baseline;
+    failed.backend = row.backend, failed.device = row.device, failed.view = row.view;
+    failed.width = row.width, failed.height = row.height, failed.params = row.params;
+    failed.failed = true, failed.reason = error.what();
+    line = to_json(failed);
+  }
+  record.append(line);
+}
+
+Mask count_cell(CellRow& row, Frame& counting, const std::vector<PassCounts>& once, const VariantManifest& variant,
+                size_t view) {
+  counting.run(view, Timing::off);
+  row.passes = count_rows(counting, once, counting.frame_counts());
+  for (const PassRow& pass : row.passes)
+    if (!pass.once) row.fetches += pass.fetches;
+  Mask covered = counting.coverage(variant.effect);
+  row.covered_pixels = static_cast<uint64_t>(std::count(covered.on.begin(), covered.on.end(), 1));
+  if (row.covered_pixels > 0)
+    row.fetches_per_pixel = static_cast<double>(row.fetches) / static_cast<double>(row.covered_pixels);
+  return covered;
+}
+
+std::string picture_name(const CellRow& row, const std::string& suffix) {
+  return file_name_of(fmt::format("{}-{}-{}-{}{}", row.effect, row.variant, row.backend, row.view, suffix)) + ".png";
+}
+
+void fill_picture(CellRow& row, const Image& picture, const KeepPicture& keep) {
+  if (keep) row.image = keep("", to_display(with_marked_nonfinite(picture)));
+  row.image_hash = linear_hash(picture);
+  row.nonfinite_pixels = nonfinite_pixels(picture);
+}
+
+void fill_errors(CellRow& row, const Image& picture, const Image& baseline, const Mask& covered, const KeepPicture& keep) {
+  if (row.nonfinite_pixels > 0 || nonfinite_pixels(baseline) > 0) return;
+  if (std::count(covered.on.begin(), covered.on.end(), 1) == 0) return;  // nothing of the effect is in this view
+  const ErrorReport report = measure_error(picture, baseline, covered);
+  row.error_covered = report.covered;
+  row.error_frame = report.frame;
+  if (!keep) return;
+  row.difference = keep("-difference", difference_picture(to_display(picture), to_display(baseline), difference_gain));
+  row.flip = keep("-flip", flip_picture(report.flip, picture.width, picture.height));
+}
+
+Mask either(const Mask& a, const Mask& b) {
+  Mask both = a;
+  for (size_t i = 0; i < both.on.size(); ++i) both.on[i] = a.on[i] | b.on[i];
+  return both;
+}
+
+std::vector<std::vector<double>> time_once(Frame& frame) {
+  std::vector<std::vector<double>> once_ms(frame.once_names().size());
+  for (size_t i = 0; i < once_repetitions; ++i) {
+    const FrameTimes times = frame.run_once(Timing::bracketed);
+    for (size_t pass = 0; pass < times.pass_ms.size(); ++pass) once_ms[pass].push_back(times.pass_ms[pass]);
+  }
+  return once_ms;
+}
+
+RoundsResult time_cells(const std::vector<TimedCell>& cells, const CompareOptions& options, Progress& progress) {
+  std::vector<Arm> arms;
+  for (const TimedCell& cell : cells)
+    arms.push_back({[&cell] { return cell.frame->run(cell.view, Timing::bracketed); }, cell.baseline});
+  RoundOptions rounds;
+  rounds.budget_s = options.budget_s;
+  rounds.precision = options.precision;
+  rounds.seed = options.seed;
+  RoundsResult result = run_rounds(arms, rounds, [&](double fraction) { progress.show(fraction, "timing"); });
+
+  for (size_t i = 0; i < arms.size(); ++i) {
+    const ArmSamples& samples = result.arms[i];
+    CellRow& row = *cells[i].row;
+    if (!samples.failure.empty()) {
+      fail(row, samples.failure);
+      continue;
+    }
+    size_t once = 0, frame = 0;
+    for (PassRow& pass : row.passes) pass.ms = pass.once ? (*cells[i].once_ms)[once++] : samples.pass_ms[frame++];
+    const bool has_baseline = arms[i].baseline && result.arms[*arms[i].baseline].failure.empty();
+    if (has_baseline && !row.baseline)
+      row.ratio_to_baseline = ratio_interval(samples.frame_ms, result.arms[*arms[i].baseline].frame_ms);
+  }
+  return result;
+}
+
+}  // namespace lamina

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// One cell, filled in step by step: what is known before it runs, what its counting build counted, the errors of its picture,
+// its times. For every command that leaves cells.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "harness/cli/commands.h"
+#include "harness/graph/frame.h"
+#include "harness/measure/rounds.h"
+#include "harness/record/record.h"
+
+namespace lamina {
+
+CellRow blank_row(const std::string& backend, const std::string& device, const Scene& scene, const View& view,
+                  const VariantManifest& variant, const CompareOptions& options);
+void fail(CellRow& row, const std::string& reason);
+// A row that cannot be written as measured (a number that is none) becomes a failed one; the others go on.
+void append_row(RecordWriter& record, const CellRow& row);
+
+// Runs a frame of the counting build, whose once_counts() are `once`, and puts what it executed into the row. Returns the
+// pixels that the variant's effect covers.
+Mask count_cell(CellRow& row, Frame& counting, const std::vector<PassCounts>& once, const VariantManifest& variant,
+                size_t view);
+
+// Takes a picture, whose file's name ends in `suffix`, and returns its path for the record. Empty: pictures are not kept, nor
+// made.
+using KeepPicture = std::function<std::string(const std::string& suffix, const DisplayImage& image)>;
+// The name of a cell's picture, "" of its own, made of what identifies the cell within a record of one point.
+std::string picture_name(const CellRow& row, const std::string& suffix);
+
+// The picture itself: its hash, its non-finite pixels, shown in magenta.
+void fill_picture(CellRow& row, const Image& picture, const KeepPicture& keep);
+// Its errors against the baseline's picture, over `covered` and the frame. None where either has a pixel that is not finite, or
+// the effect covers nothing.
+void fill_errors(CellRow& row, const Image& picture, const Image& baseline, const Mask& covered, const KeepPicture& keep);
+Mask either(const Mask& a, const Mask& b);
+
+// Times all of these frames in shuffled rounds, and fills in their rows: ratios to the arm that `baseline` says. A failure is
+// put into the row.
+struct TimedCell {
+  Frame* frame = nullptr;
+  size_t view = 0;
+  CellRow* row = nullptr;
+  const std::vector<std::vector<double>>* once_ms = nullptr;  // [pass][repetition], of the frame
+  std::optional<size_t> baseline;                             // index among the cells
+};
+RoundsResult time_cells(const std::vector<TimedCell>& cells, const CompareOptions& options, Progress& progress);
+// The passes done once, repeated: [pass][repetition].
+std::vector<std::vector<double>> time_once(Frame& frame);
+
+}  // namespace lamina

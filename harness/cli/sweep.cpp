@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+// lamina sweep: every variant at every point of a grid of parameters, on every backend; what has been done stays done. The
+// whole flow, top to bottom.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+
+#include "harness/cli/point_run.h"
+#include "harness/cli/run_line.h"
+#include "harness/cli/sweep_end.h"
+#include "harness/core/text.h"
+#include "harness/measure/timer_certificate.h"
+#include "harness/sweep/answers.h"
+#include "harness/sweep/sweep_record.h"
+
+namespace lamina {
+namespace {
+
+// The signal that asked to stop; the cell that runs is finished first.
+volatile std::sig_atomic_t stopped_by = 0;
+
+class StopSignals {
+ public:
+  StopSignals() {
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int number) { stopped_by = number; });
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may grow no more is an error of the write, like a full disk
+  }
+  ~StopSignals() {
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+  }
+};
+
+Scene scene_of(const SweepOptions& options) {
+  Scene scene = load_scene_for(options.compare.scene);
+  std::vector<std::string> names;
+  for (const View& view : scene.views) names.push_back(view.name);
+  for (const std::string& name : options.views)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw Error(ErrorKind::bad_input, "sweep", "--view", unknown_name("view", name, names));
+  if (!options.views.empty())
+    std::erase_if(scene.views, [&](const View& view) {
+      return std::find(options.views.begin(), options.views.end(), view.name) == options.views.end();
+    });
+  return scene;
+}
+
+SweepPoints points_from(const SweepOptions& options) {
+  SweepPoints points;
+  points.zip = options.zip;
+  for (const std::string& text : options.sets) points.parameters.push_back(parse_swept(text));
+  return points;
+}
+
+// Every file that shaders and manifests are made of, and the scene.
+std::string inputs_hash(const SweepOptions& options, const Scene& scene) {
+  std::vector<std::filesystem::path> folders = {home_folder() / "variants", home_folder() / "shaders"};
+  folders.insert(folders.end(), options.compare.scene.variants_dirs.begin(), options.compare.scene.variants_dirs.end());
+  std::string text = scene_hash(scene);
+  for (const std::filesystem::path& folder : folders) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+      if (entry.is_regular_file() && entry.path().extension() != ".md") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const std::filesystem::path& file : files)
+      text += std::filesystem::relative(file, folder).string() + hash_hex(read_file(file, "sweep"));
+  }
+  return hash_hex(text);
+}
+
+// All must open here: a backend that is missing is known before anything runs.
+std::vector<DeviceInfo> devices_of(const SweepOptions& options) {
+  std::vector<DeviceInfo> devices;
+  for (const std::string& name : options.compare.backends) {
+    try {
+      devices.push_back(open_backend(name, {options.compare.device, options.compare.validation})->info());
+    } catch (const Error& error) {
+      if (error.kind() == ErrorKind::bad_input) throw;
+      throw Error(ErrorKind::no_device, "sweep", name,
+                  fmt::format("{}; name those that are here with --backend", error.what()));
+    }
+    check_size("sweep", options.compare, devices.back());
+  }
+  return devices;
+}
+
+SweepRow sweep_row(const SweepOptions& options, const SweepPoints& points, const std::vector<Limit>& limits) {
+  SweepRow row;
+  for (const SweptParameter& parameter : points.parameters)
+    row.parameters.push_back({parameter.path, parameter.unit, parameter.values});
+  row.zip = points.zip;
+  row.points = points.count();
+  row.shard_index = options.shard.index, row.shard_count = options.shard.count;
+  for (const Limit& limit : limits) row.limits.emplace_back(limit.metric, limit.value);
+  return row;
+}
+
+// What is done, what is left, and the worst error, for the progress line.
+struct Tally {
+  size_t done = 0, all = 0, failed = 0, messages = 0;
+  double worst_ssim = 1;
+
+  void add(const CellRow& row) {
+    ++done;
+    failed += row.failed;
+    if (row.error_covered) worst_ssim = std::min(worst_ssim, row.error_covered->ssim);
+  }
+  std::string words(const std::string& point) const {
+    return fmt::format("{} of {} cells, at {}, worst SSIM {:.4f}", done, all, point, worst_ssim);
+  }
+};
+
+struct Sweep {
+  const SweepOptions& options;
+  const Library& library;
+  SweptScene& scenes;
+  const std::vector<const EffectManifest*>& effects;
+  const std::set<CellKey>& earlier;
+  RecordWriter& record;
+  Tally& tally;
+};
+
+bool is_left(const Sweep& sweep, const std::string& backend, const EffectManifest& effect, const std::string& variant,
+             const std::string& view, size_t point) {
+  return !sweep.earlier.contains({backend, effect.name, variant, view, point});
+}
+
+bool anything_left(const Sweep& sweep, const std::string& backend, const EffectManifest& effect, size_t point) {
+  for (const VariantManifest& variant : effect.variants)
+    for (const View& view : sweep.scenes.scene().views)
+      if (is_compared(variant, sweep.options.compare) && is_left(sweep, backend, effect, variant.name, view.name, point))
+        return true;
+  return false;
+}
+
+// One backend: every point of the shard, every effect. Pictures are kept before the line that names them. Returns false where a
+// signal stopped it.
+bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress) {
+  const SweepOptions& options = sweep.options;
+  const auto left = [&](const EffectManifest& effect) {
+    size_t points = 0;
+    for (size_t point = 0; point < sweep.scenes.points().count(); ++point)
+      points += options.shard.has(point) && anything_left(sweep, name, effect, point);
+    return points;
+  };
+  if (std::none_of(sweep.effects.begin(), sweep.effects.end(), [&](const EffectManifest* effect) { return left(*effect) > 0; }))
+    return true;
+  const std::unique_ptr<Backend> backend = open_backend(name, {options.compare.device, options.compare.validation});
+  bool timer_ok = false;
+  if (options.time.every > 0) {
+    progress.show(0, "certifying the timer");
+    const TimerRow timer = certify_timer(*backend, sweep.library.shaders);
+    sweep.record.append(to_json(timer));
+    timer_ok = timer.ok;
+  }
+  ShaderCache shaders(backend->info().api, sweep.library.shaders);
+  bool go_on = true;
+  for (const EffectManifest* effect : sweep.effects) {
+    const auto start = std::chrono::steady_clock::now();
+    size_t cells = 0;
+    PointRun run(*backend, sweep.scenes, sweep.library, *effect, shaders, options, timer_ok);
+    for (size_t point = 0; point < sweep.scenes.points().count() && go_on; ++point) {
+      if (!options.shard.has(point) || !anything_left(sweep, name, *effect, point)) continue;
+      const auto wanted = [&](const std::string& variant, const std::string& view) {
+        return is_left(sweep, name, *effect, variant, view, point);
+      };
+      go_on = run.run(point, wanted, progress, [&](const CellRow& row, const std::vector<PointRun::Picture>& pictures) {
+        for (const auto& [file, picture] : pictures) write_png((options.compare.out / "images" / file).string(), picture);
+        append_row(sweep.record, row);
+        sweep.tally.add(row), ++cells;
+        progress.show(static_cast<double>(sweep.tally.done) / static_cast<double>(sweep.tally.all),
+                      sweep.tally.words(sweep.scenes.words(point)));
+        return stopped_by == 0;
+      });
+    }
+    if (cells == 0) continue;
+    const double wall_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    fmt::print("{}: {} cells of {} in {:.1f} s, {:.3f} times device ({:.1f} s), read-back ({:.1f} s) and metrics ({:.1f} s)\n",
+               name, cells, effect->name, wall_ms / 1000, wall_ms / run.spent().sum(), run.spent().device / 1000,
+               run.spent().read_back / 1000, run.spent().metrics / 1000);
+    if (!go_on) break;
+  }
+  for (const std::string& message : backend->take_messages()) {
+    fmt::print(stderr, "lamina: {}: {}\n", name, message);
+    ++sweep.tally.messages;
+  }
+  return go_on;
+}
+
+}  // namespace
+
+int run_sweep(const SweepOptions& options) {
+  const Library library = load_library_for(options.compare.scene);
+  SweptScene scenes(scene_of(options), library, points_from(options));
+  const Scene& scene = scenes.scene();
+  const Plan plan = make_plan(library, scene);
+  const std::vector<const EffectManifest*> effects = compared_effects(plan);
+  check_variant_names("sweep", options.compare.variants, variant_names(effects));
+  std::vector<Limit> limits;
+  for (const std::string& text : options.limits) limits.push_back(parse_limit(text));
+  const std::vector<DeviceInfo> devices = devices_of(options);
+
+  const StopSignals signals;
+  make_run_folder("sweep", options.compare.out);
+  const std::filesystem::path file = options.compare.out / "record.jsonl";
+  const nlohmann::ordered_json run = run_line(options, scene, effects, devices, inputs_hash(options, scene));
+  const nlohmann::ordered_json sweep_line = to_json(sweep_row(options, scenes.points(), limits));
+  const std::optional<Earlier> earlier = continue_record(file, run, sweep_line, scenes.points());
+  RecordWriter record(file, earlier.has_value());
+  if (!earlier) record.append(run), record.append(sweep_line);
+  if (!earlier || !earlier->kinds.contains("plan")) {
+    ShaderCache shaders(Api::vulkan, library.shaders);
+    record.append(plan_line(plan, scene, shaders));
+  }
+
+  Tally tally;
+  const std::set<CellKey> known = earlier ? earlier->cells : std::set<CellKey>{};
+  const Sweep sweep{options, library, scenes, effects, known, record, tally};
+  for (const std::string& backend : options.compare.backends)
+    for (const EffectManifest* effect : effects)
+      for (const VariantManifest& variant : effect->variants)
+        for (size_t point = 0; point < scenes.points().count(); ++point)
+          for (const View& view : scene.views)
+            tally.all += options.shard.has(point) && is_compared(variant, options.compare) &&
+                         is_left(sweep, backend, *effect, variant.name, view.name, point);
+  if (earlier)
+    fmt::print("resuming {}: {} cells are there, {} to go{}\n", file.string(), known.size(), tally.all,
+               earlier->cut_bytes > 0 ? fmt::format("; a line cut short ({} bytes) was taken off", earlier->cut_bytes) : "");
+
+  Progress progress("sweep");
+  for (const std::string& backend : options.compare.backends)
+    if (!run_backend(backend, sweep, progress)) {
+      fmt::print(stderr, "lamina: stopped; {} of {} cells are done and kept. Go on with the same command:\n  {}\n", tally.done,
+                 tally.all, options.compare.command);
+      return 128 + stopped_by;
+    }
+  const bool failed = end_sweep(options.compare.out, record);
+  return failed || tally.messages > 0 ? 1 : 0;
+}
+
+}  // namespace lamina

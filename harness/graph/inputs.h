@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// What passes take from a scene's numbers, so that after some have changed it is known what must be done again: of every
+// uniform block, only the members that the shaders' code reads (by reflection) count.
+#pragma once
+
+#include <string>
+
+#include "harness/graph/graph.h"
+
+namespace lamina {
+
+// Hashes; where one is as before, so is the outcome, as long as textures, variants' parameters and the size of the frame are.
+// Of the passes done once.
+std::string once_inputs(const Graph& graph, const Scene& scene);
+// Of which fragments the frame's passes shade, in all views. `early_tests`: no shader discards or writes depth. Then only
+// vertex shaders decide, unless one of them reads what other passes write.
+std::string coverage_inputs(const Graph& graph, const Scene& scene, bool early_tests);
+
+// Of all vertices and indices.
+std::string meshes_hash(const Scene& scene);
+
+}  // namespace lamina

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a sweep answers: how far each variant keeps an error within a limit, and from where on one variant is better, cheaper or
+// both than another. Found on the record's curves by interpolation.
+#pragma once
+
+#include "harness/record/sweep_rows.h"
+#include "harness/sweep/curves.h"
+
+namespace lamina {
+
+struct Limit {
+  std::string metric;  // of curves.h, but for "ratio"
+  double value = 0;
+};
+// "ssim=0.98". Throws Error(bad_input) with the nearest metric.
+Limit parse_limit(const std::string& text);
+
+// Rows in the order of the curves: for each variant each limit; then each pair of variants, by the first limit's metric and by
+// time where both have been timed.
+std::vector<CrossoverRow> answers(const std::vector<Curve>& curves, const std::vector<Limit>& limits);
+
+}  // namespace lamina

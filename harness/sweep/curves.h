@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The curves of a sweep, drawn from its record: how each variant's errors and cost move along one parameter, the others held.
+// Costs are ratios to the baseline at the same point, so that curves of several machines can be joined.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "harness/record/record.h"
+
+namespace lamina {
+
+// What a curve can show. Errors are those of the worst view, over the pixels that the effect covers.
+struct Metric {
+  const char* name;     // "ssim"; "truth.ssim" against the truth
+  const char* words;    // "SSIM"
+  bool more_is_better;  // ratio: less
+};
+inline constexpr std::array<Metric, 11> metrics = {{{"ssim", "SSIM", true},
+                                                    {"psnr_db", "PSNR in dB", true},
+                                                    {"flip", "FLIP", false},
+                                                    {"rmse_linear", "RMSE", false},
+                                                    {"max_linear", "the greatest difference", false},
+                                                    {"truth.ssim", "SSIM to the truth", true},
+                                                    {"truth.psnr_db", "PSNR to the truth in dB", true},
+                                                    {"truth.flip", "FLIP to the truth", false},
+                                                    {"truth.rmse_linear", "RMSE to the truth", false},
+                                                    {"truth.max_linear", "the greatest difference to the truth", false},
+                                                    // Geometric mean over views of the ratios' medians.
+                                                    {"ratio", "time over the baseline's", false}}};
+const Metric* metric_named(std::string_view name);
+
+struct Curve {
+  std::string backend, effect, variant;
+  bool baseline = false;
+  std::string parameter, unit;                       // along x
+  std::vector<std::pair<std::string, double>> held;  // the other parameters of a grid
+  std::vector<double> x;                             // ascending
+  // By metric; NaN where a view has none or failed. "ratio.low" and "ratio.high" are the ends of the ratio's interval.
+  std::map<std::string, std::vector<double>> y;
+};
+
+// By backend, effect, parameter and what is held, in the order of the record, each with its variants, the baseline first. Of
+// zipped parameters the first is x. Parameters of one value have no curve. None for a record without a sweep.
+std::vector<Curve> curves_of(const Record& record);
+
+}  // namespace lamina

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/sweep/sweep_record.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include "harness/core/error.h"
+#include "harness/core/text.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+
+[[noreturn]] void refuse(const std::string& where, const std::string& why) {
+  throw Error(ErrorKind::bad_input, "record", where, why);
+}
+
+// What makes two records parts of one sweep; the run line's other fields may differ.
+constexpr const char* identity[] = {"schema", "lamina", "commit", "build", "scene", "source", "settings", "inputs"};
+
+// The first field in which they differ, as "settings.width is 64, not 512"; "" where they agree.
+std::string difference(const Json& have, const Json& want) {
+  const Json changes = Json::diff(have, want);
+  if (changes.empty()) return "";
+  std::string pointer = changes.front().at("path");
+  const auto words = [&](const Json& value) {
+    const Json::json_pointer at(pointer);
+    std::string text = value.contains(at) ? value.at(at).dump() : "absent";
+    return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+  };
+  const std::string had = words(have), wanted = words(want);
+  std::replace(pointer.begin(), pointer.end(), '/', '.');
+  return fmt::format("'{}' is {}, not {}", pointer.substr(1), had, wanted);
+}
+
+Json identity_of(const Json& run) {
+  Json fields = Json::object();
+  for (const char* name : identity)
+    if (run.contains(name)) fields[name] = run.at(name);
+  return fields;
+}
+
+Json parsed(const std::string& line, const std::string& where) {
+  try {
+    Json json = Json::parse(line);
+    if (json.is_object() && json.contains("kind")) return json;
+  } catch (const Json::exception&) {
+  }
+  refuse(where, "is no line of a record; the file is damaged: remove it, or choose another folder with --out");
+}
+
+}  // namespace
+
+PointIndex::PointIndex(const SweepPoints& points) {
+  for (const SweptParameter& parameter : points.parameters) paths_.push_back(parameter.path);
+  for (size_t point = 0; point < points.count(); ++point) points_.emplace(points.at(point), point);
+}
+
+CellKey PointIndex::key_of(const Json& cell, const std::string& where) const {
+  try {
+    std::vector<double> values;
+    for (const std::string& path : paths_) values.push_back(cell.at("params").at(path));
+    if (const auto found = points_.find(values); found != points_.end())
+      return {cell.at("backend"), cell.at("effect"), cell.at("variant"), cell.at("view"), found->second};
+  } catch (const Json::exception&) {
+  }
+  refuse(where, "is a cell of no point of this sweep; the file is damaged or of another sweep");
+}
+
+std::optional<Earlier> continue_record(const std::filesystem::path& file, const Json& run, const Json& sweep,
+                                       const SweepPoints& points) {
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  const PointIndex index(points);
+  Earlier earlier;
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  size_t keep = 0, number = 0, whole = 0;  // bytes to keep; lines; bytes of whole lines
+  while (std::getline(stream, line) && !stream.eof()) {
+    const std::string where = fmt::format("{}:{}", file.string(), ++number);
+    const Json json = parsed(line, where);
+    const std::string kind = json.at("kind");
+    const auto expect = [&](const Json& have, const Json& want, const char* what) {
+      if (const std::string differs = difference(have, want); !differs.empty())
+        refuse(where, fmt::format("this folder holds another {}: {}; choose another folder with --out, or remove this one",
+                                  what, differs));
+    };
+    if (number == 1 && kind != "run") refuse(where, "is not the first line of a record; choose another folder with --out");
+    if (number == 1) {
+      Json have = identity_of(json), want = identity_of(run);
+      have["devices"] = json.value("devices", Json()), want["devices"] = run.at("devices");
+      if (run.at("settings").value("time", "none") != "none")  // times of two machines do not mix
+        have["machine"] = json.value("machine", Json()), want["machine"] = run.at("machine");
+      expect(have, want, "run");
+    } else if (number == 2) {
+      expect(json, sweep, "sweep");
+    }
+    whole += line.size() + 1;
+    if (kind == "crossover") {
+      earlier.finished = true;
+      continue;
+    }
+    keep = whole;
+    if (kind != "cell")
+      earlier.kinds.insert(kind);
+    else if (!earlier.cells.insert(index.key_of(json, where)).second)
+      refuse(where, "is a cell that an earlier line has; the file is damaged: remove it, or choose another folder with --out");
+  }
+  stream.close();
+  earlier.cut_bytes = std::filesystem::file_size(file) - whole;
+  // Without both first lines there is nothing to go on from.
+  if (number < 2) return std::nullopt;
+  std::filesystem::resize_file(file, keep);
+  return earlier;
+}
+
+SweepPoints points_of(const Json& sweep) {
+  SweepPoints points;
+  points.zip = sweep.at("zip");
+  for (const Json& parameter : sweep.at("parameters"))
+    points.parameters.push_back({parameter.at("path"), parameter.at("unit"), parameter.at("values")});
+  return points;
+}
+
+}  // namespace lamina

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The record of a sweep on disk: taken up where an earlier run of the same sweep stopped, at whatever byte that was, and joined
+// from the records of several shards.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "harness/sweep/points.h"
+
+namespace lamina {
+
+// What tells a cell of a sweep from all others: backend, effect, variant, view, point.
+using CellKey = std::tuple<std::string, std::string, std::string, std::string, size_t>;
+
+// Finds the points of cells.
+class PointIndex {
+ public:
+  explicit PointIndex(const SweepPoints& points);
+  // Throws Error(bad_input, "record", where, ...) for a cell that is of no point.
+  CellKey key_of(const nlohmann::json& cell, const std::string& where) const;
+
+ private:
+  std::vector<std::string> paths_;
+  std::map<std::vector<double>, size_t> points_;
+};
+
+// What an earlier run left, after continue_record().
+struct Earlier {
+  std::set<CellKey> cells;
+  std::set<std::string> kinds;  // of the other lines
+  size_t cut_bytes = 0;         // of a line that was cut short
+  bool finished = false;        // it had its answers
+};
+
+// Makes the record in `file` ready to be appended to: what follows its last newline is cut off, and so are its answers, which
+// come last and are found again. Nothing where there is no file, or not a whole first line in it. `run` and `sweep` are the
+// lines that a run of now would begin with; throws Error(bad_input) where those in the file say that other inputs, settings,
+// devices or another program made it.
+std::optional<Earlier> continue_record(const std::filesystem::path& file, const nlohmann::json& run,
+                                       const nlohmann::json& sweep, const SweepPoints& points);
+
+// Records of shards of one sweep, or of parts of it, joined as one run would have left them, without answers.
+struct Joined {
+  std::vector<nlohmann::ordered_json> lines;
+  size_t cells = 0, duplicates = 0;  // duplicates that agree
+  std::vector<std::string> missing;  // a sentence for each variant and backend that lacks points
+  bool several_machines = false;     // then times are left out, ratios stay
+};
+// `files` in any order. Throws Error(bad_input) for records of different sweeps, and for two cells that disagree in anything
+// but times, naming both.
+Joined join_records(const std::vector<std::filesystem::path>& files);
+
+// The points that a sweep line tells of.
+SweepPoints points_of(const nlohmann::json& sweep);
+
+}  // namespace lamina

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene at every point of a sweep. It is loaded once; only another moment in time is loaded again, and keeps the textures
+// that are as they were.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "harness/graph/frame.h"
+#include "harness/sweep/parameters.h"
+#include "harness/sweep/points.h"
+
+namespace lamina {
+
+class SweptScene {
+ public:
+  // `scene` as load_scene() left it, but for views that were taken out; `library` must outlive this. Checks every path and
+  // value, and fills in units. Throws Error(bad_input).
+  SweptScene(Scene scene, const Library& library, SweepPoints points);
+
+  const Scene& scene() const { return base_; }
+  const SweepPoints& points() const { return points_; }
+  Scene at(size_t point);
+  // Every swept path with its value, as cells name them.
+  std::map<std::string, double> params(size_t point) const;
+  // Of these, the ones of a variant's own parameters.
+  Parameters parameters_of_variant(const VariantManifest& variant, size_t point) const;
+
+  // "thickness 6.2 texels", for people.
+  std::string words(size_t point) const;
+
+ private:
+  const Scene& at_time(float time_s);
+
+  Scene base_;
+  Scene moment_;  // the last that was loaded for its time
+  SweepPoints points_;
+  std::vector<Parameter> parameters_;  // beside the points'
+};
+
+// Of all that a picture of the scene follows from: meshes, textures, numbers of objects, lights and views.
+std::string scene_hash(const Scene& scene);
+
+}  // namespace lamina

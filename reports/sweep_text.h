@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sweep's curves and answers as text.
+#pragma once
+
+#include "harness/sweep/curves.h"
+#include "reports/reports.h"
+
+namespace lamina {
+
+// A table of the curves of one backend, effect and parameter: a row a point; for each variant but the baseline SSIM, FLIP and,
+// where it was timed, the ratio. Figures that are not known are "-".
+struct CurveTable {
+  std::string title;
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+// `most_rows`: evenly spread where there are more points.
+std::vector<CurveTable> curve_tables(const std::vector<Curve>& curves, size_t most_rows);
+
+std::string sweep_terminal(const std::vector<Curve>& curves);
+
+}  // namespace lamina

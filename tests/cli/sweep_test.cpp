@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+// lamina sweep and lamina merge as a user runs them, on a square whose variant is darker than the baseline by a parameter: its
+// errors are known in closed form, and a cell takes no time.
+#include <fcntl.h>
+
+#include <chrono>
+#include <csignal>
+#include <random>
+#include <thread>
+
+#include "harness/core/text.h"
+#include "harness/record/record.h"
+#include "tests/cli/program.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+
+class SweepTest : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    square_model();
+    std::filesystem::create_directories(folder_ / "mine");
+    write("square.toml", "[scene]\nmodel = \"square.gltf\"\n[objects.\"*\"]\nlayers = false\nalbedo = [0.5, 0.4, 0.3]\n");
+    write("mine/darker.toml",
+          "[variant]\nname = \"darker\"\neffect = \"surface\"\n[parameters.amount]\nvalue = 0.1\nmin = 0\nmax = 1\n"
+          "[[pass]]\nname = \"surface\"\ndraw = \"objects\"\nvertex = \"common/object.vert\"\nfragment = \"darker.frag\"\n"
+          "write = [\"frame\"]\ndepth = \"read_write\"\ncull = \"back\"\n");
+    write("mine/darker.frag",
+          "#include \"common/frame.glsl\"\n#include \"common/surface.glsl\"\n#include \"common/mesh_in.glsl\"\n"
+          "layout(constant_id = 0) const float amount = 0.1;\nlayout(binding = 4) uniform sampler2D albedo;\n"
+          "layout(location = 0) out vec4 color;\nvoid main() {\n"
+          "  vec3 light = diffuse_light(normalize(in_normal), in_position);\n"
+          "  color = vec4((1.0 - amount) * texture(albedo, in_uv).rgb * light, 1.0);\n}\n");
+  }
+  std::string command(const std::string& out, const std::string& set, const std::string& more = "") const {
+    return "sweep " + (folder_ / "square.toml").string() + " --variants-dir " + (folder_ / "mine").string() + " --size 32x32 " +
+           "--backend vulkan " + set + " --out " + (folder_ / out).string() + " " + more;
+  }
+  Outcome sweep(const std::string& out, const std::string& set, const std::string& more = "") const {
+    return lamina_program(command(out, set, more));
+  }
+  std::filesystem::path file(const std::string& out) const { return folder_ / out / "record.jsonl"; }
+
+  // All but what the command's words and the machines' list may differ in.
+  std::vector<Json> lines(const std::string& out) const {
+    std::vector<Json> all;
+    std::istringstream stream(read_file(file(out), "test"));
+    for (std::string line; std::getline(stream, line);) all.push_back(Json::parse(line));
+    for (const char* name : {"command", "machines"}) all.at(0).erase(name);
+    return all;
+  }
+  // Starts the program and leaves it running.
+  pid_t start(const std::string& arguments) const {
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    const int nowhere = ::open("/dev/null", O_WRONLY);
+    ::dup2(nowhere, 1), ::dup2(nowhere, 2);
+    ::execl("/bin/sh", "sh", "-c", ("exec " + std::string(LAMINA_PROGRAM) + " " + arguments).c_str(), nullptr);
+    ::_exit(127);
+  }
+  static int wait_for(pid_t child) {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
+  const std::string amounts_ = "--set darker.amount=0:0.9:0.1 --fetches every:4 --pictures every:4";
+  // Touches uniforms alone, so that cells follow each other quickly.
+  const std::string lights_ = "--set lights.key.intensity=0:4.5:0.5 --fetches every:4 --pictures every:4";
+};
+
+// The picture is (1 - amount) times the baseline's, so its greatest difference is amount times the baseline's greatest value.
+TEST_F(SweepTest, ErrorsFollowTheParameter) {
+  const Outcome outcome = sweep("out", amounts_, "--backend osmesa --limit rmse_linear=0.05");
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  const Record record = read_record(file("out"));
+  ASSERT_EQ(record.cells.size(), 2u * 10 * 3 * 2) << "backends, points, views, variants";
+  ASSERT_EQ(record.sweeps.size(), 1u);
+  std::map<std::string, double> greatest;  // by backend and view, at amount 0.5
+  const auto shot = [](const Json& cell) { return cell.at("backend").get<std::string>() + cell.at("view").get<std::string>(); };
+  for (const Json& cell : record.cells)
+    if (cell.at("params").at("darker.amount") == 0.5 && !cell.at("baseline").get<bool>())
+      greatest[shot(cell)] = 2 * cell.at("error").at("baseline").at("max_linear").get<double>();
+  for (const Json& cell : record.cells) {
+    EXPECT_EQ(cell.at("status"), "ok") << cell.at("reason");
+    const double amount = cell.at("params").at("darker.amount");
+    const bool fourth = amount == 0 || amount == 0.4 || amount == 0.8;
+    EXPECT_EQ(cell.at("fetches").is_null(), !fourth);
+    EXPECT_EQ(cell.at("image") == "", !fourth);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "out" / cell.at("image").get<std::string>()));
+    if (cell.at("baseline").get<bool>()) continue;
+    const Json& error = cell.at("error").at("baseline");
+    EXPECT_NEAR(error.at("max_linear"), amount * greatest.at(shot(cell)), 1e-3) << amount;
+    EXPECT_EQ(error.at("identical").get<bool>(), amount == 0);
+  }
+  EXPECT_FALSE(record.crossovers.empty());
+  EXPECT_SAYS(outcome.output, "darker keeps RMSE at most 0.05 up to amount");
+  EXPECT_SAYS(read_file(folder_ / "out" / "summary.md", "test"), "## Answers");
+  EXPECT_SAYS(sweep("out", amounts_, "--backend osmesa --limit rmse_linear=0.05").output, "120 cells are there, 0 to go");
+}
+
+// A flat surface under lights that are the same all over it: the light is one colour, in whatever way it is looked up and
+// blurred, so all variants agree with the baseline at every thickness, up to the light map's half floats (2^-11) in light of
+// about 1.
+TEST_F(SweepTest, UnderEvenLightNoThicknessTellsVariantsApart) {
+  write(
+      "flat.toml",
+      "[scene]\nmodel = \"square.gltf\"\n[lights.key]\nkind = \"directional\"\ndirection = [-0.3, -0.4, -1]\nintensity = 1\n");
+  const Outcome outcome =
+      lamina_program("sweep " + (folder_ / "flat.toml").string() + " --set objects.square.thickness=0,4,16" +
+                     " --size 64x64 --view front --out " + (folder_ / "flat").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  const Record record = read_record(file("flat"));
+  ASSERT_EQ(record.cells.size(), 3u * 3 * 2);
+  for (const Json& cell : record.cells) {
+    if (cell.at("baseline").get<bool>()) continue;
+    EXPECT_LE(cell.at("error").at("baseline").at("max_linear").get<double>(), 2e-3)
+        << cell.at("variant") << " at " << cell.at("params").at("objects.square.thickness");
+  }
+  // Thicker layers are another picture all the same.
+  EXPECT_NE(record.cells[0].at("image_hash"), record.cells[3].at("image_hash"));
+}
+
+// A moving light, mesh place and camera: what a point touches, and nothing else, changes its pictures.
+TEST_F(SweepTest, EveryPointIsThePictureThatItWouldBeAlone) {
+  const std::string grid = "--set lights.key.intensity=0,2 --set objects.square.position.x=0,0.5 --fetches all --pictures none";
+  ASSERT_EQ(sweep("grid", grid).status, 0);
+  const Record record = read_record(file("grid"));
+  ASSERT_EQ(record.cells.size(), 4u * 3 * 2);
+  for (const Json& cell : record.cells) {
+    const Json& params = cell.at("params");
+    const std::string alone =
+        fmt::format("--set lights.key.intensity={} --set objects.square.position.x={} --fetches all",
+                    params.at("lights.key.intensity").dump(), params.at("objects.square.position.x").dump());
+    const std::string out =
+        fmt::format("alone-{}-{}", params.at("lights.key.intensity").dump(), params.at("objects.square.position.x").dump());
+    ASSERT_EQ(sweep(out, alone, "--pictures none").status, 0);  // done already for other cells of the point
+    for (const Json& single : read_record(file(out)).cells)
+      if (single.at("variant") == cell.at("variant") && single.at("view") == cell.at("view")) {
+        EXPECT_EQ(single, cell);
+      }
+  }
+}
+
+TEST_F(SweepTest, BadInputStopsBeforeAnythingRuns) {
+  const std::pair<std::string, std::string> cases[] = {
+      {"--set objects.square.positon.x=0:1:1", "did you mean 'objects.square.position.x'"},
+      {"--set darker.amount=0:2:1", "2 is out of range: it takes 0 to 1"},
+      {"--set darker.amount=0:1:0", "do not lead from"},
+      {"--set darker.amount=0,1 --shard 3/2", "K from 1 to N"},
+      {"--set darker.amount=0,1 --time sometimes", "takes none, all or every:N"},
+      {"--set darker.amount=0,1 --view fron", "did you mean 'front'"},
+      {"--set darker.amount=0,1 --limit sim=1", "did you mean 'ssim'"}};
+  for (const auto& [set, words] : cases) {
+    const Outcome outcome = sweep("out", set);
+    EXPECT_EQ(outcome.status, 2) << outcome.output;
+    EXPECT_SAYS(outcome.output, words);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+  }
+}
+
+TEST_F(SweepTest, ARecordOfOtherInputsIsRefused) {
+  ASSERT_EQ(sweep("out", "--set darker.amount=0,1").status, 0);
+  const std::string before = read_file(file("out"), "test");
+  for (const char* other : {"--set darker.amount=0,0.5", "--set darker.amount=0,1 --seed 2"}) {
+    const Outcome outcome = sweep("out", other);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_SAYS(outcome.output, "choose another folder with --out");
+  }
+  write("mine/darker.frag", read_file(folder_ / "mine/darker.frag", "test") + "// changed\n");
+  EXPECT_SAYS(sweep("out", "--set darker.amount=0,1").output, "'inputs' is");
+  EXPECT_EQ(read_file(file("out"), "test"), before);
+}
+
+// At least 50 kills at random moments, each run going on where the last was killed, until the record is whole; then anew.
+TEST_F(SweepTest, KilledAtAnyMomentNoCellIsLostOrDoubled) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  ASSERT_EQ(sweep("whole", lights_).status, 0);
+  const std::vector<Json> whole = lines("whole");
+  const double run_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  std::mt19937_64 random(7);
+  int kills = 0, finished = 0;
+  for (int round = 0; kills < 50; ++round) {
+    ASSERT_LT(round, 50);
+    const std::string out = fmt::format("killed-{}", round);
+    for (bool done = false; !done;) {
+      const pid_t child = start(command(out, lights_));
+      const auto after = std::chrono::microseconds(static_cast<int64_t>(1000 * run_ms * double(random() % 1000) / 900));
+      const auto until = Clock::now() + after;
+      int status = 0;
+      pid_t ended = 0;
+      while ((ended = ::waitpid(child, &status, WNOHANG)) == 0 && Clock::now() < until)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      if (ended == 0) {
+        ::kill(child, SIGKILL);
+        wait_for(child);
+        ++kills;
+        continue;
+      }
+      ASSERT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+      done = true;
+    }
+    ++finished;
+    ASSERT_EQ(lines(out), whole) << out;
+  }
+  RecordProperty("kills", kills);
+  RecordProperty("finished", finished);
+}
+
+TEST_F(SweepTest, ACutRecordGoesOn) {
+  ASSERT_EQ(sweep("whole", lights_).status, 0);
+  const std::string text = read_file(file("whole"), "test");
+  for (const double share : {0.0, 0.001, 0.2, 0.5, 0.77, 0.995}) {
+    std::filesystem::create_directories(folder_ / "cut");
+    write("cut/record.jsonl", text.substr(0, static_cast<size_t>(share * double(text.size()))));
+    const Outcome outcome = sweep("cut", lights_);
+    ASSERT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_EQ(lines("cut"), lines("whole")) << share;
+    std::filesystem::remove_all(folder_ / "cut");
+  }
+}
+
+TEST_F(SweepTest, InterruptedItFinishesTheCellAndSaysHowToGoOn) {
+  const std::string many = "--set lights.key.intensity=0:1:0.002 --fetches none --pictures none";
+  const std::filesystem::path said = folder_ / "said";
+  const pid_t child = start(command("out", many) + " >" + said.string() + " 2>&1");
+  for (int i = 0; i < 30000; ++i) {
+    std::error_code not_there;
+    if (std::filesystem::file_size(file("out"), not_there) > 20000 && !not_there) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ::kill(child, SIGINT);
+  EXPECT_EQ(wait_for(child), 128 + SIGINT);
+  EXPECT_SAYS(read_file(said, "test"), "Go on with the same command");
+  const std::string stopped = read_file(file("out"), "test");
+  EXPECT_TRUE(stopped.ends_with('\n'));
+  const size_t cells = lines("out").size();
+  EXPECT_LT(cells, 3000u);
+  EXPECT_SAYS(sweep("out", many).output, "resuming");
+  EXPECT_TRUE(read_file(file("out"), "test").starts_with(stopped)) << "what was there stays byte for byte";
+  EXPECT_EQ(read_record(file("out")).cells.size(), 501u * 3 * 2);
+}
+
+TEST_F(SweepTest, AFullDiskStopsClearlyAndCanBeResumed) {
+  ASSERT_EQ(sweep("whole", lights_).status, 0);
+  const auto blocks = std::filesystem::file_size(file("whole")) / 1024 / 2;
+  const std::string limited = fmt::format("ulimit -f {}; {} {} 2>&1", blocks, LAMINA_PROGRAM, command("full", lights_));
+  FILE* pipe = ::popen(("bash -c '" + limited + "'").c_str(), "r");
+  std::string output;
+  for (int c; (c = std::fgetc(pipe)) != EOF;) output += static_cast<char>(c);
+  const int status = ::pclose(pipe);
+  EXPECT_EQ(WEXITSTATUS(status), 1) << output;
+  EXPECT_SAYS(output, "cannot be written");
+  EXPECT_SAYS(output, "free some space and run again");
+  EXPECT_EQ(sweep("full", lights_).status, 0);
+  EXPECT_EQ(lines("full"), lines("whole"));
+}
+
+TEST_F(SweepTest, ShardsMergeToTheRecordOfOneRun) {
+  ASSERT_EQ(sweep("whole", lights_).status, 0);
+  std::string folders;
+  for (int k = 1; k <= 3; ++k) {
+    ASSERT_EQ(sweep(fmt::format("part-{}", k), lights_, fmt::format("--shard {}/3", k)).status, 0);
+    folders += (folder_ / fmt::format("part-{}", k)).string() + " ";
+  }
+  const Outcome merged = lamina_program("merge " + folders + "--out " + (folder_ / "merged").string());
+  EXPECT_EQ(merged.status, 0) << merged.output;
+  EXPECT_EQ(lines("merged"), lines("whole"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "merged" / lines("merged").at(3).at("image").get<std::string>()));
+
+  const Outcome short_of = lamina_program("merge " + (folder_ / "part-1").string() + " " + (folder_ / "part-3").string() +
+                                          " --out " + (folder_ / "short").string());
+  EXPECT_EQ(short_of.status, 1);
+  EXPECT_SAYS(short_of.output,
+              "surface/darker on vulkan: 3 of 10 points are missing: lights.key.intensity 0.5; lights.key.intensity 2;");
+}
+
+TEST_F(SweepTest, TimedPointsHaveRatiosAndOthersHaveNone) {
+  const Outcome outcome = sweep("out", "--set darker.amount=0:0.3:0.1", "--time every:2 --budget 0.05 --fetches none");
+  const Record record = read_record(file("out"));
+  ASSERT_EQ(record.timers.size(), 1u);
+  const bool certified = record.timers[0].at("ok");
+  EXPECT_EQ(outcome.status, certified ? 0 : 1) << outcome.output;
+  for (const Json& cell : record.cells) {
+    const double amount = cell.at("params").at("darker.amount");
+    const bool scheduled = amount == 0 || amount == 0.2;
+    EXPECT_EQ(cell.at("timed").get<bool>(), scheduled && certified);
+    EXPECT_EQ(cell.at("fetches").is_null(), !scheduled) << "what is timed is counted";
+    EXPECT_EQ(cell.at("ratio_to_baseline").is_null(), !scheduled || !certified || cell.at("baseline").get<bool>());
+  }
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// Curves given by formulas, whose crossovers can be worked out on paper.
+#include "harness/sweep/answers.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/sweep/sweep_cells.h"
+
+namespace lamina {
+namespace {
+
+std::vector<double> whole_numbers(int last) {
+  std::vector<double> x;
+  for (int i = 0; i <= last; ++i) x.push_back(i);
+  return x;
+}
+
+// vertex_normal: SSIM 1 - x / 310, so 0.98 at 6.2; ratio 0.2 + x / 20. normal_map_taps: SSIM 0.97 throughout, met at 9.3;
+// ratio 0.5, met at 6.
+std::vector<CellRow> crossing_cells(bool timed) {
+  std::vector<CellRow> cells;
+  const auto ratio = [&](double value) { return timed ? std::optional(value) : std::nullopt; };
+  for (const double x : whole_numbers(16)) {
+    cells.push_back(sweep_cell("light_map", x, 1, ratio(1)));
+    cells.push_back(sweep_cell("vertex_normal", x, 1 - x / 310, ratio(0.2 + x / 20)));
+    cells.push_back(sweep_cell("normal_map_taps", x, 0.97, ratio(0.5)));
+  }
+  return cells;
+}
+
+const CrossoverRow* find(const std::vector<CrossoverRow>& rows, const std::string& variant, const std::string& other,
+                         const std::string& metric) {
+  for (const CrossoverRow& row : rows)
+    if (row.variant == variant && row.other == other && row.metric == metric) return &row;
+  return nullptr;
+}
+
+TEST(Answers, AVariantKeepsItsLimitUpToTheCrossing) {
+  const auto rows = answers(curves_of(sweep_record(whole_numbers(16), crossing_cells(false))), {{"ssim", 0.98}});
+  const CrossoverRow* row = find(rows, "vertex_normal", "", "ssim");
+  ASSERT_TRUE(row);
+  EXPECT_NEAR(*row->at, 6.2, 1e-9);
+  EXPECT_NEAR(row->tolerance, 0, 1e-6);  // a straight line
+  EXPECT_EQ(row->limit, 0.98);
+  EXPECT_EQ(row->sentence.substr(0, 69), "vertex_normal keeps SSIM at least 0.98 up to thickness 6.2 texels (wi");
+  const CrossoverRow* never = find(rows, "normal_map_taps", "", "ssim");
+  ASSERT_TRUE(never);
+  EXPECT_FALSE(never->at);
+  EXPECT_EQ(never->sentence, "normal_map_taps does not keep SSIM at least 0.98 over thickness 0 to 16 texels on vulkan");
+}
+
+TEST(Answers, FlipIsKeptFromAbove) {
+  const auto rows = answers(curves_of(sweep_record(whole_numbers(16), crossing_cells(false))), {{"flip", 0.02}});
+  const CrossoverRow* row = find(rows, "vertex_normal", "", "flip");
+  ASSERT_TRUE(row);
+  EXPECT_NEAR(*row->at, 6.2, 1e-9);
+  EXPECT_NE(row->sentence.find("keeps FLIP at most 0.02 up to"), std::string::npos) << row->sentence;
+}
+
+TEST(Answers, BetterFromWhereTheCurvesMeet) {
+  const auto rows = answers(curves_of(sweep_record(whole_numbers(16), crossing_cells(false))), {{"ssim", 0.98}});
+  const CrossoverRow* row = find(rows, "normal_map_taps", "vertex_normal", "ssim");
+  ASSERT_TRUE(row);
+  EXPECT_NEAR(*row->at, 9.3, 1e-9);
+  EXPECT_NE(row->sentence.find("is better by SSIM than vertex_normal from thickness 9.3 texels"), std::string::npos)
+      << row->sentence;
+  EXPECT_FALSE(find(rows, "normal_map_taps", "vertex_normal", "ratio")) << "nothing was timed";
+  EXPECT_FALSE(find(rows, "normal_map_taps", "vertex_normal", "ssim,ratio"));
+}
+
+TEST(Answers, BothCheaperAndBetterFromTheLaterOfTheTwo) {
+  const auto rows = answers(curves_of(sweep_record(whole_numbers(16), crossing_cells(true))), {{"ssim", 0.98}});
+  const CrossoverRow* cheaper = find(rows, "normal_map_taps", "vertex_normal", "ratio");
+  const CrossoverRow* both = find(rows, "normal_map_taps", "vertex_normal", "ssim,ratio");
+  ASSERT_TRUE(cheaper && both);
+  EXPECT_NEAR(*cheaper->at, 6, 1e-9);
+  EXPECT_NEAR(*both->at, 9.3, 1e-9);
+  EXPECT_NE(both->sentence.find("is both cheaper and better by SSIM than vertex_normal from"), std::string::npos)
+      << both->sentence;
+  const CrossoverRow* baseline = find(rows, "vertex_normal", "light_map", "ratio");
+  ASSERT_TRUE(baseline);
+  EXPECT_NEAR(baseline->at.value_or(0), 0, 16) << baseline->sentence;
+}
+
+TEST(Answers, EqualPicturesAtOneEndAreNoCrossing) {
+  std::vector<CellRow> cells;
+  for (const double x : whole_numbers(4)) {
+    cells.push_back(sweep_cell("vertex_normal", x, 1 - x / 100));
+    cells.push_back(sweep_cell("normal_map_taps", x, 1 - x / 50));
+  }
+  const auto rows = answers(curves_of(sweep_record(whole_numbers(4), cells)), {{"ssim", 0.5}});
+  const CrossoverRow* row = find(rows, "vertex_normal", "normal_map_taps", "ssim");
+  ASSERT_TRUE(row);
+  EXPECT_FALSE(row->at) << row->sentence;
+  EXPECT_FALSE(find(rows, "normal_map_taps", "vertex_normal", "ssim"));
+}
+
+TEST(Answers, AFailedCellIsAGapThatIsTold) {
+  std::vector<CellRow> cells;
+  for (const double x : whole_numbers(4)) cells.push_back(sweep_cell("vertex_normal", x, 1 - x / 100));
+  cells[2].failed = true, cells[2].reason = "lost";
+  const auto rows = answers(curves_of(sweep_record(whole_numbers(4), cells)), {{"ssim", 0.985}});
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_FALSE(rows[0].at);
+  EXPECT_NE(rows[0].sentence.find("1 of 5 points are missing"), std::string::npos) << rows[0].sentence;
+}
+
+TEST(Answers, UnknownMetricsAreRefusedWithTheNearest) {
+  try {
+    parse_limit("sim=0.98");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean 'ssim'"), std::string::npos) << error.what();
+  }
+  for (const char* bad : {"ssim", "ssim=", "ssim=x", "ratio=1"}) EXPECT_THROW(parse_limit(bad), Error) << bad;
+  EXPECT_EQ(parse_limit("truth.flip=0.1").value, 0.1);
+}
+
+TEST(Curves, TheWorstViewCountsAndRatiosAreAveragedGeometrically) {
+  CellRow front = sweep_cell("vertex_normal", 0, 0.9, 0.25), side = sweep_cell("vertex_normal", 0, 0.8, 1);
+  side.view = "side";
+  CellRow far_front = sweep_cell("vertex_normal", 1, 0.9, 0.5), far_side = far_front;
+  far_side.view = "side";
+  const auto curves = curves_of(sweep_record({0, 1}, {front, side, far_front, far_side}));
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_EQ(curves[0].x, (std::vector<double>{0, 1}));
+  EXPECT_DOUBLE_EQ(curves[0].y.at("ssim")[0], 0.8);
+  EXPECT_DOUBLE_EQ(curves[0].y.at("ratio")[0], 0.5);
+  EXPECT_DOUBLE_EQ(curves[0].y.at("ratio")[1], 0.5);
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/sweep/parameters.h"
+
+#include <gtest/gtest.h>
+
+#include "harness/core/error.h"
+#include "harness/graph/inputs.h"
+#include "harness/sweep/swept_scene.h"
+
+namespace lamina {
+namespace {
+
+const Scene& heart() {
+  static const Scene scene = load_scene("heart");
+  return scene;
+}
+const Library& library() {
+  static const Library loaded = load_library(LAMINA_SOURCE_DIR);
+  return loaded;
+}
+
+TEST(Parameters, ThePresentValueIsTheScenes) {
+  const auto all = parameters_of(heart(), library());
+  const Parameter& thickness = parameter_named(all, "objects.heart.thickness");
+  EXPECT_EQ(thickness.value, 16);
+  EXPECT_EQ(thickness.unit, "texels");
+  EXPECT_EQ(parameter_named(all, "scene.time").value, 0);
+  EXPECT_EQ(parameter_named(all, "lights.rim.position.x").value, 1.5);
+  EXPECT_EQ(parameter_named(all, "views.front.fov_y_degrees").value, 36);
+}
+
+// Every parameter takes the ends of a range about its value, and reads back what was set.
+TEST(Parameters, WhatIsSetIsWhatIsThereThen) {
+  const auto all = parameters_of(heart(), library());
+  ASSERT_GT(all.size(), 30u);
+  for (const Parameter& parameter : all) {
+    if (!parameter.set) continue;
+    const double wanted = std::clamp(parameter.value.value_or(0.5) + 0.25, parameter.low, parameter.high);
+    Scene scene = heart();
+    parameter.set(scene, wanted);
+    const bool relative = parameter.path.find("rotation") != std::string::npos || parameter.path.ends_with(".scale");
+    if (relative) continue;
+    const auto now = parameters_of(scene, library());
+    ASSERT_TRUE(parameter_named(now, parameter.path).value) << parameter.path;
+    EXPECT_NEAR(*parameter_named(now, parameter.path).value, wanted, 3e-3) << parameter.path;  // 1/255 where it is a texel
+  }
+}
+
+TEST(Parameters, TurningAndScalingKeepTheOrigin) {
+  Scene scene = heart();
+  scene.objects[0].world_from_object[3] = glm::vec4(1, 2, 3, 1);
+  const auto all = parameters_of(scene, library());
+  parameter_named(all, "objects.heart.rotation_degrees.y").set(scene, 90);
+  parameter_named(all, "objects.heart.scale").set(scene, 2);
+  const glm::vec4 origin = scene.objects[0].world_from_object * glm::vec4(0, 0, 0, 1);
+  const glm::vec4 right = scene.objects[0].world_from_object * glm::vec4(1, 0, 0, 1);
+  EXPECT_NEAR(glm::distance(glm::vec3(origin), glm::vec3(1, 2, 3)), 0, 1e-6);
+  EXPECT_NEAR(glm::distance(glm::vec3(right), glm::vec3(1, 2, 1)), 0, 1e-6);  // x turns to -z, twice as far
+}
+
+TEST(Parameters, UnknownPathsNameTheNearest) {
+  try {
+    SweptScene(heart(), library(), {{{"objects.heart.tickness", "", {1}}}, false});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+    EXPECT_NE(std::string(error.what()).find("did you mean 'objects.heart.thickness'"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Parameters, ValuesOutOfRangeAreRefusedWithTheRange) {
+  const auto all = parameters_of(heart(), library());
+  try {
+    check_value(parameter_named(all, "objects.heart.thickness"), -1);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("it takes 0 to 65536 texels"), std::string::npos) << error.what();
+  }
+}
+
+TEST(SweptScene, AnotherTimeKeepsTheTexturesAndMovesTheMesh) {
+  SweptScene scenes(heart(), library(), {{{"scene.time", "", {0, 0.3}}, {"objects.heart.thickness", "", {7}}}, false});
+  const Scene first = scenes.at(0), second = scenes.at(1);
+  EXPECT_EQ(first.objects[0].layers->outer_albedo, second.objects[0].layers->outer_albedo);
+  EXPECT_EQ(first.objects[0].mesh.vertices.size(), second.objects[0].mesh.vertices.size());
+  EXPECT_NE(meshes_hash(first), meshes_hash(second));
+  EXPECT_EQ(second.objects[0].layers->thickness_texels, 7) << "what is set goes before what time brings";
+  EXPECT_NE(scene_hash(first), scene_hash(second));
+}
+
+// A point is the same whichever points came before it.
+TEST(SweptScene, PointsDoNotDependOnTheWayThere) {
+  const SweepPoints points{{{"objects.heart.rotation_degrees.x", "", {0, 10, 20}}, {"lights.key.intensity", "", {0, 1}}},
+                           false};
+  SweptScene walked(heart(), library(), points), jumped(heart(), library(), points);
+  for (size_t point = 0; point < points.count(); ++point) walked.at(point);
+  EXPECT_EQ(scene_hash(walked.at(4)), scene_hash(jumped.at(4)));
+  EXPECT_NE(scene_hash(walked.at(4)), scene_hash(walked.at(5)));
+}
+
+}  // namespace
+}  // namespace lamina
