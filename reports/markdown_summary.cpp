@@ -63,10 +63,10 @@ std::string sweep_section(const Record& record) {
   for (const auto& crossover : record.crossovers) text += fmt::format("- {}\n", escaped_markdown(crossover.at("sentence")));
   text += "\n## Curves\n\nErrors against the baseline at the same point, the worst view; ratio: time over the baseline's.\n";
   for (const CurveTable& table : curve_tables(curves_of(record), all_rows)) {
-    text += fmt::format("\n{}\n\n", escaped_markdown(table.title)) + table_row(table.columns) + "|";
+    text += fmt::format("\n{}\n\n", escaped_markdown(table.title)) + markdown_row(table.columns) + "|";
     for (size_t column = 0; column < table.columns.size(); ++column) text += "---:|";
     text += "\n";
-    for (const std::vector<std::string>& row : table.rows) text += table_row(row);
+    for (const std::vector<std::string>& row : table.rows) text += markdown_row(row);
   }
   return text;
 }
