@@ -218,6 +218,7 @@ void BackendRun::score_view(Variant& variant, size_t view, const Image* baseline
   row.error_frame = report.frame;
   row.difference = write("-difference", difference_picture(display, to_display(*baseline), difference_gain));
   row.flip = write("-flip", flip_picture(report.flip, picture.width, picture.height));
+  row.worst_tile = worst_tile(report.flip, picture.width, picture.height);
 }
 
 RoundsResult BackendRun::time(Progress& progress, bool timer_ok) {

@@ -136,9 +136,11 @@ int run(int argc, char** argv) {
   SceneOptions list;
   CLI::App& list_command = *app.add_subcommand("list", "Effects, variants, parameters, scenes, backends, devices");
   list_command.add_option("--variants-dir", list.variants_dirs, "Folder with variants of your own (may be given again)");
-  std::vector<fs::path> records;
-  CLI::App& report_command = *app.add_subcommand("report", "Reports again, from records");
-  report_command.add_option("record", records, "Run folders or their record.jsonl")->required();
+  ReportCommand report;
+  CLI::App& report_command = *app.add_subcommand("report", "Reports again, from records; of several side by side with --out");
+  report_command.add_option("record", report.records, "Run folders or their record.jsonl")->required();
+  report_command.add_option("--out", report.out, "Folder for one report of all records (default: each beside its record)");
+  report_command.add_flag("--single-file", report.single_file, "Put the pictures into the page, so that one file is all");
 
   try {
     app.parse(argc, argv);
@@ -156,7 +158,7 @@ int run(int argc, char** argv) {
   if (stress_command.parsed()) return run_stress_caps(stress);
   if (plan_command.parsed()) return run_plan(plan);
   if (list_command.parsed()) return run_list(list);
-  return run_report(records);
+  return run_report(report);
 }
 
 }  // namespace

@@ -86,6 +86,12 @@ void check_figures(const Json& figures, const std::string& where, const std::str
     refuse(where, fmt::format("'{}psnr_db' must be null for identical pictures and for no others", inside));
 }
 
+void check_worst_tile(const Json& line, const std::string& where) {
+  if (!line.contains("worst_tile")) return;
+  check(line, {{"worst_tile", object}}, where);
+  check(line["worst_tile"], {{"x", count}, {"y", count}, {"size", count}, {"flip", number}}, where, "worst_tile.");
+}
+
 // What a cell has only where there is a truth.
 void check_truth(const Json& line, const std::string& where) {
   if (line.contains("truth_image")) check(line, {{"truth_image", text}}, where);
@@ -149,6 +155,7 @@ void check_cell(const Json& line, const std::string& where) {
     if (const Json& figures = line["error"][against]; !figures.is_null())
       check_figures(figures, where, fmt::format("error.{}.", against));
   check_truth(line, where);
+  check_worst_tile(line, where);
   if (line["status"] == "ok") {
     try {
       frame_samples_ms(passes_of(line));
@@ -235,6 +242,45 @@ void check_function_picture(const Json& line, const std::string& where) {
   check(line, {{"slice", text}, {"axes", text}, {"image", text}, {"full_error", number}}, where);
 }
 
+void check_gate(const Json& line, const std::string& where) {
+  check(line,
+        {{"mode", text},
+         {"against", text},
+         {"verdict", text},
+         {"status", count},
+         {"processes", count},
+         {"rounds", count},
+         {"wall_s", number},
+         {"margin", number},
+         {"confidence", number},
+         {"comparisons", count}},
+        where);
+}
+
+void check_aa(const Json& line, const std::string& where) {
+  check(line, {{"backend", text}, {"effect", text}, {"variant", text}, {"ratio", object}, {"verdict", text}}, where);
+  check_interval(line["ratio"], where, "ratio.");
+}
+
+void check_verdict(const Json& line, const std::string& where) {
+  check(line,
+        {{"backend", text},
+         {"effect", text},
+         {"variant", text},
+         {"view", text},
+         {"what", text},
+         {"pass", text},
+         {"texture", text},
+         {"verdict", text},
+         {"before", number_or_null},
+         {"after", number_or_null},
+         {"ratio", object_or_null},
+         {"limit", number_or_null},
+         {"sentence", text}},
+        where);
+  check_interval(line["ratio"], where, "ratio.");
+}
+
 void check_run(const Json& line, const std::string& where) {
   check(line, {{"schema", count}}, where);
   if (line["schema"] != record_schema)
@@ -263,7 +309,10 @@ void add_line(Record& record, Json line, const std::string& where) {
                         {"cell", check_cell, &record.cells},
                         {"function", check_function, &record.functions},
                         {"function_time", check_function_time, &record.function_times},
-                        {"function_picture", check_function_picture, &record.function_pictures}};
+                        {"function_picture", check_function_picture, &record.function_pictures},
+                        {"gate", check_gate, &record.gates},
+                        {"aa", check_aa, &record.aas},
+                        {"verdict", check_verdict, &record.verdicts}};
   std::vector<std::string> known = {"run"};
   for (const auto& [name, check_line, lines] : kinds) {
     known.push_back(name);
