@@ -22,15 +22,14 @@ std::string for_script(const nlohmann::json& data);
 // width and height are left out where they are "".
 std::string picture_tag(const std::string& path, const std::string& alt, const PictureUrl& url, const std::string& width = "",
                         const std::string& height = "");
-// A row of column headings, of which the first `names` are of words and the others of figures.
-std::string header_row(std::span<const char* const> columns, size_t names);
+// A row of column headings, of which the first `names` and the last `last_names` are of words and the others of figures.
+std::string header_row(std::span<const char* const> columns, size_t names, size_t last_names = 0);
 std::string html_list(const std::vector<std::string>& lines);
 
 // The sections of the page in its order; each is "" where the record has nothing for it.
 std::string html_summary(const std::vector<SummaryRow>& rows);
 std::string html_gate(const Record& record);
 std::string html_passes(const Record& record);
-std::string html_sweep(const Record& record);
 // The pictures and figures of every backend, view and point, the baseline's and the variants' side by side.
 std::string html_gallery(const Record& record, const PictureUrl& url);
 // For every view with a truth, what each assumption costs by itself: pictures, figures, and which costs the most.

@@ -34,7 +34,6 @@ std::string one_record(const Record& record, const std::string& name, const Pict
   const std::vector<SummaryRow> rows = summarize(record);
   std::string html = name.empty() ? "" : fmt::format("<h2>{}</h2>\n", escaped_html(name));
   html += warnings(record) + findings(record, rows) + html_summary(rows) + html_gate(record) + charts;
-  if (const std::string sweep = html_sweep(record); !sweep.empty()) html += sweep;
   if (const std::string passes = html_passes(record); !passes.empty()) html += "<h2>Every pass</h2>\n" + passes;
   html += html_assumptions(record, url) + html_functions(record, url) + html_gallery(record, url);
   return html + html_run(record);

@@ -29,10 +29,11 @@ std::string table(const std::string& caption, const std::string& head, const std
 
 }  // namespace
 
-std::string header_row(std::span<const char* const> columns, size_t names) {
+std::string header_row(std::span<const char* const> columns, size_t names, size_t last_names) {
   std::string html = "<thead><tr>";
   for (size_t i = 0; i < columns.size(); ++i)
-    html += fmt::format("<th scope=\"col\"{}>{}</th>", i < names ? "" : " class=\"num\"", columns[i]);
+    html += fmt::format("<th scope=\"col\"{}>{}</th>", i < names || i + last_names >= columns.size() ? "" : " class=\"num\"",
+                        columns[i]);
   return html + "</tr></thead>";
 }
 
@@ -53,7 +54,7 @@ std::string html_summary(const std::vector<SummaryRow>& rows) {
     std::string body;
     for (; i < rows.size() && rows[i].effect == effect; ++i)
       body += figures_row(summary_cells(rows[i], truth), 2, 1, rows[i].baseline ? " class=\"baseline\"" : "");
-    html += table(escaped_html(effect), header_row(heads, 2), body, truth);
+    html += table(escaped_html(effect), header_row(heads, 2, 1), body, true);
   }
   for (const SummaryRow& row : rows)
     if (const std::string trouble = trouble_of(row); !trouble.empty())
@@ -73,17 +74,12 @@ std::string html_gate(const Record& record) {
         figures_row(row, 3, 1, row[2] == "slower" || row[2] == "worse" || row[2] == "failed" ? " class=\"bad\"" : "");
     quiet += as_before ? 1 : 0;
   }
-  const std::string head = header_row(gate_columns, 3);
+  const std::string head = header_row(gate_columns, 3, 1);
   if (!moved.empty()) html += table("What is not as it was", head, moved, true);
   if (!same.empty())
     html += fmt::format("<details><summary>As it was: {} figures</summary>{}</details>\n", quiet,
                         table("What is as it was", head, same, true));
   return html;
-}
-
-std::string html_sweep(const Record& record) {
-  if (record.crossovers.empty()) return "";
-  return "<h3>Where the curves cross</h3>\n" + html_list(crossover_lines(record));
 }
 
 std::string html_passes(const Record& record) {
@@ -102,7 +98,7 @@ std::string html_passes(const Record& record) {
   std::vector<const char*> heads(pass_columns.begin(), pass_columns.end());
   return table(
       "Means over views; fetches per pixel that the effect covers; ns per fetch: the pass's whole time over its fetches",
-      header_row(heads, 4), body, true);
+      header_row(heads, 4, 1), body, true);
 }
 
 }  // namespace lamina

@@ -125,7 +125,6 @@ std::string markdown_summary(const Record& record) {
     text += fmt::format("- **{}** {}\n", escaped(headline.variant), escaped(headline.words));
   if (!rows.empty()) text += summary_section(rows);
   text += gate_section(record);
-  text += list_section("What was swept", sweep_lines(record));
   text += list_section("Where the curves cross", crossover_lines(record));
   text += assumptions_section(record);
   text += passes_section(summarize_passes(record));

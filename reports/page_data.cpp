@@ -84,14 +84,14 @@ CostAndErrors figures_of_cell(const Json& cell, const std::vector<double>& sampl
 class Names {
  public:
   size_t operator()(const Json& name) {
-    const auto [known, added] = places_.try_emplace(name.dump(), list.size());
+    const auto [known, added] = places_.try_emplace(name, list.size());
     if (added) list.push_back(name);
     return known->second;
   }
   Json list = Json::array();
 
  private:
-  std::map<std::string, size_t> places_;
+  std::map<Json, size_t> places_;
 };
 
 struct NamesOfCells {

@@ -50,13 +50,16 @@ void for_each_picture(Record& record, const std::function<void(std::string& path
   for (nlohmann::json& line : record.function_pictures) visit(line, "image");
 }
 
-std::string data_url(const std::filesystem::path& png) { return "data:image/png;base64," + base64(read_file(png, "report")); }
+std::string data_url(const std::filesystem::path& folder, const std::string& path) {
+  refuse_outside(path);
+  return "data:image/png;base64," + base64(read_file(folder / path, "report"));
+}
 
 void write_pixel_script(const std::filesystem::path& folder, const std::string& path) {
   refuse_outside(path);
   if (!std::filesystem::is_regular_file(folder / path)) return;
   write_file_atomically(folder / (path + ".js"),
-                        fmt::format("lamina_pixels({}, \"{}\")\n", nlohmann::json(path).dump(), data_url(folder / path)));
+                        fmt::format("lamina_pixels({}, \"{}\")\n", nlohmann::json(path).dump(), data_url(folder, path)));
 }
 
 void copy_picture(const std::filesystem::path& from, const std::filesystem::path& to, const std::string& path) {

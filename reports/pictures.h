@@ -12,8 +12,9 @@ namespace lamina {
 
 // Calls `change` with the path of every picture that the record names, "" left out, to read it or to put another in its place.
 void for_each_picture(Record& record, const std::function<void(std::string& path)>& change);
-// The file as a data: URL. Throws Error(bad_input, "report", ...) where it cannot be read.
-std::string data_url(const std::filesystem::path& png);
+// The picture as a data: URL. Throws Error(bad_input, "report", ...) where it cannot be read or its path leads out of the
+// folder, as the others do too.
+std::string data_url(const std::filesystem::path& folder, const std::string& path);
 // Writes PNG.js beside the picture, which hands its bytes to the page's lamina_pixels(). Where there is no such picture, the
 // page shows its words and nothing is written.
 void write_pixel_script(const std::filesystem::path& folder, const std::string& path);

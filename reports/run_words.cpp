@@ -178,6 +178,7 @@ std::vector<std::pair<std::string, std::string>> run_facts(const Record& record)
   };
   add("Command", text_at(run, "/command"));
   add("Scene", text_at(run, "/scene"));
+  add("Swept", fmt::format("{}", fmt::join(sweep_lines(record), "; ")));
   add("Settings", run.contains("settings") ? entries_of(run["settings"]) : "");
   if (const auto devices = run.find("devices"); devices != run.end() && devices->is_array())
     for (const Json& device : *devices) {

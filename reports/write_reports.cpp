@@ -28,7 +28,7 @@ fs::path write_reports(const std::vector<fs::path>& run_folders, const ReportOpt
   std::vector<Record> records;
   for (const fs::path& folder : run_folders) records.push_back(read_record(folder / "record.jsonl"));
 
-  std::map<std::string, fs::path> files;  // of the pictures by their path from the page
+  std::map<std::string, std::pair<fs::path, std::string>> files;  // folder and path there of each picture of the page
   std::string summary;
   for (size_t i = 0; i < records.size(); ++i) {
     const fs::path below = subfolder(i, records.size());
@@ -41,7 +41,7 @@ fs::path write_reports(const std::vector<fs::path>& run_folders, const ReportOpt
     for_each_picture(records[i], [&](std::string& path) {
       if (!own_folder && !options.single_file) copy_picture(run_folders[i], out / below, path);
       const std::string from_page = (below / path).generic_string();
-      files[from_page] = run_folders[i] / path;
+      files[from_page] = {run_folders[i], path};
       path = from_page;
     });
     for (const nlohmann::json& cell : records[i].cells)
@@ -49,7 +49,7 @@ fs::path write_reports(const std::vector<fs::path>& run_folders, const ReportOpt
         if (!options.single_file && cell.contains(field) && cell.at(field) != "") write_pixel_script(out, cell.at(field));
   }
   write_file_atomically(out / "summary.md", summary);
-  const PictureUrl inside = [&](const std::string& path) { return data_url(files.at(path)); };
+  const PictureUrl inside = [&](const std::string& path) { return std::apply(data_url, files.at(path)); };
   write_file_atomically(out / "index.html", html_report(records, options.single_file ? inside : PictureUrl()));
   return out / "index.html";
 }

@@ -39,7 +39,7 @@ function name_points(svg, points) {
     [x(p.low), y(p.y) - 3, x(p.high), y(p.y) + 3],
   ]);
   for (const [p, next] of d3.pairs(d3.sort(points.filter(p => p.frontier), p => p.x)))
-    taken.push([x(p.x), y(p.y) - 2, x(next.x), y(p.y) + 2], [x(next.x) - 2, y(p.y), x(next.x) + 2, y(next.y)]);
+    taken.push([x(p.x), y(p.y) - 2, x(next.x), y(p.y) + 2], [x(next.x) - 2, Math.min(y(p.y), y(next.y)), x(next.x) + 2, Math.max(y(p.y), y(next.y))]);
   const shared = (a, b) =>
     Math.max(0, Math.min(a[2], b[2]) - Math.max(a[0], b[0])) * Math.max(0, Math.min(a[3], b[3]) - Math.max(a[1], b[1]));
   const outside = box => Math.max(0, frame.left - box[0], box[2] - frame.right, frame.top - box[1], box[3] - frame.bottom);

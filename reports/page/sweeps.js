@@ -19,7 +19,7 @@ if (page && section_of('sweeps')) {
     const value = cell => page.points[cell.point][shown.parameter];
     const points = cells.map(cell => ({cell, x: value(cell), y: shown.quantity.of(cell), low: shown.quantity.low?.(cell), high: shown.quantity.high?.(cell), variant: cell.variant})).filter(p => typeof p.y === 'number');
     if (!points.length) return;
-    const variants = unique(page.cells.map(cell => cell.variant));
+    const all = unique(page.cells.map(cell => cell.variant)), variants = unique(points.map(p => p.variant));
     const title = [name_of_record(record), effect, backend, `view ${chosen.view}`].filter(Boolean).join(', ');
     const label = `${shown.parameter}${unit ? `, ${unit}` : ''}`;
     const sorted = d3.sort(points, p => p.x);
@@ -27,7 +27,7 @@ if (page && section_of('sweeps')) {
       ariaLabel: `${title}: ${shown.quantity.words} over ${label}`,
       x: {label, labelAnchor: 'center', labelArrow: 'none', labelOffset: 38, grid: true},
       y: {label: shown.quantity.words, labelArrow: 'none', grid: true, zero: !shown.quantity.metric},
-      color: {legend: true, domain: variants, range: variants.map((_, i) => `var(--series-${i % 10})`)},
+      color: {legend: true, domain: variants, range: variants.map(variant => `var(--series-${all.indexOf(variant) % 10})`)},
       marks: [
         Plot.ruleX(crossovers, {x: 'at', stroke: 'currentColor', strokeDasharray: '4 3', strokeOpacity: 0.7, title: 'sentence', tip: true}),
         Plot.ruleY(unique(crossovers.map(c => c.limit).filter(limit => limit !== null)), {stroke: 'currentColor', strokeDasharray: '1 3'}),

@@ -147,18 +147,19 @@ Record sweep_record(size_t points, size_t views, bool pictures) {
                            {"zip", false},
                            {"points", points},
                            {"shard", {{"index", 0}, {"count", 1}}}});
-  record.crossovers.push_back({{"kind", "crossover"},
-                               {"parameter", "objects.heart.thickness"},
-                               {"backend", "vulkan"},
-                               {"effect", "layered_material"},
-                               {"variant", "normal_map_taps"},
-                               {"other", ""},
-                               {"metric", "ssim"},
-                               {"limit", 0.98},
-                               {"at", static_cast<double>(points) * 0.4},
-                               {"tolerance", 0.1},
-                               {"sentence", fmt::format("normal_map_taps keeps SSIM at least 0.98 up to thickness {:.3g} texels",
-                                                        static_cast<double>(points) * 0.4)}});
+  record.crossovers.push_back(
+      {{"kind", "crossover"},
+       {"parameter", "objects.heart.thickness"},
+       {"backend", "vulkan"},
+       {"effect", "layered_material"},
+       {"variant", "normal_map_taps"},
+       {"other", ""},
+       {"metric", "ssim"},
+       {"limit", 0.98},
+       {"at", static_cast<double>(points) * 0.4},
+       {"tolerance", 0.1},
+       {"sentence", fmt::format("normal_map_taps keeps SSIM at least 0.98 up to thickness {:.3g} texels",
+                                static_cast<double>(points) * 0.4)}});
   return record;
 }
 
