@@ -11,10 +11,9 @@
 namespace lamina {
 namespace {
 
-std::string cells_of_row(const std::string& head, const std::vector<std::string>& cells, bool figures) {
+std::string cells_of_row(const std::string& head, const std::vector<std::string>& cells) {
   std::string html = fmt::format("<tr><th scope=\"row\">{}</th>", escaped_html(head));
-  for (const std::string& cell : cells)
-    html += fmt::format("<td class=\"{}\">{}</td>", figures ? "num" : "wrap", escaped_html(cell));
+  for (const std::string& cell : cells) html += fmt::format("<td class=\"wrap\">{}</td>", escaped_html(cell));
   return html + "</tr>\n";
 }
 
@@ -41,7 +40,7 @@ std::string what_differs(const std::vector<Record>& records) {
   std::string body;
   for (const std::string& label : labels)
     if (std::set<std::string>(values[label].begin(), values[label].end()).size() > 1)
-      body += cells_of_row(label, values[label], false);
+      body += cells_of_row(label, values[label]);
   return body.empty() ? "<p>The records say the same of where and how they were run.</p>\n"
                       : table("What the records differ in", records, body);
 }
@@ -64,7 +63,7 @@ std::string html_side_by_side(const std::vector<Record>& records) {
   std::string body;
   for (const std::string& key : order) {
     figures[key].resize(records.size(), "-");
-    body += cells_of_row(key, figures[key], true);
+    body += cells_of_row(key, figures[key]);
   }
   return what_differs(records) +
          (body.empty()

@@ -66,7 +66,7 @@ std::string html_summary(const std::vector<SummaryRow>& rows) {
 
 std::string html_gate(const Record& record) {
   if (record.gates.empty() && record.verdicts.empty()) return "";
-  std::string html = "<h2 id=\"gate\">What the gate found</h2>\n" + html_list(gate_lines(record)), moved, same;
+  std::string html = "<h2 id=\"gate\">What the gate found</h2>\n", moved, same;
   size_t quiet = 0;
   for (const auto& row : gate_rows(record)) {
     const bool as_before = row[2] == "same";
@@ -77,7 +77,7 @@ std::string html_gate(const Record& record) {
   const std::string head = header_row(gate_columns, 3, 1);
   if (!moved.empty()) html += table("What is not as it was", head, moved, true);
   if (!same.empty())
-    html += fmt::format("<details><summary>As it was: {} figures</summary>{}</details>\n", quiet,
+    html += fmt::format("<details><summary>As it was: {} figure{}</summary>{}</details>\n", quiet, quiet == 1 ? "" : "s",
                         table("What is as it was", head, same, true));
   return html;
 }

@@ -76,7 +76,7 @@ if (page) {
       const high = d3.max(points, p => p.high), y = d3.extent(points, p => p.y), room = (y[1] - y[0] || Math.abs(y[1]) || 1) * 0.12;
       const metric = page.metrics[shown.metric];
       const domains = {
-        x: [0, high * 1.08],
+        x: [0, high * 1.3],
         y: metric.more_is_closer ? [y[0] - room, metric.name === 'ssim' ? Math.min(y[1] + room / 2, 1 + room / 2) : y[1] + room / 2] : [-room / 3, y[1] + room],
       };
       for (const group of d3.group(points, p => `${p.one.record} ${p.one.backend}`).values()) drawn += (draw_group(grid, effect, group, domains), 1);

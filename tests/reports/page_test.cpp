@@ -86,7 +86,7 @@ TEST(Gate, ItsVerdictComesFirstAndWhatMovedBeforeWhatDidNot) {
           "The gate says slower: something got slower; against commit 1&lt;2, 12 comparisons in 60 rounds of 3 processes"),
       page.find("<ul class=\"headlines\">"));
   EXPECT_TRUE(has(page, "it takes 12% more &lt;time&gt;"));
-  EXPECT_TRUE(has(page, "<summary>As it was: 1 figures</summary>"));
+  EXPECT_TRUE(has(page, "<summary>As it was: 1 figure</summary>"));
   EXPECT_TRUE(has(page, "A/A: light_map, layered_material, vulkan against itself: same, ratio 1.000 [0.990, 1.010]"));
   const std::string markdown = markdown_summary(gated());
   EXPECT_TRUE(has(markdown,
