@@ -59,36 +59,46 @@ std::vector<Standing> standings(const std::vector<SummaryRow>& rows, const std::
   return all;
 }
 
+// "by light_map", and where, unless there is one backend.
+std::string beaten_words(const Standing& one, size_t backends) {
+  std::vector<std::string> where, each;
+  for (const auto& [backend, better] : one.beaten_on) {
+    where.push_back(backend);
+    each.push_back(fmt::format("by {} on {}", better, backend));
+  }
+  const std::string& first = one.beaten_on.front().second;
+  if (std::ranges::any_of(one.beaten_on, [&](const auto& on_one) { return on_one.second != first; })) return listed(each);
+  if (backends == 1) return "by " + first;
+  return fmt::format("by {} on {}", first,
+                     where.size() < backends ? listed(where)
+                     : backends == 2         ? "both backends"
+                                             : "every backend");
+}
+
 // "layered_material" and what is worth having of it; nothing where nothing can be weighed.
 std::optional<Headline> answer(const std::vector<SummaryRow>& rows, const std::string& effect, Reference reference) {
   const bool timed = std::ranges::any_of(rows, [&](const SummaryRow& row) { return row.effect == effect && row.frame_ms; });
-  std::vector<std::string> backends, worth, dominated, unknown;
+  std::vector<std::string> backends, worth, unknown;
+  std::vector<std::pair<std::string, std::vector<std::string>>> dominated;  // by what and where; what is
   for (const Standing& one : standings(rows, effect, reference, timed ? Cost::time : Cost::fetches, backends)) {
     if (!one.worth_on.empty())
       worth.push_back(one.variant + (one.baseline ? " (the baseline)" : "") + on(one.worth_on, backends.size()));
-    std::vector<std::string> by;
-    for (const auto& [backend, better] : one.beaten_on) by.push_back(better);
-    std::vector<std::string> where;
-    for (const auto& [backend, better] : one.beaten_on) where.push_back(backend);
-    if (!by.empty() && std::ranges::all_of(by, [&](const std::string& name) { return name == by[0]; }))
-      dominated.push_back(fmt::format("{} (by {}{})", one.variant, by[0],
-                                      backends.size() == 1             ? ""
-                                      : where.size() < backends.size() ? " on " + listed(where)
-                                      : backends.size() == 2           ? " on both backends"
-                                                                       : " on every backend"));
-    else if (!by.empty()) {
-      std::vector<std::string> each;
-      for (const auto& [backend, better] : one.beaten_on) each.push_back(fmt::format("by {} on {}", better, backend));
-      dominated.push_back(fmt::format("{} ({})", one.variant, listed(each)));
+    if (!one.beaten_on.empty()) {
+      const std::string by = beaten_words(one, backends.size());
+      auto known = std::ranges::find_if(dominated, [&](const auto& group) { return group.first == by; });
+      if (known == dominated.end()) known = dominated.insert(known, {by, {}});
+      known->second.push_back(one.variant);
     }
     if (!one.unknown_on.empty()) unknown.push_back(one.variant + on(one.unknown_on, backends.size()));
   }
-  if (worth.size() + dominated.size() < 2) return std::nullopt;
+  if (worth.size() < 2 && dominated.empty()) return std::nullopt;
   std::string words = fmt::format("worth having, by {} and SSIM to the {}: {}.", timed ? "time" : "fetches",
                                   reference == Reference::baseline ? "baseline" : "truth", listed(worth));
-  if (!dominated.empty())
+  std::vector<std::string> groups;
+  for (const auto& [by, variants] : dominated) groups.push_back(fmt::format("{} ({})", listed(variants), by));
+  if (!groups.empty())
     words += fmt::format(" Dominated, since another is closer and not measurably {}: {}.", timed ? "slower" : "dearer",
-                         listed(dominated));
+                         fmt::join(groups, "; "));
   if (!unknown.empty()) words += fmt::format(" Not known (failed, not timed or without figures): {}.", listed(unknown));
   return Headline{.variant = effect, .words = words};
 }

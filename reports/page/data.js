@@ -12,6 +12,8 @@ if (page)
 
 const unique = values => [...new Set(values)];
 const digits = value => value === null || value === undefined ? 'unknown' : `${+value.toPrecision(4)}`;
+// A figure of page.metrics; close to 1, SSIM needs all the digits that there are.
+const figure_words = (metric, value) => metric.name === 'ssim' ? `${+value.toFixed(6)}` : digits(value);
 const interval_words = (ms, unit) => ms ? `${digits(ms[0])} [${digits(ms[1])}, ${digits(ms[2])}]${ms[4] < 0.95 ? '*' : ''} ${unit}` : 'not timed';
 const name_of_record = record => page.records[record].name;
 

@@ -97,7 +97,7 @@ if (page) {
     if (cell.fetches !== null) add('Fetches a pixel', digits(cell.fetches));
     for (const against of ['baseline', 'truth'])
       if (cell[against] && !(against === 'baseline' && cell.is_baseline))
-        add(`To the ${against}`, page.metrics.map((metric, i) => `${metric.words} ${cell[against][i] === null ? 'inf (the same picture)' : digits(cell[against][i])}`).join('; '));
+        add(`To the ${against}`, page.metrics.map((metric, i) => `${metric.words} ${cell[against][i] === null ? 'inf (the same picture)' : figure_words(metric, cell[against][i])}`).join('; '));
     const tile = cell.worst_tile;
     if (tile) add('Worst tile', `mean FLIP ${digits(tile.flip)} in the ${tile.size} x ${tile.size} pixels from ${tile.x}, ${tile.y}: the dashed box`);
     return list;
