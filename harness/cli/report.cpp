@@ -20,7 +20,8 @@ int run_report(const ReportCommand& options) {
   for (size_t i = 0; i < folders.size(); ++i) {
     fmt::print("{}\n", terminal_table(read_record(folders[i] / "record.jsonl"), ::isatty(STDOUT_FILENO) == 1));
     if (!together)
-      fmt::print("report: {}\n", write_reports(std::vector{folders[i]}, {.single_file = options.single_file, .out = {}}).string());
+      fmt::print("report: {}\n",
+                 write_reports(std::vector{folders[i]}, {.single_file = options.single_file, .out = {}}).string());
   }
   if (together)
     fmt::print("report: {}\n", write_reports(folders, {.single_file = options.single_file, .out = options.out}).string());

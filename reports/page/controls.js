@@ -30,7 +30,8 @@ function replace_controls(place, controls) {
 // while it is dragged. Returns what brings it up to date.
 function add_point_slider(place) {
   const input = element('input', {type: 'range', min: 0, step: 1}), words = element('output');
-  const label = place.appendChild(element('label', {className: 'control scrub'}, element('span', {textContent: 'Point'}), input, words));
+  const label =
+      place.appendChild(element('label', {className: 'control scrub'}, element('span', {textContent: 'Point'}), input, words));
   let points = [];
   input.addEventListener('input', () => choose_near({point: points[input.value]}));
   return () => {

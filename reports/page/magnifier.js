@@ -22,7 +22,8 @@ function magnifier(place) {
         return lens;
       }
       const half = (lens_pixels - 1) / 2, context = canvas.getContext('2d');
-      const at = (column, row) => [...pixels.data.subarray(4 * (row * pixels.width + column), 4 * (row * pixels.width + column) + 3)];
+      const at =
+          (column, row) => [...pixels.data.subarray(4 * (row * pixels.width + column), 4 * (row * pixels.width + column) + 3)];
       for (let row = -half; row <= half; ++row)
         for (let column = -half; column <= half; ++column) {
           const inside = x + column >= 0 && y + row >= 0 && x + column < pixels.width && y + row < pixels.height;
@@ -32,9 +33,11 @@ function magnifier(place) {
       context.strokeStyle = '#fff';
       context.strokeRect(half * lens_zoom - 0.5, half * lens_zoom - 0.5, lens_zoom + 1, lens_zoom + 1);
       const value = at(x, y);
-      words.textContent = picture.kind === 'flip' ? `FLIP ${flip_at(value).toFixed(2)}`
-        : picture.kind === 'difference' ? `${value.map(v => +(v / gain).toFixed(1)).join(', ')} of 255${value.includes(255) ? ' or more' : ''}`
-        : `sRGB ${value.join(', ')}`;
+      words.textContent = picture.kind === 'flip' ?
+          `FLIP ${flip_at(value).toFixed(2)}` :
+          picture.kind === 'difference' ?
+          `${value.map(v => +(v / gain).toFixed(1)).join(', ')} of 255${value.includes(255) ? ' or more' : ''}` :
+          `sRGB ${value.join(', ')}`;
       return lens;
     }));
   };

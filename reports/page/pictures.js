@@ -14,12 +14,16 @@ if (page) {
 
   // A picture with marks over it; `images` lie on top of each other.
   function panel(name, caption, scale, ...images) {
-    const stage = element('div', {className: 'stage', tabIndex: 0}, ...images, element('div', {className: 'tile', hidden: true}), element('div', {className: 'cross', hidden: true}));
+    const stage = element(
+        'div', {className: 'stage', tabIndex: 0}, ...images, element('div', {className: 'tile', hidden: true}),
+        element('div', {className: 'cross', hidden: true}));
     stage.setAttribute('role', 'group');
     stage.setAttribute('aria-label', `${name}; the arrow keys move the magnifier`);
     stage.addEventListener('pointermove', event => {
       const box = stage.getBoundingClientRect(), [width, height] = right.size;
-      move(Math.floor((event.clientX - box.left) / box.width * width), Math.floor((event.clientY - box.top) / box.height * height));
+      move(
+          Math.floor((event.clientX - box.left) / box.width * width),
+          Math.floor((event.clientY - box.top) / box.height * height));
     });
     stage.addEventListener('keydown', event => {
       const step = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[event.key];
@@ -57,7 +61,8 @@ if (page) {
     if (over) over.style.clipPath = `inset(0 0 0 ${at}%)`;
     section.querySelector('.seam')?.style.setProperty('left', `${at}%`);
     flip_button.setAttribute('aria-pressed', shown.flipped === 'left');
-    flip_button.textContent = shown.flipped ? `Flip (f): showing ${shown.flipped === 'left' ? shown.left_name : right?.variant}` : 'Flip (f)';
+    flip_button.textContent =
+        shown.flipped ? `Flip (f): showing ${shown.flipped === 'left' ? shown.left_name : right?.variant}` : 'Flip (f)';
   };
   const flip = () => {
     shown.flipped = shown.flipped === 'left' ? 'right' : 'left';
@@ -69,7 +74,9 @@ if (page) {
     wipe_to();
   });
   document.addEventListener('keydown', event => {
-    if (event.key === 'f' && !event.ctrlKey && !event.metaKey && !event.altKey && !['SELECT', 'TEXTAREA'].includes(event.target.tagName)) flip();
+    if (event.key === 'f' && !event.ctrlKey && !event.metaKey && !event.altKey &&
+        !['SELECT', 'TEXTAREA'].includes(event.target.tagName))
+      flip();
   });
 
   // What the left may be: words and the picture's path.
@@ -80,11 +87,17 @@ if (page) {
     if (baseline?.image) choices.push(['the baseline', `${baseline.variant} (baseline)`, baseline.image]);
     const truth = cells.find(cell => cell.truth_image);
     if (truth) choices.push(['the truth', 'the truth', truth.truth_image]);
-    for (const cell of cells) if (!cell.is_baseline && cell.image && cell.variant !== chosen.variant) choices.push([cell.variant, cell.variant, cell.image]);
+    for (const cell of cells)
+      if (!cell.is_baseline && cell.image && cell.variant !== chosen.variant)
+        choices.push([cell.variant, cell.variant, cell.image]);
     for (const cell of page.cells)
-      if (cell.record !== chosen.record && cell.image && ['effect', 'variant', 'backend', 'view', 'point'].every(f => cell[f] === chosen[f])) choices.push([`record ${cell.record}`, `${cell.variant} of ${name_of_record(cell.record)}`, cell.image]);
+      if (cell.record !== chosen.record && cell.image &&
+          ['effect', 'variant', 'backend', 'view', 'point'].every(f => cell[f] === chosen[f]))
+        choices.push([`record ${cell.record}`, `${cell.variant} of ${name_of_record(cell.record)}`, cell.image]);
     for (const cell of page.cells)
-      if (cell.record === chosen.record && cell.backend !== chosen.backend && cell.image && ['effect', 'variant', 'view', 'point'].every(f => cell[f] === chosen[f])) choices.push([`on ${cell.backend}`, `${cell.variant} on ${cell.backend}`, cell.image]);
+      if (cell.record === chosen.record && cell.backend !== chosen.backend && cell.image &&
+          ['effect', 'variant', 'view', 'point'].every(f => cell[f] === chosen[f]))
+        choices.push([`on ${cell.backend}`, `${cell.variant} on ${cell.backend}`, cell.image]);
     return choices;
   }
 
@@ -93,13 +106,20 @@ if (page) {
     const list = element('dl', {className: 'facts'});
     const add = (label, words) => list.append(element('dt', {textContent: label}), element('dd', {textContent: words}));
     add('Frame', interval_words(cell.ms, 'ms'));
-    if (cell.ratio) add("Over the baseline's", interval_words(cell.ratio, 'times'));
+    if (cell.ratio) add('Over the baseline\'s', interval_words(cell.ratio, 'times'));
     if (cell.fetches !== null) add('Fetches a pixel', digits(cell.fetches));
     for (const against of ['baseline', 'truth'])
       if (cell[against] && !(against === 'baseline' && cell.is_baseline))
-        add(`To the ${against}`, page.metrics.map((metric, i) => `${metric.words} ${cell[against][i] === null ? 'inf (the same picture)' : figure_words(metric, cell[against][i])}`).join('; '));
+        add(`To the ${against}`,
+            page.metrics
+                .map(
+                    (metric, i) => `${metric.words} ${
+                        cell[against][i] === null ? 'inf (the same picture)' : figure_words(metric, cell[against][i])}`)
+                .join('; '));
     const tile = cell.worst_tile;
-    if (tile) add('Worst tile', `mean FLIP ${digits(tile.flip)} in the ${tile.size} x ${tile.size} pixels from ${tile.x}, ${tile.y}: the dashed box`);
+    if (tile)
+      add('Worst tile',
+          `mean FLIP ${digits(tile.flip)} in the ${tile.size} x ${tile.size} pixels from ${tile.x}, ${tile.y}: the dashed box`);
     return list;
   }
 
@@ -112,13 +132,21 @@ if (page) {
     };
     const choices = left_choices();
     if (!choices.some(([key]) => key === shown.left)) shown.left = choices[0]?.[0];
-    const list = (label, field) => options(field).length > 1 ? drop_down(label, options(field), chosen[field], value => choose_near({[field]: value})) : null;
+    const list = (label, field) => options(field).length > 1 ?
+        drop_down(label, options(field), chosen[field], value => choose_near({[field]: value})) :
+        null;
     replace_controls(place, [
-      list('Record', 'record'), list('Effect', 'effect'), list('Backend', 'backend'), list('View', 'view'),
-      choices.length ? drop_down('Left', choices.map(([key, words]) => [key, words]), shown.left, value => {
-        shown.left = value;
-        draw();
-      }) : null,
+      list('Record', 'record'),
+      list('Effect', 'effect'),
+      list('Backend', 'backend'),
+      list('View', 'view'),
+      choices.length ? drop_down(
+                           'Left', choices.map(([key, words]) => [key, words]), shown.left,
+                           value => {
+                             shown.left = value;
+                             draw();
+                           }) :
+                       null,
       list('Right', 'variant'),
     ]);
     return choices.find(([key]) => key === shown.left);
@@ -130,12 +158,19 @@ if (page) {
     update_slider();
     section.querySelector('.viewer')?.remove();
     const viewer = section.appendChild(element('div', {className: 'viewer'}));
-    viewer.append(element('h3', {textContent: [name_of_record(right.record), `${right.variant} on ${right.backend}, view ${right.view}`].filter(Boolean).join(', ')}), figures(right));
+    viewer.append(
+        element('h3', {
+          textContent: [
+            name_of_record(right.record), `${right.variant} on ${right.backend}, view ${right.view}`
+          ].filter(Boolean).join(', ')
+        }),
+        figures(right));
     pictures = [];
     shown.left_name = left?.[1];
     if (right.image) {
       const over = image_of(right.image, `${right.variant}, view ${right.view}`);
-      const images = left ? [image_of(left[2], `${left[1]}, view ${right.view}`), over, element('div', {className: 'seam'})] : [over];
+      const images =
+          left ? [image_of(left[2], `${left[1]}, view ${right.view}`), over, element('div', {className: 'seam'})] : [over];
       if (left) over.className = 'over';
       if (left) pictures.push({title: left[1], path: left[2], kind: 'display'});
       pictures.push({title: right.variant, path: right.image, kind: 'display'});
@@ -145,21 +180,33 @@ if (page) {
       row.append(main);
       const gain = +page.records[right.record].gain || 1;
       if (right.difference) {
-        row.append(panel('difference', `difference from the baseline, each channel, times ${gain}`, scale_bar('ramp', '0', `${digits(255 / gain)} of 255 or more`), image_of(right.difference, `difference of ${right.variant} from the baseline`)));
+        row.append(panel(
+            'difference', `difference from the baseline, each channel, times ${gain}`,
+            scale_bar('ramp', '0', `${digits(255 / gain)} of 255 or more`),
+            image_of(right.difference, `difference of ${right.variant} from the baseline`)));
         pictures.push({title: 'difference', path: right.difference, kind: 'difference'});
       }
       if (right.flip) {
-        row.append(panel('flip', 'FLIP, how much a person would notice', scale_bar('magma', '0', '1'), image_of(right.flip, `FLIP map of ${right.variant}`)));
+        row.append(panel(
+            'flip', 'FLIP, how much a person would notice', scale_bar('magma', '0', '1'),
+            image_of(right.flip, `FLIP map of ${right.variant}`)));
         pictures.push({title: 'FLIP', path: right.flip, kind: 'flip'});
       }
       for (const box of viewer.querySelectorAll('.tile')) {
         const tile = right.worst_tile, [width, height] = right.size;
         box.hidden = !tile;
-        if (tile) Object.assign(box.style, {left: `${100 * tile.x / width}%`, top: `${100 * tile.y / height}%`, width: `${100 * Math.min(tile.size, width - tile.x) / width}%`, height: `${100 * Math.min(tile.size, height - tile.y) / height}%`});
+        if (tile)
+          Object.assign(box.style, {
+            left: `${100 * tile.x / width}%`,
+            top: `${100 * tile.y / height}%`,
+            width: `${100 * Math.min(tile.size, width - tile.x) / width}%`,
+            height: `${100 * Math.min(tile.size, height - tile.y) / height}%`
+          });
       }
       viewer.append(cursor_words, lenses);
       cursor_words.textContent ||= 'Point at a picture, or move over it with the arrow keys, to see its pixels.';
-    } else viewer.append(element('p', {className: 'note', textContent: 'The record holds no picture of this.'}));
+    } else
+      viewer.append(element('p', {className: 'note', textContent: 'The record holds no picture of this.'}));
     wipe_to();
     if (shown.x !== null && pictures.length) move(shown.x, shown.y);
   }

@@ -5,6 +5,7 @@ import {readFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {fileURLToPath} from 'node:url';
+
 import {launch, open} from './browser.js';
 
 let browser;
@@ -21,8 +22,13 @@ for (const [name, widths] of [['compare', [400, 1200, 2400]], ['sweep', [400, 12
         await page.evaluate(axe);
         const found = await page.evaluate(() => window.axe.run({resultTypes: ['violations']}));
         const faults = found.violations.filter(fault => ['serious', 'critical'].includes(fault.impact));
-        assert.deepEqual(faults.map(fault => `${fault.id}: ${fault.nodes.slice(0, 3).map(node => `${node.html.slice(0, 200)} ${node.failureSummary}`)}`), []);
-        const [wide, shown] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
+        assert.deepEqual(
+            faults.map(
+                fault =>
+                    `${fault.id}: ${fault.nodes.slice(0, 3).map(node => `${node.html.slice(0, 200)} ${node.failureSummary}`)}`),
+            []);
+        const [wide, shown] =
+            await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
         assert.ok(wide <= shown, `${wide} px wide on ${shown}`);
         assert.deepEqual(page.faults, []);
         await page.context().close();

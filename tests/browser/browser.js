@@ -8,7 +8,11 @@ export const launch = () => chromium.launch({executablePath: '/usr/bin/chromium'
 
 // The page of the folder `name`, opened from disk. page.faults gathers what went wrong.
 export async function open(browser, name, options = {}) {
-  const context = await browser.newContext({viewport: {width: options.width ?? 1200, height: 900}, colorScheme: options.scheme ?? 'light', javaScriptEnabled: options.script ?? true});
+  const context = await browser.newContext({
+    viewport: {width: options.width ?? 1200, height: 900},
+    colorScheme: options.scheme ?? 'light',
+    javaScriptEnabled: options.script ?? true
+  });
   const page = await context.newPage();
   page.faults = [];
   page.on('console', message => message.type() === 'error' && page.faults.push(message.text()));

@@ -4,18 +4,21 @@ import assert from 'node:assert/strict';
 import {readFileSync, statSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
+
 import {folder, launch, open} from './browser.js';
 
 let browser;
 before(async () => (browser = await launch()));
 after(() => browser.close());
 
-const record = name => readFileSync(join(folder, name, 'record.jsonl'), 'utf8').trim().split('\n').map(line => JSON.parse(line));
+const record = name =>
+    readFileSync(join(folder, name, 'record.jsonl'), 'utf8').trim().split('\n').map(line => JSON.parse(line));
 const median = values => {
   const sorted = [...values].sort((a, b) => a - b), half = sorted.length >> 1;
   return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
 };
-const choose = (page, section, label, words) => page.locator(`#${section} label.control`, {hasText: label}).first().locator('select').selectOption({label: words});
+const choose = (page, section, label, words) =>
+    page.locator(`#${section} label.control`, {hasText: label}).first().locator('select').selectOption({label: words});
 
 test('every chart draws, and nothing goes wrong', async () => {
   for (const name of ['compare', 'single', 'two', 'sweep', 'evil']) {
@@ -23,24 +26,30 @@ test('every chart draws, and nothing goes wrong', async () => {
     for (const section of ['pareto', 'passes', 'samples', ...(name === 'sweep' ? ['sweeps'] : [])]) {
       const charts = page.locator(`#${section} svg[role=group]`);
       assert.ok(await charts.count() > 0, `${name}: #${section} has no chart`);
-      for (const chart of await charts.all()) assert.ok(await chart.locator('circle, path, rect, line').count() > 2, `${name}: #${section} is empty`);
+      for (const chart of await charts.all())
+        assert.ok(await chart.locator('circle, path, rect, line').count() > 2, `${name}: #${section} is empty`);
     }
     assert.deepEqual(page.faults, [], name);
     await page.context().close();
   }
 });
 
-test("the pareto chart's figures are the record's", async () => {
+test('the pareto chart\'s figures are the record\'s', async () => {
   const cells = record('compare').filter(line => line.kind === 'cell');
   const page = await open(browser, 'compare');
   await choose(page, 'pareto', 'Over', 'view grazing');
-  const words = await page.locator('#pareto circle[role=button]').evaluateAll(dots => dots.map(dot => dot.getAttribute('aria-label')));
+  const words =
+      await page.locator('#pareto circle[role=button]').evaluateAll(dots => dots.map(dot => dot.getAttribute('aria-label')));
   const shown = cells.filter(cell => cell.view === 'grazing' && cell.status === 'ok');
   assert.equal(words.length, shown.length);
   for (const cell of shown) {
     const ms = median(cell.passes[0].ms.map((first, i) => first + cell.passes[1].ms[i]));
     const ssim = cell.baseline ? 1 : cell.error.baseline.ssim;
-    assert.ok(words.some(label => label.startsWith(cell.variant) && label.includes(`, ${+ms.toPrecision(4)} [`) && label.includes(`SSIM ${+ssim.toPrecision(4)} `)), `${cell.variant}: ${ms} ${ssim} in ${words}`);
+    assert.ok(
+        words.some(
+            label => label.startsWith(cell.variant) && label.includes(`, ${+ms.toPrecision(4)} [`) &&
+                label.includes(`SSIM ${+ssim.toPrecision(4)} `)),
+        `${cell.variant}: ${ms} ${ssim} in ${words}`);
   }
   assert.ok(words.find(label => label.startsWith('normal_map_taps')).includes('dominated'));
   assert.ok(words.find(label => label.startsWith('vertex_normal')).includes('worth having'));
@@ -66,9 +75,12 @@ test('numbers next to the pictures are the record\'s', async () => {
   const page = await open(browser, 'compare');
   await choose(page, 'pictures', 'View', 'grazing');
   await choose(page, 'pictures', 'Right', 'vertex_normal');
-  const cell = record('compare').find(line => line.variant === 'vertex_normal' && line.view === 'grazing' && line.backend === 'vulkan' && line.kind === 'cell');
+  const cell = record('compare').find(
+      line => line.variant === 'vertex_normal' && line.view === 'grazing' && line.backend === 'vulkan' && line.kind === 'cell');
   const words = await page.locator('#pictures .viewer dl').textContent();
-  for (const value of [cell.error.baseline.ssim, cell.error.baseline.flip, cell.ratio_to_baseline.median, cell.ratio_to_baseline.low, cell.fetches_per_pixel])
+  for (const value
+           of [cell.error.baseline.ssim, cell.error.baseline.flip, cell.ratio_to_baseline.median, cell.ratio_to_baseline.low,
+               cell.fetches_per_pixel])
     assert.ok(words.match(/\d+(\.\d+)?/g).map(Number).includes(+value.toPrecision(4)), `${value} is not in: ${words}`);
   assert.ok(words.includes('from 32, 0'));
   const box = await page.locator('#pictures .compare .tile').evaluate(tile => [tile.style.left, tile.style.width]);
@@ -175,21 +187,21 @@ test('two records stand side by side', async () => {
 
 test('3,000 cells and 600 pictures open and answer within 3 s, in less than 5 MB', async () => {
   assert.ok(statSync(join(folder, 'large/index.html')).size < 5e6, `${statSync(join(folder, 'large/index.html')).size} bytes`);
-  let page, opened = Infinity;
-  for (let attempt = 0; attempt < 3 && opened >= 3000; ++attempt) {  // other work on the machine must not fail this
-    await page?.context().close();
-    const start = performance.now();
-    page = await open(browser, 'large');
-    await page.waitForSelector('#samples svg');
-    opened = performance.now() - start;
-  }
-  assert.ok(opened < 3000, `opened in ${opened} ms`);
-  const before = performance.now();
+  // Seconds of processor time, which other work on the machine does not lengthen as it does the clock's.
+  const session = await browser.newBrowserCDPSession();
+  const renderers = async () => (await session.send('SystemInfo.getProcessInfo')).processInfo.filter(one => one.type === 'renderer');
+  const known = (await renderers()).map(one => one.id);
+  const spent_s = async () => (await renderers()).filter(one => !known.includes(one.id)).reduce((sum, one) => sum + one.cpuTime, 0);
+  const page = await open(browser, 'large');
+  await page.waitForSelector('#samples svg');
+  const opened_s = await spent_s();
+  assert.ok(opened_s > 0 && opened_s < 3, `opened in ${opened_s} s`);
   await page.locator('#pictures .scrub input').focus();
   await page.keyboard.press('ArrowRight');
   await page.waitForFunction(() => document.querySelector('#pictures output').textContent.includes('thickness 1'));
-  assert.ok(performance.now() - before < 3000, `answered in ${performance.now() - before} ms`);
+  const answered_s = await spent_s() - opened_s;
+  assert.ok(answered_s < 3, `answered in ${answered_s} s`);
   assert.deepEqual(page.faults, []);
-  console.log(`opened in ${opened.toFixed(0)} ms`);
+  console.log(`opened in ${opened_s.toFixed(2)} s, answered in ${answered_s.toFixed(2)} s of processor time`);
   await page.context().close();
 });
