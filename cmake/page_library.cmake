@@ -1,8 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-# The JavaScript that the report's charts are drawn with: npm fetches what reports/page/package-lock.json pins, and a C++ file holds
-# it with its licences, so that the program needs nothing beside it.
+# The page's style and script, and the library that its charts are drawn with: npm fetches what reports/page/package-lock.json
+# pins, and C++ files hold them with the licences, so that the program needs nothing beside it.
 set(PAGE ${PROJECT_SOURCE_DIR}/reports/page)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PAGE}/package-lock.json ${PAGE}/chart.js)
+# One script in this order: what the later files call stands in the earlier ones.
+set(PAGE_SCRIPTS)
+foreach(name data controls chart_frame pareto passes sweeps pixels magnifier pictures samples functions)
+  list(APPEND PAGE_SCRIPTS ${PAGE}/${name}.js)
+endforeach()
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PAGE}/package-lock.json ${PAGE}/style.css ${PAGE_SCRIPTS})
 
 # npm leaves a copy of the lock file behind, in other words but of the same time.
 if(NOT EXISTS ${PAGE}/node_modules/.package-lock.json OR
@@ -46,6 +51,7 @@ const std::string_view @name@ = R"page(@text@)page";
 ]])
 endfunction()
 
-page_string(chart_library ${PAGE}/node_modules/d3/LICENSE ${PAGE}/node_modules/d3/dist/d3.min.js
+page_string(page_library ${PAGE}/node_modules/d3/LICENSE ${PAGE}/node_modules/d3/dist/d3.min.js
   ${PAGE}/node_modules/@observablehq/plot/LICENSE ${PAGE}/node_modules/@observablehq/plot/dist/plot.umd.min.js)
-page_string(chart_script ${PAGE}/chart.js)
+page_string(page_script ${PAGE_SCRIPTS})
+page_string(page_style ${PAGE}/style.css)

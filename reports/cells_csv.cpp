@@ -62,6 +62,10 @@ constexpr Column columns[] = {{"/scene"},
                               {"/difference"},
                               {"/flip"},
                               {"/truth_image"},
+                              {"/worst_tile/x"},
+                              {"/worst_tile/y"},
+                              {"/worst_tile/size"},
+                              {"/worst_tile/flip"},
                               {"/image_hash"}};
 
 std::string value_at(const Json& cell, const std::string& pointer) {

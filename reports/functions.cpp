@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/frontier.h"
+
 namespace lamina {
 namespace {
 
@@ -41,13 +43,7 @@ FunctionSummary& summary_of(std::vector<FunctionReport>& reports, const Json& li
   return summary;
 }
 
-// What errs more has to be faster beyond the noise; of what errs alike, the faster wins, if beyond the noise.
-bool beats(const FunctionSummary& a, const FunctionSummary& b) {
-  if (*a.error == *b.error) return a.ns->high < b.ns->low;
-  return *a.error < *b.error && a.ns->low <= b.ns->high;
-}
-
-bool on_the_map(const FunctionSummary& row) { return row.ns && row.error; }
+bool beats(const FunctionSummary& a, const FunctionSummary& b) { return beats({a.ns, a.error}, Contender{b.ns, b.error}); }
 
 void compare(FunctionBackend& backend) {
   std::ranges::stable_sort(backend.variants, [](const auto& a, const auto& b) { return a.baseline > b.baseline; });
@@ -59,9 +55,8 @@ void compare(FunctionBackend& backend) {
     if (row.ns && baseline_ns > 0) row.ratio = row.ns->median / baseline_ns;
   }
   for (FunctionSummary& row : backend.variants)
-    row.frontier = on_the_map(row) && std::ranges::none_of(backend.variants, [&](const FunctionSummary& other) {
-                     return on_the_map(other) && beats(other, row);
-                   });
+    row.frontier = row.ns && row.error &&
+                   std::ranges::none_of(backend.variants, [&](const FunctionSummary& other) { return beats(other, row); });
 }
 
 std::string words_for_ns(const Interval& ns) {
@@ -95,7 +90,7 @@ std::string verdict(const FunctionSummary& row, const FunctionBackend& backend) 
   if (row.frontier) return "is worth having: nothing closer is as fast";
   const FunctionSummary* better = nullptr;  // of what beats it, what errs the least
   for (const FunctionSummary& other : backend.variants)
-    if (on_the_map(other) && beats(other, row) && (!better || *other.error < *better->error)) better = &other;
+    if (beats(other, row) && (!better || *other.error < *better->error)) better = &other;
   return fmt::format("is beaten by {}, which errs by up to {:.3g} and is not measurably slower", better->variant,
                      *better->error);
 }

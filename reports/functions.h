@@ -57,8 +57,8 @@ std::array<std::string, function_set_columns.size()> function_set_cells(const nl
 std::vector<std::string> function_notes(const FunctionReport& report);
 
 // The section of the page: words, chart, tables, pictures. "" where the record has no functions.
-std::string html_functions(const Record& record);
-// The chart of error over time of a report, as the data that reports/page/chart.js draws; "" where nothing was timed.
+std::string html_functions(const Record& record, const PictureUrl& url);
+// The chart of error over time of a report, as the data that reports/page/functions.js draws; "" where nothing was timed.
 std::string html_function_chart(const FunctionReport& report);
 
 }  // namespace lamina

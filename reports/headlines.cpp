@@ -31,8 +31,10 @@ std::string speed_words(const Interval& ratio, const std::string& baseline) {
 std::string loss_words(const SummaryRow& row) {
   if (!row.mean || !row.worst) return "";
   if (std::isinf(row.worst->psnr_db)) return row.ratio ? " with the same picture" : ", where its picture is the same";
-  return fmt::format("{} {:.3f} (worst view {:.3f})", row.ratio ? " at SSIM" : ", where its SSIM is", row.mean->ssim,
-                     row.worst->ssim);
+  // Three digits would call a picture perfect that is not.
+  const int digits = row.worst->ssim > 0.9985 ? 5 : 3;
+  return fmt::format("{} {:.{}f} (worst view {:.{}f})", row.ratio ? " at SSIM" : ", where its SSIM is", row.mean->ssim, digits,
+                     row.worst->ssim, digits);
 }
 
 std::string clause(const SummaryRow& row, const std::string& baseline) {

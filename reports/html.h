@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of the page. Every string of a record goes through escaped_html() or picture_url() on its way in.
+// The parts of the page. Every string of a record goes through escaped_html(), picture_url() or for_script() on its way in.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,21 +16,40 @@ namespace lamina {
 std::string escaped_html(std::string_view text);
 // A path relative to the page as a URL that can only be relative: no scheme, no host, no query.
 std::string picture_url(std::string_view path);
+// JSON for a <script type="application/json">: no tag can begin in it, and what is not UTF-8 becomes U+FFFD.
+std::string for_script(const nlohmann::json& data);
+// <img> of a picture of the record. The page's script finds it by its path, so that a picture stands in the page once.
+// width and height are left out where they are "".
+std::string picture_tag(const std::string& path, const std::string& alt, const PictureUrl& url, const std::string& width = "",
+                        const std::string& height = "");
+// A row of column headings, of which the first `names` and the last `last_names` are of words and the others of figures.
+std::string header_row(std::span<const char* const> columns, size_t names, size_t last_names = 0);
+std::string html_list(const std::vector<std::string>& lines);
 
-// The pictures of every backend and view, side by side, with each cell's figures.
-std::string html_gallery(const Record& record);
+// The sections of the page in its order; each is "" where the record has nothing for it.
+std::string html_summary(const std::vector<SummaryRow>& rows);
+std::string html_gate(const Record& record);
+std::string html_passes(const Record& record);
+// The pictures and figures of every backend, view and point, the baseline's and the variants' side by side.
+std::string html_gallery(const Record& record, const PictureUrl& url);
+// For every view with a truth, what each assumption costs by itself: pictures, figures, and which costs the most.
+std::string html_assumptions(const Record& record, const PictureUrl& url);
+// What was run and what was not: effects, failures, certificates, A/A arms, device, commit, hashes, command.
+std::string html_run(const Record& record);
+
 // Whether two cells show the same thing: one effect, backend, scene, size, parameters and view.
 bool same_shot(const nlohmann::json& a, const nlohmann::json& b);
-// A dot for each round's frame time, ms, on an axis from 0 to `axis_ms`.
-std::string html_strip_plot(const std::vector<double>& samples_ms, double axis_ms);
+// A text that is the same for exactly those.
+std::string shot_key(const nlohmann::json& cell);
+// The charts and the picture viewer of all records, which the page's script fills from page_data(); "" without cells.
+std::string html_charts(const std::vector<Record>& records);
+// What the page's script draws, at most six significant digits a number: reports/page/data.js says how it is laid out.
+nlohmann::json page_data(const std::vector<Record>& records);
+// What the records differ in, and their figures side by side.
+std::string html_side_by_side(const std::vector<Record>& records);
 
-// For every view with a truth, what each assumption costs by itself: pictures, figures, and which costs the most. "" where the
-// record has no truth.
-std::string html_assumptions(const Record& record);
-
-extern const std::string_view chart_library;  // D3 and Observable Plot with their licences, and
-extern const std::string_view chart_script;   // what draws with them: reports/page, put here by CMake
-extern const std::string_view html_style;     // the content of <style>
-extern const std::string_view html_script;    // the content of <script>
+extern const std::string_view page_style;    // reports/page/style.css,
+extern const std::string_view page_library;  // D3 and Observable Plot with their licences, and
+extern const std::string_view page_script;   // reports/page/*.js, put here by CMake
 
 }  // namespace lamina

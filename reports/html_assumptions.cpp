@@ -13,19 +13,18 @@ using Json = nlohmann::json;
 
 bool has_assumptions(const Json& cell) { return cell.contains("assumptions") && !cell.at("assumptions").empty(); }
 
-std::string assumption_cards(const Json& cell) {
+std::string assumption_cards(const Json& cell, const PictureUrl& url) {
   std::string html = fmt::format("<p>{}</p>\n<div class=\"shots\">\n", escaped_html(costliest_assumption(cell)));
   for (const Json& assumption : cell.at("assumptions")) {
     const auto figures = assumption_cells(assumption);
     const std::string path = assumption.at("image");
     html += fmt::format("<article class=\"shot\"><h4>{}</h4>\n", escaped_html(figures[0]));
     if (!path.empty())
-      html += fmt::format(
-          "<figure><img loading=\"lazy\" src=\"{}\" width=\"{}\" height=\"{}\" alt=\"difference by {}, {} on {}, view {}\">"
-          "<figcaption>difference</figcaption></figure>\n",
-          picture_url(path), cell.at("width").dump(), cell.at("height").dump(), escaped_html(figures[0]),
-          escaped_html(cell.at("variant").get<std::string>()), escaped_html(cell.at("backend").get<std::string>()),
-          escaped_html(cell.at("view").get<std::string>()));
+      html += fmt::format("<figure>{}<figcaption>difference</figcaption></figure>\n",
+                          picture_tag(path,
+                                      fmt::format("difference by {}, {} on {}, view {}", figures[0], text_at(cell, "/variant"),
+                                                  text_at(cell, "/backend"), text_at(cell, "/view")),
+                                      url, cell.at("width").dump(), cell.at("height").dump()));
     html += "<table class=\"figures\"><tbody>";
     for (size_t i = 1; i < figures.size(); ++i)
       html += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"num\">{}</td></tr>", assumption_columns[i], figures[i]);
@@ -36,7 +35,7 @@ std::string assumption_cards(const Json& cell) {
 
 }  // namespace
 
-std::string html_assumptions(const Record& record) {
+std::string html_assumptions(const Record& record, const PictureUrl& url) {
   std::vector<const Json*> cells;
   for (const Json& cell : record.cells)
     if (has_assumptions(cell)) cells.push_back(&cell);
@@ -61,9 +60,10 @@ std::string html_assumptions(const Record& record) {
           fmt::format("<h3>{}, {}, view {}</h3>\n", escaped_html(cell->at("effect").get<std::string>()),
                       escaped_html(cell->at("backend").get<std::string>()), escaped_html(cell->at("view").get<std::string>()));
     if (cell->at("baseline").get<bool>())
-      html += fmt::format("<section><h4>{} <small>baseline</small></h4>\n{}</section>\n", variant, assumption_cards(*cell));
+      html +=
+          fmt::format("<section><h4>{} <small>baseline</small></h4>\n{}</section>\n", variant, assumption_cards(*cell, url));
     else
-      html += fmt::format("<details><summary>{}</summary>\n{}</details>\n", variant, assumption_cards(*cell));
+      html += fmt::format("<details><summary>{}</summary>\n{}</details>\n", variant, assumption_cards(*cell, url));
     before = cell;
   }
   return html;

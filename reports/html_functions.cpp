@@ -13,25 +13,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-// A <script> ends at the first "</script", wherever it stands, and has another state from "<!--" on.
-std::string for_script(const Json& data) {
-  std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace), out;
-  for (const char c : text) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  return out;
-}
-
-template <class Range>
-std::string header_row(const Range& columns, size_t names) {
-  std::string html = "<thead><tr>";
-  size_t column = 0;
-  for (const char* words : columns)
-    html += fmt::format("<th scope=\"col\"{}>{}</th>", column++ < names ? "" : " class=\"num\"", words);
-  return html + "</tr></thead>";
-}
-
 std::string main_table(const FunctionReport& report, const FunctionBackend& backend) {
-  std::string html = fmt::format("<div class=\"scroll\"><table><caption>{}</caption>{}<tbody>\n",
-                                 escaped_html(function_caption(report, backend)), header_row(function_columns, 1));
+  std::string html = fmt::format(
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table><caption>{}</caption>{}<tbody>\n",
+      escaped_html(function_caption(report, backend)), escaped_html(function_caption(report, backend)),
+      header_row(function_columns, 1));
   for (const FunctionSummary& row : backend.variants) {
     const auto cells = function_cells(row);
     html += fmt::format("<tr{}><th scope=\"row\">{}</th>", row.baseline ? " class=\"baseline\"" : "", escaped_html(cells[0]));
@@ -54,12 +40,14 @@ std::string hard_sets(const FunctionReport& report, const FunctionBackend& backe
   if (rows.empty()) return "";
   std::ranges::stable_sort(rows, [&](const Json* a, const Json* b) { return first.at(a->at("set")) < first.at(b->at("set")); });
   std::string html = fmt::format(
-      "<details><summary>Hard inputs on {}: {} sets</summary><div class=\"scroll\"><table class=\"wide\"><caption>eps: the "
+      "<details><summary>Hard inputs on {}: {} sets</summary><div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+      "aria-label=\"{}\"><table class=\"wide\"><caption>eps: the "
       "greatest error in "
       "units of 2^-23; eps kappa: the greatest error of the value itself, in units of 2^-23 times its condition number where "
       "that "
       "is above 1; not 0: values of inputs for which 0 is right.</caption>{}<tbody>\n",
-      escaped_html(backend.backend), first.size(), header_row(function_set_columns, 1));
+      escaped_html(backend.backend), first.size(), "hard inputs on " + escaped_html(backend.backend),
+      header_row(function_set_columns, 1));
   std::string set;
   for (const Json* row : rows) {
     if (row->at("set") != set) {
@@ -76,7 +64,7 @@ std::string hard_sets(const FunctionReport& report, const FunctionBackend& backe
   return html + "</tbody></table></div></details>\n";
 }
 
-std::string slices(const FunctionBackend& backend, bool open) {
+std::string slices(const FunctionBackend& backend, bool open, const PictureUrl& url) {
   std::string html, axes, full_error;
   for (const FunctionSummary& variant : backend.variants) {
     if (variant.pictures.empty()) continue;
@@ -86,9 +74,9 @@ std::string slices(const FunctionBackend& backend, bool open) {
       axes = picture->at("axes");
       full_error = fmt::format("{:g}", picture->at("full_error").get<double>());
       html += fmt::format(
-          "<figure><img loading=\"lazy\" src=\"{}\" alt=\"error of {} on {}, {}\"><figcaption>{}</figcaption></figure>",
-          picture_url(picture->at("image").get<std::string>()), escaped_html(variant.variant), escaped_html(backend.backend),
-          escaped_html(slice), escaped_html(slice));
+          "<figure>{}<figcaption>{}</figcaption></figure>",
+          picture_tag(picture->at("image"), fmt::format("error of {} on {}, {}", variant.variant, backend.backend, slice), url),
+          escaped_html(slice));
     }
     html += "</div>\n";
   }
@@ -141,7 +129,7 @@ std::string html_function_chart(const FunctionReport& report) {
                                                   left_out)));
 }
 
-std::string html_functions(const Record& record) {
+std::string html_functions(const Record& record, const PictureUrl& url) {
   std::string html;
   for (const FunctionReport& report : summarize_functions(record)) {
     html += fmt::format("<h2>Functions: {}</h2>\n<ul class=\"headlines\">\n", escaped_html(report.title));
@@ -152,7 +140,7 @@ std::string html_functions(const Record& record) {
     for (const std::string& note : function_notes(report))
       html += fmt::format("<p class=\"note\">{}</p>\n", escaped_html(note));
     for (const FunctionBackend& backend : report.backends) html += hard_sets(report, backend);
-    for (const FunctionBackend& backend : report.backends) html += slices(backend, &backend == &report.backends.front());
+    for (const FunctionBackend& backend : report.backends) html += slices(backend, &backend == &report.backends.front(), url);
   }
   return html;
 }

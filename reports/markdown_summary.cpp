@@ -34,14 +34,16 @@ std::string summary_section(const std::vector<SummaryRow>& rows) {
 std::string passes_section(const std::vector<PassSummary>& passes) {
   if (passes.empty()) return "";
   std::string text =
-      "\n## Passes\n\nMeans over views; fetches per pixel that the effect covers.\n\n"
-      "| variant | backend | pass | done | ms | fragments | fetches/px | by texture |\n|---|---|---|---|---:|---:|---:|---|\n";
+      "\n## Passes\n\nMeans over views; fetches per pixel that the effect covers; ns per fetch: the pass's whole time over its "
+      "fetches.\n\n";
+  text += markdown_row(pass_columns) + "|---|---|---|---|---:|---:|---:|---:|---|\n";
   for (const PassSummary& pass : passes) {
     std::string shares;
     for (const PassSummary::Share& share : pass.shares) shares += (shares.empty() ? "" : ", ") + words_for_share(share);
-    text += markdown_row(std::array<std::string, 8>{
-        pass.variant, pass.backend, pass.name, pass.once ? "once" : "each frame", pass.ms ? words_for_ms(*pass.ms) : "-",
-        words_for_fragments(pass), pass.fetches_per_pixel ? fmt::format("{:.1f}", *pass.fetches_per_pixel) : "-", shares});
+    const auto cells = pass_cells(pass);
+    std::vector<std::string> row(cells.begin(), cells.end());
+    row.push_back(shares);
+    text += markdown_row(row);
   }
   return text;
 }
@@ -90,6 +92,13 @@ std::string functions_section(const Record& record) {
   return text;
 }
 
+std::string gate_section(const Record& record) {
+  if (record.verdicts.empty()) return "";
+  std::string text = "\n## What the gate found\n\n" + markdown_row(gate_columns) + "|---|---|---|---:|---:|---:|---:|---|\n";
+  for (const auto& row : gate_rows(record)) text += markdown_row(row);
+  return text;
+}
+
 std::string list_section(const char* title, const std::vector<std::string>& lines) {
   if (lines.empty()) return "";
   std::string text = fmt::format("\n## {}\n\n", title);
@@ -103,10 +112,14 @@ std::string markdown_summary(const Record& record) {
   const std::vector<SummaryRow> rows = summarize(record);
   std::string text = fmt::format("# {}\n\n", escaped_markdown(title_of(record)));
   for (const std::string& warning : warnings_of(record)) text += fmt::format("**Warning:** {}\n\n", escaped_markdown(warning));
+  for (const std::string& line : gate_lines(record)) text += fmt::format("- **Gate** {}\n", escaped_markdown(line));
+  for (const Headline& headline : answers(rows))
+    text += fmt::format("- **{}**: {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
   for (const Headline& headline : headlines(rows))
     text += fmt::format("- **{}** {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
   text += sweep_section(record);
   if (!rows.empty()) text += summary_section(rows);
+  text += gate_section(record);
   text += assumptions_section(record);
   text += passes_section(summarize_passes(record));
   text += list_section("What is done once", bake_lines(record));
@@ -118,6 +131,7 @@ std::string markdown_summary(const Record& record) {
   for (const std::string& line : phase_lines(record)) certified.push_back(line);
   for (const auto& [label, value] : run_facts(record)) facts.push_back(label + ": " + value);
   text += list_section("Failures", failed);
+  for (const std::string& line : aa_lines(record)) certified.push_back("A/A: " + line);
   text += list_section("Timer", certified);
   text += list_section("What was run", facts);
   return text;

@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::json;
 
 struct Sums {
-  double covered_pixels = 0, fetches = 0, ms = 0;
+  double covered_pixels = 0, fetches = 0, ms = 0, timed_fetches = 0;
   size_t timed_views = 0;
 };
 
@@ -58,6 +58,7 @@ std::vector<PassSummary> summarize_passes(const Record& record) {
       for (const TextureFetches& fetched : row.by_texture) share_of(pass, fetched).fetches += fetched.fetches;
       if (!row.ms.empty() && cell.at("timed").get<bool>() && times_shown(record, backend)) {
         sum.ms += median(row.ms);
+        sum.timed_fetches += static_cast<double>(row.fetches);
         ++sum.timed_views;
       }
     }
@@ -67,6 +68,7 @@ std::vector<PassSummary> summarize_passes(const Record& record) {
     const Sums& sum = sums[i];
     pass.fragments /= static_cast<double>(pass.views);
     if (sum.timed_views > 0) pass.ms = sum.ms / static_cast<double>(sum.timed_views);
+    if (sum.timed_fetches > 0) pass.ns_per_fetch = 1e6 * sum.ms / sum.timed_fetches;
     if (sum.covered_pixels == 0) continue;
     pass.fetches_per_pixel = sum.fetches / sum.covered_pixels;
     for (PassSummary::Share& share : pass.shares) share.per_pixel = static_cast<double>(share.fetches) / sum.covered_pixels;
@@ -76,6 +78,20 @@ std::vector<PassSummary> summarize_passes(const Record& record) {
 
 std::string words_for_fragments(const PassSummary& pass) {
   return fmt::format("{:.0f}{}", pass.fragments, pass.early_tests ? "" : ", hidden ones too");
+}
+
+std::array<std::string, pass_columns.size() - 1> pass_cells(const PassSummary& pass) {
+  const auto figure = [](const std::optional<double>& value, int digits) {
+    return value ? fmt::format("{:.{}f}", *value, digits) : std::string("-");
+  };
+  return {pass.variant,
+          pass.backend,
+          pass.name,
+          pass.once ? "once" : "each frame",
+          pass.ms ? words_for_ms(*pass.ms) : "-",
+          words_for_fragments(pass),
+          figure(pass.fetches_per_pixel, 1),
+          figure(pass.ns_per_fetch, 2)};
 }
 
 std::string words_for_share(const PassSummary::Share& share) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -39,13 +40,24 @@ std::string markdown_summary(const Record& record);
 // RFC 4180, CRLF line ends, one line a cell under a header: the cell's scalar fields, named by their path in the record. What
 // is not known is empty; PSNR of identical pictures is "inf". Times of a backend without a good timer certificate are empty.
 std::string cells_csv(const Record& record);
-// One page that opens from disk, offline; pictures by relative path from the run's folder. `settings.difference_gain` of the
-// run line is what the difference pictures were multiplied by.
-std::string html_report(const Record& record);
 
-// Writes summary.md, cells.csv and index.html beside the folder's record.jsonl, and for a gate's record what
-// write_gate_reports() does. Throws as read_record() and
+// Where the page finds a picture that a record names by its path.
+using PictureUrl = std::function<std::string(const std::string& path)>;
+// One page of one or more records, which opens from disk, offline; without `url`, pictures are at their paths beside it.
+// `settings.difference_gain` of a run line is what its difference pictures were multiplied by.
+std::string html_report(const std::vector<Record>& records, const PictureUrl& url = nullptr);
+
+struct ReportOptions {
+  bool single_file = false;   // pictures inside the page
+  std::filesystem::path out;  // folder to write to; empty: the run's own, which must then be the only one
+};
+// Writes index.html, summary.md, cells.csv, and for a gate's record what write_gate_reports() does, of the runs whose
+// record.jsonl these folders hold, in their order. Into a folder of its own go copies of the pictures too, of several runs each
+// into images/ of a folder a, b, ... The pixels of each picture beside the page are written again as a script, IMAGE.js, since
+// browsers let no page read those of a file. Returns the page's path. Throws as read_record(), read_file() and
 // write_file_atomically() do.
-void write_reports(const std::filesystem::path& run_folder);
+std::filesystem::path write_reports(const std::vector<std::filesystem::path>& run_folders, const ReportOptions& options);
+// The same of one run, beside its record.
+std::filesystem::path write_reports(const std::filesystem::path& run_folder);
 
 }  // namespace lamina

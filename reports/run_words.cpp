@@ -148,6 +148,28 @@ std::vector<std::pair<std::string, std::string>> failures(const Record& record) 
   return all;
 }
 
+std::vector<std::string> hash_lines(const Record& record) {
+  std::vector<std::string> lines;
+  std::set<std::string> variants;
+  for (const Json& cell : record.cells) {
+    const std::string of = fmt::format("{} on {}", text_at(cell, "/variant"), text_at(cell, "/backend"));
+    const auto shaders = cell.at("shader_hashes").get<std::vector<std::string>>();
+    if (!shaders.empty() && variants.insert(of).second)
+      lines.push_back(fmt::format("shaders of {}: {}", of, fmt::join(shaders, " ")));
+  }
+  for (const Json& cell : record.cells)
+    if (const std::string hash = text_at(cell, "/image_hash"), image = text_at(cell, "/image"); !hash.empty() && !image.empty())
+      lines.push_back(fmt::format("{}: {}", image, hash));
+  return lines;
+}
+
+std::string record_name(const std::vector<Record>& records, size_t index) {
+  if (records.size() < 2) return "";
+  const std::string letter = index < 26 ? std::string(1, static_cast<char>('A' + index)) : fmt::format("{}", index + 1);
+  const std::string commit = text_at(records[index].run, "/commit");
+  return commit.empty() ? letter : fmt::format("{}: {}", letter, commit);
+}
+
 std::vector<std::pair<std::string, std::string>> run_facts(const Record& record) {
   const Json& run = record.run;
   std::vector<std::pair<std::string, std::string>> facts;
@@ -156,6 +178,7 @@ std::vector<std::pair<std::string, std::string>> run_facts(const Record& record)
   };
   add("Command", text_at(run, "/command"));
   add("Scene", text_at(run, "/scene"));
+  add("Swept", fmt::format("{}", fmt::join(sweep_lines(record), "; ")));
   add("Settings", run.contains("settings") ? entries_of(run["settings"]) : "");
   if (const auto devices = run.find("devices"); devices != run.end() && devices->is_array())
     for (const Json& device : *devices) {

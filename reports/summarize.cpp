@@ -28,17 +28,6 @@ struct Group {
   Samples samples;                // of the good cells that were timed
 };
 
-// Below min_rounds_for_95 no order statistics reach 95%: then the whole range, whose coverage of the median is 1 - 2 / 2^n.
-Interval interval_or_range(std::vector<double> samples) {
-  if (samples.size() >= min_rounds_for_95) return median_interval(samples);
-  const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
-  return {.median = median(samples),
-          .low = *low,
-          .high = *high,
-          .rounds = samples.size(),
-          .coverage = 1 - std::exp2(1 - static_cast<double>(samples.size()))};
-}
-
 // Of each round that every shot has: the sum of the shots' times.
 std::vector<double> sum_ms(const Samples& samples, const std::vector<Shot>& shots) {
   size_t rounds = shots.empty() ? 0 : std::numeric_limits<size_t>::max();

@@ -71,6 +71,17 @@ std::vector<double> shown_samples_ms(const Record& record, const Json& cell) {
   return frame_samples_ms(passes_of(cell));
 }
 
+Interval interval_or_range(std::vector<double> samples) {
+  if (samples.size() >= min_rounds_for_95) return median_interval(samples);
+  // No order statistics reach 95%; the range covers the median with 1 - 2 / 2^n.
+  const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
+  return {.median = median(samples),
+          .low = *low,
+          .high = *high,
+          .rounds = samples.size(),
+          .coverage = 1 - std::exp2(1 - static_cast<double>(samples.size()))};
+}
+
 std::string words_for_ms(double ms) { return fmt::format("{:.{}f}", ms, ms >= 100 ? 1 : ms >= 10 ? 2 : 3); }
 
 std::string words_for_ms(const Interval& ms) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "reports/frontier.h"
 #include "reports/reports.h"
 
 namespace lamina {
@@ -26,6 +27,8 @@ std::optional<Interval> interval_of(const nlohmann::json& interval);
 
 // Whether the backend has a timer certificate and every one of it is good. Where not, no report shows its times.
 bool times_shown(const Record& record, std::string_view backend);
+// The median with its 95% interval, or the whole range below min_rounds_for_95 samples, whose coverage says so.
+Interval interval_or_range(std::vector<double> samples);
 // A cell's frame time of each round, or nothing where it failed or its backend's times are not shown.
 std::vector<double> shown_samples_ms(const Record& record, const nlohmann::json& cell);
 
@@ -49,6 +52,21 @@ struct Headline {
   std::string variant, words;
 };
 std::vector<Headline> headlines(const std::vector<SummaryRow>& rows);
+// One sentence an effect and reference (baseline, truth): the variants worth having and the dominated ones, by time (by fetches
+// where nothing is timed) and mean SSIM; `variant` holds the effect's name. None for an effect with nothing to weigh.
+std::vector<Headline> answers(const std::vector<SummaryRow>& rows);
+// A row as the frontier weighs it; a baseline without trouble has no error against itself.
+CostAndErrors figures_of(const SummaryRow& row);
+
+// A gate's answer, one sentence each; its verdicts as a table, of which the first three and the last are words; its A/A arms.
+std::vector<std::string> gate_lines(const Record& record);
+inline constexpr std::array<const char*, 8> gate_columns = {"of",    "what",        "verdict", "before",
+                                                            "after", "ratio [95%]", "limit",   "in words"};
+std::vector<std::array<std::string, gate_columns.size()>> gate_rows(const Record& record);
+std::vector<std::string> aa_lines(const Record& record);
+// What was swept, a parameter a line, and where curves meet a limit or each other.
+std::vector<std::string> sweep_lines(const Record& record);
+std::vector<std::string> crossover_lines(const Record& record);
 
 // The columns of the summary table; the first two and the last are names, the rest figures. `truth`: with those against the
 // truth, for effects of which some row has any.
@@ -80,9 +98,14 @@ struct PassSummary {
   std::optional<double> ms;  // mean over views of the median over rounds
   double fragments = 0;      // mean over views
   std::optional<double> fetches_per_pixel;
+  std::optional<double> ns_per_fetch;  // the pass's time over its fetches; absent where it is not timed or fetches nothing
   std::vector<Share> shares;
 };
 std::vector<PassSummary> summarize_passes(const Record& record);
+// Columns of a table of passes: four names, figures, and fetches by texture, which pass_cells() leaves to words_for_share().
+inline constexpr std::array<const char*, 9> pass_columns = {
+    "variant", "backend", "pass", "done", "ms", "fragments", "fetches/px", "ns/fetch", "by texture, format and filter"};
+std::array<std::string, pass_columns.size() - 1> pass_cells(const PassSummary& pass);
 std::string words_for_fragments(const PassSummary& pass);      // "5210", or "5210, hidden ones too"
 std::string words_for_share(const PassSummary::Share& share);  // "light_map (rgba16_float, linear) 13.0/px"
 
@@ -100,6 +123,10 @@ std::vector<std::string> bake_lines(const Record& record);
 std::vector<std::string> phase_lines(const Record& record);
 // Every failed cell: what it is, and why it failed.
 std::vector<std::pair<std::string, std::string>> failures(const Record& record);
+// Which shaders and pictures they were: a line a variant and backend, a line a picture.
+std::vector<std::string> hash_lines(const Record& record);
+// What parts a record from the others on a page: "A: abc1234" (letter and commit), or "" where there is one record.
+std::string record_name(const std::vector<Record>& records, size_t index);
 // Label and value: machine, devices, threads, commit, settings, command.
 std::vector<std::pair<std::string, std::string>> run_facts(const Record& record);
 

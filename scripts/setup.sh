@@ -31,6 +31,15 @@ install_missing_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
+# What tests/browser drives the report's page with; where it cannot be fetched, those tests are skipped and say so.
+install_browser_tests() {
+  local folder=tests/browser
+  [ -e "$folder/node_modules/.package-lock.json" ] && [ ! "$folder/package-lock.json" -nt "$folder/node_modules/.package-lock.json" ] && return
+  npm ci --prefix "$folder" --ignore-scripts --no-audit --no-fund --loglevel=error >/dev/null &&
+    touch "$folder/node_modules/.package-lock.json" ||
+    echo "the browser tests' packages cannot be fetched; those tests will be skipped" >&2
+}
+
 # build_preset PRESET [TARGET...]
 build_preset() {
   local preset=$1

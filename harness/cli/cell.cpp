@@ -133,6 +133,7 @@ void fill_errors(CellRow& row, const Image& picture, const Image& baseline, cons
   if (!keep) return;
   row.difference = keep("-difference", difference_picture(to_display(picture), to_display(baseline), difference_gain));
   row.flip = keep("-flip", flip_picture(report.flip, picture.width, picture.height));
+  row.worst_tile = worst_tile(report.flip, picture.width, picture.height);
 }
 
 Mask either(const Mask& a, const Mask& b) {

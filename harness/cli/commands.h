@@ -82,6 +82,12 @@ struct HistoryOptions {
   std::filesystem::path csv;                   // empty: none
 };
 
+struct ReportCommand {
+  std::vector<std::filesystem::path> records;  // folders of runs, or their record.jsonl
+  std::filesystem::path out;                   // empty: each run's own folder
+  bool single_file = false;
+};
+
 // Difference pictures are |test - baseline| of display values times this; records and reports state it.
 inline constexpr double difference_gain = 4;
 
@@ -95,7 +101,7 @@ int run_stress_caps(const StressOptions& options);
 int run_plan(const SceneOptions& options);
 int run_list(const SceneOptions& options);
 int run_list_parameters(const SceneOptions& options);
-int run_report(const std::vector<std::filesystem::path>& records);
+int run_report(const ReportCommand& options);
 int run_history(const HistoryOptions& options);
 
 // Whether the options ask for this variant; a baseline is always compared.

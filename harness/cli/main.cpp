@@ -237,9 +237,11 @@ int run(int argc, char** argv) {
   list_command.add_option("scene", list.scene, "Scene whose parameters are listed")->capture_default_str();
   list_command.add_flag("--parameters", list_parameters, "Every parameter that 'lamina sweep' can set, and nothing else");
   list_command.add_option("--variants-dir", list.variants_dirs, "Folder with variants of your own (may be given again)");
-  std::vector<fs::path> records;
-  CLI::App& report_command = *app.add_subcommand("report", "Reports again, from records");
-  report_command.add_option("record", records, "Run folders or their record.jsonl")->required();
+  ReportCommand report;
+  CLI::App& report_command = *app.add_subcommand("report", "Reports again, from records; of several side by side with --out");
+  report_command.add_option("record", report.records, "Run folders or their record.jsonl")->required();
+  report_command.add_option("--out", report.out, "Folder for one report of all records (default: each beside its record)");
+  report_command.add_flag("--single-file", report.single_file, "Put the pictures into the page, so that one file is all");
   HistoryOptions history;
   CLI::App& history_command =
       *app.add_subcommand("history", "How each cell's figures went over records, and where they changed");
@@ -277,7 +279,7 @@ int run(int argc, char** argv) {
   if (plan_command.parsed()) return run_plan(plan);
   if (list_command.parsed()) return list_parameters ? run_list_parameters(list) : run_list(list);
   if (history_command.parsed()) return run_history(history);
-  return run_report(records);
+  return run_report(report);
 }
 
 }  // namespace

@@ -9,14 +9,26 @@
 
 namespace lamina {
 
-int run_report(const std::vector<std::filesystem::path>& records) {
-  for (const std::filesystem::path& given : records) {
-    const std::filesystem::path folder = std::filesystem::is_directory(given) ? given : given.parent_path();
-    const Record record = read_record(folder / "record.jsonl");
-    write_reports(folder);
-    if (!record.gates.empty() || !record.verdicts.empty()) fmt::print("{}\n", gate_table(record, ::isatty(STDOUT_FILENO) == 1));
-    fmt::print("{}\nreport: {}\n", terminal_table(record, ::isatty(STDOUT_FILENO) == 1), (folder / "index.html").string());
+int run_report(const ReportCommand& options) {
+  std::vector<std::filesystem::path> folders;
+  for (const std::filesystem::path& given : options.records) {
+    const bool file = !std::filesystem::is_directory(given);
+    if (file && given.filename() != "record.jsonl")
+      throw Error(ErrorKind::bad_input, "report", given.string(), "is neither a run's folder nor a record.jsonl");
+    folders.push_back(file ? std::filesystem::absolute(given).parent_path() : given);
   }
+  const bool together = !options.out.empty();
+  for (size_t i = 0; i < folders.size(); ++i) {
+    const Record record = read_record(folders[i] / "record.jsonl");
+    const bool colours = ::isatty(STDOUT_FILENO) == 1;
+    if (!record.gates.empty() || !record.verdicts.empty()) fmt::print("{}\n", gate_table(record, colours));
+    fmt::print("{}\n", terminal_table(record, colours));
+    if (!together)
+      fmt::print("report: {}\n",
+                 write_reports(std::vector{folders[i]}, {.single_file = options.single_file, .out = {}}).string());
+  }
+  if (together)
+    fmt::print("report: {}\n", write_reports(folders, {.single_file = options.single_file, .out = options.out}).string());
   return 0;
 }
 

@@ -44,6 +44,16 @@ double max_linear(const Image& test, const Image& reference, const Mask* mask = 
 // Pixels with a NaN or infinity in any of r, g, b, a.
 size_t nonfinite_pixels(const Image& image);
 
+// Where a map is worst: the tile of worst_tile_px x worst_tile_px pixels, on a grid from the top left and cut at the right and
+// lower edges, with the greatest mean; of equal ones the first by rows. Throws Error(failed) where the map is empty or not
+// width x height long.
+inline constexpr int worst_tile_px = 32;
+struct WorstTile {
+  int x = 0, y = 0;  // of its upper left pixel
+  double flip = 0;   // mean over the tile's pixels
+};
+WorstTile worst_tile(const std::vector<float>& map, int width, int height);
+
 // The figures of one comparison over one set of pixels.
 struct ErrorFigures {
   double psnr_db = 0;  // may be +infinity

@@ -136,6 +136,11 @@ Json to_json(const CellRow& cell) {
   line["difference"] = cell.difference;
   line["flip"] = cell.flip;
   if (!cell.truth_image.empty()) line["truth_image"] = cell.truth_image;
+  if (cell.worst_tile)
+    line["worst_tile"] = {{"x", cell.worst_tile->x},
+                          {"y", cell.worst_tile->y},
+                          {"size", worst_tile_px},
+                          {"flip", finite(cell.worst_tile->flip, owner, "worst_tile.flip")}};
   for (const AssumptionRow& row : cell.assumptions)
     line["assumptions"].push_back(
         {{"name", row.name}, {"title", row.title}, {"error", figures_to_json(row.error, owner)}, {"image", row.image}});

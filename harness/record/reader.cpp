@@ -25,6 +25,12 @@ void check_figures(const Json& figures, const std::string& where, const std::str
     refuse(where, fmt::format("'{}psnr_db' must be null for identical pictures and for no others", inside));
 }
 
+void check_worst_tile(const Json& line, const std::string& where) {
+  if (!line.contains("worst_tile")) return;
+  check(line, {{"worst_tile", object}}, where);
+  check(line["worst_tile"], {{"x", count}, {"y", count}, {"size", count}, {"flip", number}}, where, "worst_tile.");
+}
+
 // What a cell has only where there is a truth.
 void check_truth(const Json& line, const std::string& where) {
   if (line.contains("truth_image")) check(line, {{"truth_image", text}}, where);
@@ -88,6 +94,7 @@ void check_cell(const Json& line, const std::string& where) {
     if (const Json& figures = line["error"][against]; !figures.is_null())
       check_figures(figures, where, fmt::format("error.{}.", against));
   check_truth(line, where);
+  check_worst_tile(line, where);
   if (line["status"] == "ok") {
     try {
       frame_samples_ms(passes_of(line));

@@ -278,5 +278,46 @@ TEST_F(RecordFile, AMissingFileIsRefusedByName) {
   }
 }
 
+Json interval() { return {{"median", 1.0}, {"low", 0.9}, {"high", 1.1}, {"rounds", 60}, {"coverage", 0.96}}; }
+Json gate_line() {
+  return {{"kind", "gate"},     {"mode", "against"}, {"against", "a stored record"},
+          {"verdict", "same"},  {"status", 0},       {"processes", 3},
+          {"rounds", 60},       {"wall_s", 41.2},    {"margin", 0.02},
+          {"confidence", 0.95}, {"comparisons", 12}};
+}
+Json aa_line() {
+  return {{"kind", "aa"}, {"backend", "vulkan"}, {"effect", "e"}, {"variant", "v"}, {"ratio", interval()}, {"verdict", "same"}};
+}
+Json verdict_line() {
+  return {{"kind", "verdict"}, {"backend", "vulkan"}, {"effect", "e"},    {"variant", "v"},    {"view", ""},
+          {"what", "time"},    {"pass", ""},          {"texture", ""},    {"verdict", "same"}, {"before", 1.5},
+          {"after", nullptr},  {"ratio", interval()}, {"limit", nullptr}, {"sentence", "s"}};
+}
+
+TEST_F(RecordFile, AGatesLinesAreReadAndEveryFieldOfThemIsChecked) {
+  write(lines({run_line(), gate_line(), aa_line(), verdict_line()}));
+  const Record record = read_record(file_);
+  EXPECT_EQ(record.gates.size(), 1u);
+  EXPECT_EQ(record.aas.size(), 1u);
+  EXPECT_EQ(record.verdicts.size(), 1u);
+  for (const Json& whole : {gate_line(), aa_line(), verdict_line()})
+    for (const auto& [name, unused] : whole.items()) {
+      Json less = whole, other = whole;
+      less.erase(name);
+      other[name] = Json::array({"wrong"});
+      for (const Json& damaged : {less, other}) EXPECT_EQ(refusal(lines({run_line(), damaged})).subject(), line(2)) << name;
+    }
+}
+
+TEST_F(RecordFile, AWorstTileIsWrittenAndChecked) {
+  CellRow row = cell_row();
+  row.worst_tile = WorstTile{.x = 32, .y = 64, .flip = 0.5};
+  Json cell = to_json(row);
+  EXPECT_EQ(cell["worst_tile"], Json({{"x", 32}, {"y", 64}, {"size", 32}, {"flip", 0.5}}));
+  cell["worst_tile"].erase("flip");
+  EXPECT_EQ(refusal(lines({run_line(), cell})).subject(), line(2));
+  EXPECT_FALSE(to_json(cell_row()).contains("worst_tile"));
+}
+
 }  // namespace
 }  // namespace lamina

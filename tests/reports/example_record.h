@@ -79,6 +79,13 @@ inline std::vector<CellRow> example_cells() {
       example_cell("vertex_normal", "front", {4, 4, 4, 4, 4, 4}), example_cell("vertex_normal", "grazing", {6, 6, 6, 6, 6, 6})};
 }
 
+// The page without its library and script.
+inline std::string page_of(const Record& record) {
+  std::string page = html_report({record});
+  const size_t begin = page.find("<script>"), end = page.rfind("</script>");
+  return begin == std::string::npos ? page : page.erase(begin, end + std::string("</script>").size() - begin);
+}
+
 inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace lamina

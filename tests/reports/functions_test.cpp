@@ -134,7 +134,7 @@ TEST(Functions, WordsTellBackendsApartWhereTheyDiffer) {
 TEST(Functions, WithoutATimerThereAreErrorsButNeitherTimesNorAChart) {
   Record record = example_record({});
   add(record, "exact_cap", 1e-6, std::nullopt), add(record, "linear_cap", 0.1, std::nullopt);
-  const std::string page = html_report(record);
+  const std::string page = page_of(record);
   EXPECT_TRUE(has(page, "not timed"));
   EXPECT_TRUE(has(page, "the machine is busy"));
   EXPECT_TRUE(has(page, "errs by up to 0.1"));
@@ -151,7 +151,7 @@ TEST(Functions, TablesShowEachFigure) {
             (std::array<std::string, 9>{"linear_cap", "2 [1.8, 2.2]", "0.050", "0.1", "-0.05", "0.025", "0.033", "0", "0"}));
   EXPECT_EQ(function_set_cells(record.functions[0]).front(), "smoothstep_cap");
   EXPECT_EQ(function_set_cells(record.functions[0]).back(), "0.5 0.25 0.125");
-  for (const std::string& text : {html_report(record), markdown_summary(record)}) {
+  for (const std::string& text : {page_of(record), markdown_summary(record)}) {
     EXPECT_TRUE(has(text, "Functions: the area that two spherical caps share"));
     for (size_t i = 2; i < cells.size(); ++i) EXPECT_TRUE(has(text, cells[i])) << cells[i];
     EXPECT_TRUE(has(text, "1.8, 2.2"));
@@ -161,14 +161,14 @@ TEST(Functions, TablesShowEachFigure) {
 }
 
 TEST(Functions, ThePageHoldsTheChartItsLibraryAndThePictures) {
-  const std::string page = html_report(caps());
+  const std::string page = html_report({caps()});
   EXPECT_TRUE(has(page, "<title>Lamina: What functions cost and err by</title>"));
   for (const char* part : {"<figure class=\"chart\">", "<noscript>", "Observable, Inc.", "Mike Bostock", "Permission to use",
                            "src=\"./images/slice.png\"", "r1 = 0.5", "r0 right, d up", "class=\"diverging\"", "-0.16 or less",
                            "<summary>Hard inputs on vulkan: 1 sets</summary>"})
     EXPECT_TRUE(has(page, part)) << part;
-  EXPECT_FALSE(has(page, "<h2>Pictures</h2>"));
-  EXPECT_FALSE(has(html_report(example_record(example_cells())), "Observable")) << "no chart, no library";
+  EXPECT_FALSE(has(page, "<h2>All figures and pictures</h2>"));
+  EXPECT_FALSE(has(html_report({example_record({})}), "Observable")) << "no chart, no library";
 }
 
 nlohmann::json chart_data(const std::string& chart) {
@@ -203,7 +203,7 @@ TEST(Functions, EveryStringIsEscaped) {
       for (const char* name :
            {"function", "title", "device", "scale", "set", "what", "slice", "axes", "image", "build", "commit"})
         if (line.contains(name)) line[name] = evil;
-  const std::string page = html_report(record);
+  const std::string page = page_of(record);
   EXPECT_FALSE(has(page, "alert(\"1"));
   EXPECT_TRUE(has(page, "&lt;script&gt;alert"));
   EXPECT_FALSE(has(markdown_summary(record), "<script>"));

@@ -142,7 +142,7 @@ TEST(Summarize, NonFinitePixelsAreCountedAndSaid) {
   const SummaryRow row = summarize(record)[1];
   EXPECT_EQ(row.nonfinite_pixels, 8u);
   EXPECT_FALSE(row.mean || row.worst);
-  for (const std::string& report : {terminal_table(record, false), markdown_summary(record), html_report(record)})
+  for (const std::string& report : {terminal_table(record, false), markdown_summary(record), page_of(record)})
     EXPECT_TRUE(has(report, "8 pixels are not finite")) << report;
 }
 

@@ -183,7 +183,8 @@ TEST(MarkdownSummary, HoldsWhatWasRunThePlanAndThePasses) {
   const std::string markdown = markdown_summary(record);
   for (const char* part :
        {"| vertex_normal | vulkan | 5.000 \\[5.000, 5.000\\] | 0.500 \\[0.500, 0.500\\] | 15.0 | 30.0 (30.0) |",
-        "| light_map | vulkan | composite | each frame | 10.00 | 120 | 15.0 | light_map_texture (rgba16_float, linear) "
+        "| light_map | vulkan | composite | each frame | 10.00 | 120 | 15.0 | 6666.67 | light_map_texture (rgba16_float, "
+        "linear) "
         "13.0/px, ",
         "- layered_material: called for: object 'heart' has layers", "- volume_fog: not called for: the scene has no fog",
         "- layered_material: without SCATTER: the thickness is 0",
@@ -256,10 +257,10 @@ TEST(AllReports, AreTheSameBytesTwiceAndSurviveAnEmptyRecord) {
   EXPECT_EQ(terminal_table(full, true), terminal_table(full, true));
   EXPECT_EQ(markdown_summary(full), markdown_summary(full));
   EXPECT_EQ(cells_csv(full), cells_csv(full));
-  EXPECT_EQ(html_report(full), html_report(full));
+  EXPECT_EQ(page_of(full), page_of(full));
   Record bare;
   bare.run = {{"kind", "run"}, {"schema", 1}};
-  for (const std::string& report : {terminal_table(bare, false), markdown_summary(bare), html_report(bare)})
+  for (const std::string& report : {terminal_table(bare, false), markdown_summary(bare), page_of(bare)})
     EXPECT_TRUE(has(report, "no cells")) << report;
 }
 
@@ -278,7 +279,7 @@ TEST(WriteReports, LeavesThreeFilesBesideTheRecord) {
   write_reports(folder);
   EXPECT_EQ(read_file(folder / "summary.md", "test"), markdown_summary(record));
   EXPECT_EQ(read_file(folder / "cells.csv", "test"), cells_csv(record));
-  EXPECT_EQ(read_file(folder / "index.html", "test"), html_report(record));
+  EXPECT_EQ(read_file(folder / "index.html", "test"), html_report({record}));
   std::filesystem::remove_all(folder);
 }
 

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page's tables of figures: the variants', the gate's, the passes', the sweep's crossovers.
+#include <fmt/format.h>
+
+#include "reports/html.h"
+
+namespace lamina {
+namespace {
+
+template <class Cells>
+std::string figures_row(const Cells& cells, size_t names, size_t last_names, const char* attributes = "") {
+  std::string html = fmt::format("<tr{}>", attributes);
+  for (size_t i = 0; i < cells.size(); ++i)
+    html += i == 0                           ? fmt::format("<th scope=\"row\">{}</th>", escaped_html(cells[i]))
+            : i < names                      ? fmt::format("<td>{}</td>", escaped_html(cells[i]))
+            : i + last_names >= cells.size() ? fmt::format("<td class=\"wrap\">{}</td>", escaped_html(cells[i]))
+                                             : fmt::format("<td class=\"num\">{}</td>", escaped_html(cells[i]));
+  return html + "</tr>\n";
+}
+
+std::string table(const std::string& caption, const std::string& head, const std::string& body, bool wide) {
+  // A table that scrolls has to take the keyboard's focus, else no key moves it.
+  return fmt::format(
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+      "aria-label=\"{}\"><table{}><caption>{}</caption>{}<tbody>\n{}</tbody>"
+      "</table></div>\n",
+      caption, wide ? " class=\"wide\"" : "", caption, head, body);
+}
+
+}  // namespace
+
+std::string header_row(std::span<const char* const> columns, size_t names, size_t last_names) {
+  std::string html = "<thead><tr>";
+  for (size_t i = 0; i < columns.size(); ++i)
+    html += fmt::format("<th scope=\"col\"{}>{}</th>", i < names || i + last_names >= columns.size() ? "" : " class=\"num\"",
+                        columns[i]);
+  return html + "</tr></thead>";
+}
+
+std::string html_list(const std::vector<std::string>& lines) {
+  std::string html = "<ul>\n";
+  for (const std::string& line : lines) html += fmt::format("<li>{}</li>\n", escaped_html(line));
+  return html + "</ul>\n";
+}
+
+std::string html_summary(const std::vector<SummaryRow>& rows) {
+  std::string html;
+  for (size_t i = 0; i < rows.size();) {
+    const std::string& effect = rows[i].effect;
+    const bool truth = has_truth(rows, effect);
+    const std::vector<std::string> columns = summary_columns(truth);
+    std::vector<const char*> heads;
+    for (const std::string& column : columns) heads.push_back(column.c_str());
+    std::string body;
+    for (; i < rows.size() && rows[i].effect == effect; ++i)
+      body += figures_row(summary_cells(rows[i], truth), 2, 1, rows[i].baseline ? " class=\"baseline\"" : "");
+    html += table(escaped_html(effect), header_row(heads, 2, 1), body, true);
+  }
+  for (const SummaryRow& row : rows)
+    if (const std::string trouble = trouble_of(row); !trouble.empty())
+      html += fmt::format("<p class=\"note bad\"><strong>{} on {}</strong> {}</p>\n", escaped_html(row.variant),
+                          escaped_html(row.backend), escaped_html(trouble));
+  for (const std::string& note : summary_notes(rows)) html += fmt::format("<p class=\"note\">{}</p>\n", escaped_html(note));
+  return html;
+}
+
+std::string html_gate(const Record& record) {
+  if (record.gates.empty() && record.verdicts.empty()) return "";
+  std::string html = "<h2 id=\"gate\">What the gate found</h2>\n", moved, same;
+  size_t quiet = 0;
+  for (const auto& row : gate_rows(record)) {
+    const bool as_before = row[2] == "same";
+    (as_before ? same : moved) +=
+        figures_row(row, 3, 1, row[2] == "slower" || row[2] == "worse" || row[2] == "failed" ? " class=\"bad\"" : "");
+    quiet += as_before ? 1 : 0;
+  }
+  const std::string head = header_row(gate_columns, 3, 1);
+  if (!moved.empty()) html += table("What is not as it was", head, moved, true);
+  if (!same.empty())
+    html += fmt::format("<details><summary>As it was: {} figure{}</summary>{}</details>\n", quiet, quiet == 1 ? "" : "s",
+                        table("What is as it was", head, same, true));
+  return html;
+}
+
+std::string html_passes(const Record& record) {
+  const std::vector<PassSummary> passes = summarize_passes(record);
+  if (passes.empty()) return "";
+  std::string body;
+  for (const PassSummary& pass : passes) {
+    std::string shares;
+    for (const PassSummary::Share& share : pass.shares)
+      shares += fmt::format("<li>{}</li>", escaped_html(words_for_share(share)));
+    const auto cells = pass_cells(pass);
+    std::string row = figures_row(cells, 4, 0);
+    row.insert(row.rfind("</tr>"), fmt::format("<td><ul class=\"shares\">{}</ul></td>", shares));
+    body += row;
+  }
+  std::vector<const char*> heads(pass_columns.begin(), pass_columns.end());
+  return table(
+      "Means over views; fetches per pixel that the effect covers; ns per fetch: the pass's whole time over its fetches",
+      header_row(heads, 4, 1), body, true);
+}
+
+}  // namespace lamina

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the time goes: passes stacked for each variant, beside them fetches by texture, and what a fetch costs.
+if (page) {
+  const section = section_of('passes');
+  const bars = (place, title, label, rows, x, fill, words, legend) => draw_plot(place, title, {
+    height: 110 + 34 * unique(rows.map(row => row.variant)).length,
+    marginLeft: 130,
+    marginTop: 10,
+    x: {label, labelAnchor: 'center', labelArrow: 'none', labelOffset: 38, grid: true},
+    y: {label: null, domain: unique(rows.map(row => row.variant))},
+    color: {legend: true, domain: legend, range: legend.map((_, i) => `var(--series-${i % 10})`)},
+    marks: [
+      Plot.barX(rows, {y: 'variant', x, fill, title: words, tip: true, stroke: 'var(--page)', strokeWidth: 1}), Plot.ruleX([0])
+    ],
+  });
+
+  function draw() {
+    section.querySelector('.passes-of')?.remove();
+    const all = element('div', {className: 'passes-of'});
+    section.append(all);
+    for (const passes of d3.group(page.passes, p => JSON.stringify([p.record, p.effect, p.backend])).values()) {
+      const {record, effect, backend} = passes[0];
+      all.append(element('h3', {textContent: [name_of_record(record), effect, backend].filter(Boolean).join(', ')}));
+      const grid = all.appendChild(element('div', {className: 'plots'}));
+      const names = unique(passes.map(p => p.pass));
+      const timed = passes.filter(p => p.ms !== null && !p.once);
+      if (timed.length)
+        bars(
+            plot_place(grid), 'Time of a frame, by pass', 'ms', timed, 'ms', 'pass',
+            p => `${p.variant}: ${p.pass}\n${digits(p.ms)} ms`, names);
+      const shares =
+          passes.filter(p => !p.once)
+              .flatMap(
+                  p => p.shares.map(
+                      share => ({...share, variant: p.variant, pass: p.pass, key: `${share.texture} (${share.format})`})));
+      if (shares.length)
+        bars(
+            plot_place(grid), 'Fetches a pixel, by texture and format', 'fetches a covered pixel', shares, 'per_pixel', 'key',
+            s => `${s.variant}: ${s.texture}\n${s.format}, ${s.filter}\n${digits(s.per_pixel)} a pixel, in ${s.pass}`,
+            unique(shares.map(s => s.key)));
+      const costs = passes.filter(p => p.ns_per_fetch !== null);
+      if (costs.length)
+        draw_plot(plot_place(grid), 'What a fetch costs, all of its pass counted in', {
+          height: 110 + 34 * unique(costs.map(p => p.variant)).length,
+          marginLeft: 130,
+          marginTop: 10,
+          x: {label: 'ns a fetch', labelAnchor: 'center', labelArrow: 'none', labelOffset: 38, grid: true, zero: true},
+          y: {label: null, domain: unique(costs.map(p => p.variant)), type: 'band'},
+          color: {legend: true, domain: names, range: names.map((_, i) => `var(--series-${i % 10})`)},
+          marks: [Plot.dot(costs, {
+            y: 'variant',
+            x: 'ns_per_fetch',
+            fill: 'pass',
+            r: 5,
+            tip: true,
+            title: p => `${p.variant}: ${p.pass}${p.once ? ' (once)' : ''}\n${digits(p.ns_per_fetch)} ns a fetch`
+          })],
+        });
+    }
+    if (!page.passes.length) all.append(element('p', {className: 'note', textContent: 'No pass was measured.'}));
+  }
+  let width = 0;
+  drawn_on_choice(() => {
+    if (window.innerWidth !== width) draw();
+    width = window.innerWidth;
+  });
+}

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes the pages that the browser tests open, from records made by code: make_pages FOLDER.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "harness/core/text.h"
+#include "reports/pictures.h"
+#include "tests/reports/example_record.h"
+
+namespace lamina {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr int width = 64, height = 48;
+
+// A picture whose pixel (x, y) is (x, y, blue): tests know every value.
+void paint(const fs::path& file, int blue) {
+  if (fs::exists(file)) return;
+  fs::create_directories(file.parent_path());
+  DisplayImage image{width, height, {}};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (const int value : {x, y, blue}) image.rgb.push_back(static_cast<uint8_t>(value));
+  write_png(file.string(), image);
+}
+
+struct Cost {
+  const char* variant;
+  double ms, ssim;
+};
+constexpr Cost costs[] = {{"light_map", 8, 1}, {"normal_map_taps", 9, 0.95}, {"vertex_normal", 4, 0.9}};
+
+// A cell of `rounds` samples a bit apart, whose SSIM falls with `loss`.
+CellRow cell_of(const Cost& cost, const std::string& view, const std::string& backend, size_t rounds, double loss = 1) {
+  std::vector<double> ms;
+  for (size_t i = 0; i < rounds; ++i) ms.push_back(cost.ms * (1 + 0.01 * std::sin(static_cast<double>(7 * i + view.size()))));
+  CellRow cell = example_cell(cost.variant, view, ms, backend);
+  cell.width = width, cell.height = height;
+  cell.image_hash = fmt::format("{:016x}", std::hash<std::string>{}(cell.image) % 1000);
+  PassRow& second = cell.passes.emplace_back(cell.passes[0]);
+  second.name = "light";
+  for (double& sample : second.ms) sample /= 4;
+  second.by_texture = {{.texture = "albedo", .format = "rgba8_srgb", .filter = "linear", .fetches = 300}};
+  second.fetches = 300;
+  cell.fetches = 1800, cell.fetches_per_pixel = cost.ms * 2;
+  if (cell.baseline) return cell;
+  const double ssim = 1 - (1 - cost.ssim) * loss;
+  cell.error_covered = cell.error_frame =
+      ErrorFigures{.psnr_db = 20 + 20 * ssim, .ssim = ssim, .flip = (1 - ssim) / 2, .rmse_linear = 0.02, .max_linear = 0.3};
+  cell.ratio_to_baseline = Interval{
+      .median = cost.ms / 8, .low = cost.ms / 8 * 0.99, .high = cost.ms / 8 * 1.01, .rounds = rounds, .coverage = 0.97};
+  cell.worst_tile = WorstTile{.x = 32, .y = 0, .flip = 0.25};
+  return cell;
+}
+
+void name_pictures(CellRow& cell, const std::string& name) {
+  cell.image = "images/" + name + ".png";
+  if (cell.baseline) return;
+  cell.difference = "images/" + name + "-difference.png";
+  cell.flip = "images/" + name + "-flip.png";
+}
+
+Record compare_record(const std::string& commit) {
+  std::vector<CellRow> cells;
+  for (const std::string backend : {"vulkan", "osmesa"})
+    for (const std::string view : {"front", "grazing"})
+      for (const Cost& cost : costs) {
+        cells.push_back(cell_of(cost, view, backend, 12));
+        name_pictures(cells.back(), fmt::format("{}-{}-{}", cost.variant, backend, view));
+      }
+  CellRow failed = cells.back();
+  failed.variant = "broken";
+  failed.failed = true;
+  failed.reason = "the shader does not compile: line 3: \"<b>\" is no type";
+  cells.push_back(failed);
+  Record record = example_record(cells, {example_timer("vulkan"), example_timer("osmesa")});
+  record.run["commit"] = commit;
+  record.plans.push_back({{"kind", "plan"},
+                          {"effects",
+                           {{{"effect", "layered_material"}, {"called_for", true}, {"reason", "heart has layers"}},
+                            {{"effect", "aperture_lighting"}, {"called_for", false}, {"reason", "no object has apertures"}}}}});
+  const Json ratio = {{"median", 1.08}, {"low", 1.06}, {"high", 1.1}, {"rounds", 60}, {"coverage", 0.95}};
+  record.gates.push_back({{"kind", "gate"},
+                          {"mode", "against"},
+                          {"against", "the stored record of commit abc1234"},
+                          {"verdict", "slower"},
+                          {"status", 1},
+                          {"processes", 3},
+                          {"rounds", 60},
+                          {"wall_s", 41.2},
+                          {"margin", 0.02},
+                          {"confidence", 0.95},
+                          {"comparisons", 12}});
+  const Json same = {{"median", 1.001}, {"low", 0.99}, {"high", 1.01}, {"rounds", 60}, {"coverage", 0.95}};
+  record.aas.push_back({{"kind", "aa"},
+                        {"backend", "vulkan"},
+                        {"effect", "layered_material"},
+                        {"variant", "light_map"},
+                        {"ratio", same},
+                        {"verdict", "same"}});
+  for (const char* verdict : {"slower", "same"})
+    record.verdicts.push_back({{"kind", "verdict"},
+                               {"backend", "vulkan"},
+                               {"effect", "layered_material"},
+                               {"variant", "vertex_normal"},
+                               {"view", ""},
+                               {"what", "time"},
+                               {"pass", ""},
+                               {"texture", ""},
+                               {"verdict", verdict},
+                               {"before", 4.0},
+                               {"after", 4.32},
+                               {"ratio", std::string(verdict) == "slower" ? ratio : same},
+                               {"limit", nullptr},
+                               {"sentence", "vertex_normal on vulkan takes 8% more time"}});
+  return record;
+}
+
+// `points` thicknesses, two variants and the baseline, one view; pictures for each cell where `pictures`.
+Record sweep_record(size_t points, size_t views, bool pictures) {
+  std::vector<CellRow> cells;
+  Json values = Json::array();
+  size_t picture_cells = 0;
+  for (size_t point = 0; point < points; ++point) {
+    values.push_back(point);
+    for (size_t view = 0; view < views; ++view)
+      for (const Cost& cost : costs) {
+        CellRow& cell = cells.emplace_back(cell_of(cost, fmt::format("view{}", view), "vulkan", 20,
+                                                   0.1 * static_cast<double>(point) / static_cast<double>(points) * 10));
+        cell.params["objects.heart.thickness"] = static_cast<double>(point);
+        if (pictures && picture_cells < 600) {
+          name_pictures(cell, fmt::format("{}-{}-{}", cost.variant, view, point));
+          picture_cells += cell.baseline ? 1 : 3;
+        } else {
+          cell.image = cell.difference = cell.flip = "";
+          cell.worst_tile.reset();
+        }
+      }
+  }
+  Record record = example_record(cells);
+  record.sweeps.push_back({{"kind", "sweep"},
+                           {"parameters", {{{"path", "objects.heart.thickness"}, {"unit", "texels"}, {"values", values}}}},
+                           {"zip", false},
+                           {"points", points},
+                           {"shard", {{"index", 0}, {"count", 1}}}});
+  record.crossovers.push_back(
+      {{"kind", "crossover"},
+       {"parameter", "objects.heart.thickness"},
+       {"backend", "vulkan"},
+       {"effect", "layered_material"},
+       {"variant", "normal_map_taps"},
+       {"other", ""},
+       {"metric", "ssim"},
+       {"limit", 0.98},
+       {"at", static_cast<double>(points) * 0.4},
+       {"tolerance", 0.1},
+       {"sentence", fmt::format("normal_map_taps keeps SSIM at least 0.98 up to thickness {:.3g} texels",
+                                static_cast<double>(points) * 0.4)}});
+  return record;
+}
+
+Record evil_record() {
+  const std::string evil = "<script>window.evil=1</script>\"'&<img src=x onerror=window.evil=1>";
+  std::vector<CellRow> cells;
+  for (const Cost& cost : costs) {
+    CellRow& cell = cells.emplace_back(cell_of(cost, evil, "vulkan" + evil, 8));
+    cell.effect = evil;
+    cell.variant += evil;
+    cell.passes[0].name = evil;
+    cell.passes[0].by_texture[0].texture = evil;
+    cell.params[evil] = 1;
+    name_pictures(cell, cost.variant);
+  }
+  cells.push_back(cells.back());
+  cells.back().failed = true;
+  cells.back().reason = evil;
+  Record record = example_record(cells, {example_timer("vulkan" + evil)});
+  record.run["command"] = evil;
+  return record;
+}
+
+void paint_pictures(Record& record, const fs::path& folder) {
+  for_each_picture(record, [&](const std::string& path) {
+    paint(folder / path, path.find("-difference") != std::string::npos ? 0
+                         : path.find("light_map") != std::string::npos ? 10
+                                                                       : 200);
+  });
+}
+
+void write_record(Record& record, const fs::path& folder) {
+  fs::create_directories(folder);
+  paint_pictures(record, folder);
+  std::string lines = record.run.dump() + '\n';
+  for (const auto* part : {&record.timers, &record.plans, &record.cells, &record.gates, &record.aas, &record.verdicts})
+    for (const Json& line : *part) lines += line.dump() + '\n';
+  write_file_atomically(folder / "record.jsonl", lines);
+}
+
+void write_page(Record& record, const fs::path& folder) {
+  fs::create_directories(folder);
+  paint_pictures(record, folder);
+  write_file_atomically(folder / "index.html", html_report({record}));
+}
+
+void make_pages(const fs::path& out) {
+  fs::remove_all(out);
+  for (const auto& [name, commit] : {std::pair{"compare", "abc1234"}, {"compare2", "def5678"}}) {
+    Record record = compare_record(commit);
+    write_record(record, out / name);
+    write_reports(out / name);
+  }
+  write_reports({out / "compare", out / "compare2"}, {.single_file = false, .out = out / "two"});
+  write_reports({out / "compare"}, {.single_file = true, .out = out / "single"});
+  Record sweep = sweep_record(12, 2, true), large = sweep_record(500, 2, true), evil = evil_record();
+  write_page(sweep, out / "sweep");
+  write_page(large, out / "large");
+  write_page(evil, out / "evil");
+}
+
+}  // namespace
+}  // namespace lamina
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    fmt::print(stderr, "usage: make_pages FOLDER\n");
+    return 2;
+  }
+  lamina::make_pages(argv[1]);
+}
