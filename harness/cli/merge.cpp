@@ -14,7 +14,8 @@ namespace {
 void copy_pictures(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out) {
   for (const std::filesystem::path& folder : folders) {
     if (!std::filesystem::is_directory(folder / "images") || std::filesystem::equivalent(folder, out)) continue;
-    std::filesystem::copy(folder / "images", out / "images", std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::copy(folder / "images", out / "images",
+                          std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
   }
 }
 

@@ -191,6 +191,7 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
 }  // namespace
 
 int run_sweep(const SweepOptions& options) {
+  const StopSignals signals;
   const Library library = load_library_for(options.compare.scene);
   SweptScene scenes(scene_of(options), library, points_from(options));
   const Scene& scene = scenes.scene();
@@ -201,7 +202,6 @@ int run_sweep(const SweepOptions& options) {
   for (const std::string& text : options.limits) limits.push_back(parse_limit(text));
   const std::vector<DeviceInfo> devices = devices_of(options);
 
-  const StopSignals signals;
   make_run_folder("sweep", options.compare.out);
   const std::filesystem::path file = options.compare.out / "record.jsonl";
   const nlohmann::ordered_json run = run_line(options, scene, effects, devices, inputs_hash(options, scene));
