@@ -25,7 +25,7 @@ struct PairedPass {
 };
 
 struct PieceOptions {
-  double piece_ms = 3;        // what a strip should last
+  double piece_ms = 2.5;      // what a strip should last
   uint32_t most_strips = 64;  // of a pass
   uint32_t most_repeats = 4;  // of a pass that is shorter than a strip, in each round
 };
