@@ -111,7 +111,7 @@ bool precise_enough(const std::vector<Timed>& all, const GateTask& task, const S
     const double margin = limits.of(row.effect, row.variant, row.backend).max_slowdown;
     for (const std::string& frame : row.frames) {
       if (frame == frame_before) continue;
-      const std::vector<double> ratios = ratios_of(row, frame, frame_before, -1);
+      const std::vector<double> ratios = ratios_of(row, frame, -1);
       const Interval interval = median_interval(ratios);
       if ((interval.high - interval.low) / 2 > enough_of_margin * margin) return false;
     }
@@ -129,8 +129,10 @@ void time_pairs(Backend& backend, TreePair& trees, SceneResources& resources, co
   }
   if (all.empty()) return;
   std::mt19937_64 random(options.compare.seed + 7919 * task.process);  // another order in every process
+  const bool changes = std::any_of(all.begin(), all.end(), [](const Timed& timed) { return timed.names[1] == frame_after; });
   size_t rounds = 0;
-  while (rounds < least_rounds || (watch.elapsed_s() < task.until_s && !precise_enough(all, task, trees.scene, limits))) {
+  while (rounds < least_rounds ||
+         (changes && watch.elapsed_s() < task.until_s && !precise_enough(all, task, trees.scene, limits))) {
     std::shuffle(all.begin(), all.end(), random);
     for (const Timed& timed : all) timed.paired->run_round(random);
     ++rounds;

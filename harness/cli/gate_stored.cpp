@@ -116,7 +116,7 @@ void add_times(std::vector<Json>& cells, const std::vector<PairsRow>& pairs, boo
             for (const double ms : frame_samples(paired, frame)) pass["ms"].push_back(ms);
       }
       if (frame > 0)
-        for (const double ratio : ratios_of(row, variant, row.frames.front(), -1)) ratios.push_back(ratio);
+        for (const double ratio : ratios_of(row, variant, -1)) ratios.push_back(ratio);
     }
     for (Json& pass : cell["passes"])
       if (!pass.at("ms").empty()) pass["median_ms"] = median(pass.at("ms").get<std::vector<double>>());

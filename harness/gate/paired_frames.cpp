@@ -36,7 +36,8 @@ PairedFrames::PairedFrames(Backend& backend, std::vector<Frame*> frames, size_t 
 size_t PairedFrames::pass_named(const std::string& name, size_t occurrence) {
   for (size_t i = 0; i < passes_.size(); ++i)
     if (passes_[i].name == name && cuts_[i].occurrence == occurrence) return i;
-  passes_.push_back({name, false, std::vector<std::vector<double>>(frames_.size())});
+  passes_.push_back(
+      {name, false, std::vector<std::vector<double>>(frames_.size()), std::vector<std::vector<double>>(frames_.size())});
   cuts_.push_back({occurrence, 0, 1, std::vector<std::vector<Pass>>(frames_.size())});
   return passes_.size() - 1;
 }
@@ -87,12 +88,71 @@ void PairedFrames::run_round(std::mt19937_64& random) {
       }
   }
   const RunTimes times = backend_.run(pieces, Timing::bracketed);
-  for (size_t pass = 0; pass < passes_.size(); ++pass)
-    for (size_t frame = 0; frame < frames_.size(); ++frame)
-      if (!cuts_[pass].pieces[frame].empty()) passes_[pass].ms[frame].push_back(0);
-  for (size_t i = 0; i < owners.size(); ++i)
-    passes_[owners[i].pass].ms[owners[i].frame].back() += times.pass_ms[i] / cuts_[owners[i].pass].repeats;
+  std::vector<std::vector<std::vector<double>>> strips(passes_.size(), std::vector<std::vector<double>>(frames_.size()));
+  for (size_t i = 0; i < owners.size(); ++i) strips[owners[i].pass][owners[i].frame].push_back(times.pass_ms[i]);
+  for (size_t pass = 0; pass < passes_.size(); ++pass) add_round(passes_[pass], strips[pass], cuts_[pass].repeats);
   ++rounds_;
+}
+
+// Frames are paired strip by strip; where one has more pieces than the other (a pass that is run twice) by their sums.
+void PairedFrames::add_round(PairedPass& pass, const std::vector<std::vector<double>>& strips, uint32_t repeats) {
+  const auto sum = [](const std::vector<double>& ms) { return std::accumulate(ms.begin(), ms.end(), 0.0); };
+  for (size_t frame = 0; frame < strips.size(); ++frame) {
+    if (strips[frame].empty()) continue;
+    pass.ms[frame].push_back(sum(strips[frame]) / repeats);
+    if (frame == 0 || strips[0].empty()) continue;
+    std::vector<StripPair> pairs;
+    if (strips[frame].size() == strips[0].size())
+      for (size_t i = 0; i < strips[0].size(); ++i) pairs.push_back({strips[0][i], strips[frame][i]});
+    else
+      pairs.push_back({sum(strips[0]), sum(strips[frame])});
+    pass.ratio[frame].push_back(trimmed_ratio(pairs));
+  }
+}
+
+double trimmed_ratio(const std::vector<StripPair>& strips) {
+  struct Weighted {
+    double log_ratio, weight;
+  };
+  std::vector<Weighted> ratios;
+  double whole = 0;
+  for (const auto& [before, after] : strips) {
+    if (!(before > 0) || !(after > 0))
+      throw Error(ErrorKind::failed, "gate", "time",
+                  fmt::format("a strip took {} ms and {} ms: the timer does not tell time", before, after));
+    ratios.push_back({std::log(after / before), std::sqrt(before * after)});
+    whole += ratios.back().weight;
+  }
+  if (ratios.empty()) throw Error(ErrorKind::failed, "gate", "time", "there are no strips");
+  std::sort(ratios.begin(), ratios.end(), [](const Weighted& a, const Weighted& b) { return a.log_ratio < b.log_ratio; });
+  double sum = 0, kept = 0, done = 0;
+  for (const auto& [log_ratio, weight] : ratios) {
+    const double low = std::max(done, trimmed_share * whole), high = std::min(done + weight, (1 - trimmed_share) * whole);
+    if (high > low) sum += log_ratio * (high - low), kept += high - low;
+    done += weight;
+  }
+  return std::exp(sum / kept);
+}
+
+std::vector<double> frame_ratios(const std::vector<PairedPass>& passes, size_t frame) {
+  std::vector<double> before, after;
+  const auto add = [](std::vector<double>& to, size_t round, double ms) {
+    if (to.size() <= round) to.resize(round + 1, 0);
+    to[round] += ms;
+  };
+  for (const PairedPass& pass : passes) {
+    const double share = pass.cut ? 1 : 1.0 / rounds_a_frame;
+    for (size_t round = 0; round < pass.ms[0].size(); ++round) {
+      add(before, round, share * pass.ms[0][round]);
+      if (round < pass.ratio[frame].size()) add(after, round, share * pass.ms[0][round] * pass.ratio[frame][round]);
+    }
+    if (pass.ms[0].empty())
+      for (size_t round = 0; round < pass.ms[frame].size(); ++round) add(after, round, share * pass.ms[frame][round]);
+  }
+  std::vector<double> ratios;
+  for (size_t round = 0; frame > 0 && round < std::min(before.size(), after.size()); ++round)
+    ratios.push_back(after[round] / before[round]);
+  return ratios;
 }
 
 std::vector<std::vector<double>> frame_ms(const std::vector<PairedPass>& passes) {

@@ -61,20 +61,10 @@ std::string sentence_of(const VerdictRow& row) {
 
 }  // namespace
 
-std::vector<double> ratios_of(const PairsRow& row, std::string_view frame, std::string_view to, std::ptrdiff_t pass) {
-  const std::optional<size_t> a = index_of(row, frame), b = index_of(row, to);
-  if (!a || !b) return {};
-  const std::vector<std::vector<double>> ms =
-      pass == whole_frame ? frame_ms(row.passes) : row.passes[static_cast<size_t>(pass)].ms;
-  std::vector<double> ratios;
-  for (size_t round = 0; round < std::min(ms[*a].size(), ms[*b].size()); ++round) {
-    if (!(ms[*a][round] > 0) || !(ms[*b][round] > 0))
-      throw Error(
-          ErrorKind::failed, "gate", fmt::format("{} on {}", row.variant, row.backend),
-          fmt::format("round {} took {} ms against {} ms: the timer does not tell time", round, ms[*a][round], ms[*b][round]));
-    ratios.push_back(ms[*a][round] / ms[*b][round]);
-  }
-  return ratios;
+std::vector<double> ratios_of(const PairsRow& row, std::string_view frame, std::ptrdiff_t pass) {
+  const std::optional<size_t> at = index_of(row, frame);
+  if (!at || *at == 0) return {};
+  return pass == whole_frame ? frame_ratios(row.passes, *at) : row.passes[static_cast<size_t>(pass)].ratio[*at];
 }
 
 TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& limits, double family_error) {
@@ -89,7 +79,7 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
                                  std::string_view frame, std::ptrdiff_t part) {
     TimeComparison& comparison = to.emplace_back();
     comparison.margin = margin;
-    for (const PairsRow* process : processes) comparison.ratios.push_back(ratios_of(*process, frame, frame_before, part));
+    for (const PairsRow* process : processes) comparison.ratios.push_back(ratios_of(*process, frame, part));
   };
   for (const auto& [key, processes] : by_cell) {
     const PairsRow& first = *processes.front();
@@ -133,7 +123,8 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
 
 Json to_json(const PairsRow& row) {
   Json passes = Json::array();
-  for (const PairedPass& pass : row.passes) passes.push_back({{"name", pass.name}, {"cut", pass.cut}, {"ms", pass.ms}});
+  for (const PairedPass& pass : row.passes)
+    passes.push_back({{"name", pass.name}, {"cut", pass.cut}, {"ms", pass.ms}, {"ratio", pass.ratio}});
   return {{"kind", "pairs"},        {"process", row.process}, {"backend", row.backend}, {"effect", row.effect},
           {"variant", row.variant}, {"view", row.view},       {"frames", row.frames},   {"passes", passes}};
 }
@@ -145,7 +136,8 @@ PairsRow pairs_from_json(const nlohmann::json& line) {
   row.view = line.at("view");
   row.frames = line.at("frames").get<std::vector<std::string>>();
   for (const nlohmann::json& pass : line.at("passes"))
-    row.passes.push_back({pass.at("name"), pass.at("cut"), pass.at("ms").get<std::vector<std::vector<double>>>()});
+    row.passes.push_back({pass.at("name"), pass.at("cut"), pass.at("ms").get<std::vector<std::vector<double>>>(),
+                          pass.at("ratio").get<std::vector<std::vector<double>>>()});
   return row;
 }
 

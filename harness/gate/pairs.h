@@ -39,7 +39,7 @@ struct TimeReport {
 // time can be believed, and every row that is not the same becomes ambiguous and says so.
 TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& limits, double family_error);
 
-// The ratio of a frame's (pass < 0) or pass's times to those of another frame, by round; empty where either has none.
-std::vector<double> ratios_of(const PairsRow& row, std::string_view frame, std::string_view to, std::ptrdiff_t pass);
+// The ratio of a frame's (pass < 0) or pass's times to those of the row's first frame, by round; empty where there is none.
+std::vector<double> ratios_of(const PairsRow& row, std::string_view frame, std::ptrdiff_t pass);
 
 }  // namespace lamina

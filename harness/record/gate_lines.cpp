@@ -87,12 +87,15 @@ void check_pairs(const Json& line, const std::string& where) {
          {"passes", array}},
         where);
   for (const Json& pass : line["passes"]) {
-    check(pass, {{"name", text}, {"cut", boolean}, {"ms", array}}, where, "passes.");
-    if (pass["ms"].size() != line["frames"].size())
-      refuse(where, fmt::format("pass '{}' has samples of {} frames, the line names {}", pass["name"].get<std::string>(),
-                                pass["ms"].size(), line["frames"].size()));
-    for (const Json& samples : pass["ms"])
-      if (!numbers.fits(samples)) refuse(where, fmt::format("the field 'passes.ms' holds what is not {}", numbers.words));
+    check(pass, {{"name", text}, {"cut", boolean}, {"ms", array}, {"ratio", array}}, where, "passes.");
+    for (const char* field : {"ms", "ratio"}) {
+      if (pass[field].size() != line["frames"].size())
+        refuse(where, fmt::format("pass '{}' has '{}' of {} frames, the line names {}", pass["name"].get<std::string>(), field,
+                                  pass[field].size(), line["frames"].size()));
+      for (const Json& samples : pass[field])
+        if (!numbers.fits(samples))
+          refuse(where, fmt::format("the field 'passes.{}' holds what is not {}", field, numbers.words));
+    }
   }
 }
 
