@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// lamina gate from end to end: changes of the product that it must catch, each alone, what it must let pass, and bad input.
+// Times are left out: they belong to --calibrate.
+#include <algorithm>
+
+#include "harness/record/record.h"
+#include "tests/cli/program.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+
+class Gate : public ProgramTest {
+ protected:
+  std::filesystem::path out() const { return folder_ / "out"; }
+  std::filesystem::path tree() const { return folder_ / "tree"; }
+  // A copy of the product's variants and shaders.
+  void copy_tree() {
+    std::filesystem::remove_all(tree());
+    std::filesystem::create_directories(tree());
+    for (const char* part : {"variants", "shaders"})
+      std::filesystem::copy(std::filesystem::path(LAMINA_SOURCE_DIR) / part, tree() / part,
+                            std::filesystem::copy_options::recursive);
+  }
+  void replace(const std::string& file, const std::string& from, const std::string& to) {
+    std::ifstream in(tree() / file);
+    std::string text((std::istreambuf_iterator<char>(in)), {});
+    const size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    std::ofstream(tree() / file) << text.replace(at, from.size(), to);
+  }
+  // The copy against the product as it is. A small frame, without times.
+  Outcome gate(const std::string& more = "") {
+    ::setenv("LAMINA_HOME", tree().c_str(), 1);
+    const Outcome outcome = lamina_program(
+        "gate heart --against " LAMINA_SOURCE_DIR " --size 64x64 --no-time --cache \"\" --out " + out().string() + " " + more);
+    ::unsetenv("LAMINA_HOME");
+    return outcome;
+  }
+  Outcome against_record(const std::string& record, const std::string& more = "") {
+    return lamina_program("gate " + square_model() + " --baseline " + record +
+                          " --size 48x48 --no-time --cache \"\" --backend osmesa --out " + out().string() + " " + more);
+  }
+  Record record() const { return read_record(out() / "record.jsonl"); }
+};
+
+struct Mutation {
+  const char *name, *file, *from, *to, *what;
+};
+constexpr const char* taps = "shaders/layered_material/poisson_disc.glsl";
+constexpr const char* composite = "shaders/layered_material/composite.frag";
+constexpr const char* light_map = "variants/layered_material/light_map.toml";
+constexpr Mutation mutations[] = {
+    {"one_tap_more", taps, "  return middle + difference / 13.0;",
+     "  difference += 1e-9 * textureGrad(source, center, footprint.uv_dx, footprint.uv_dy).rgb;\n  return middle + difference "
+     "/ 13.0;",
+     "fetches"},
+    {"one_tap_less", taps, "i < 12", "i < 11", "picture"},
+    {"disc_scaled", taps, "disc_taps[i] * radius", "disc_taps[i] * 1.05 * radius", "picture"},
+    {"disc_of_normals_scaled", composite, "disc_taps[i] * radius", "disc_taps[i] * 1.05 * radius", "picture"},
+    {"weight_swapped", "shaders/layered_material/layers.glsl", "mix(outer, inner,", "mix(inner, outer,", "picture"},
+    {"mip_levels_missing", light_map,
+     "[[pass]]\nname = \"light_mips\"\ndraw = \"mips\"\nwhen = \"mesh_or_lights_move\"\nwrite = [\"light_map\"]\n", "",
+     "picture"},
+    {"target_of_8_bits", light_map, "format = \"rgba16_float\"\nmips", "format = \"rgba8_unorm\"\nmips", "fetches"},
+    {"pass_run_twice", light_map, "name = \"dilate\"", "name = \"dilate\"\nrepeat = 2", "fetches"},
+    {"blank_frame", composite, "out_color = vec4(color, 1.0)", "discard", "blank"},
+    {"one_colour", composite, "out_color = vec4(color, 1.0)", "out_color = vec4(0.0, 0.0, 0.0, 1.0)", "picture"},
+    {"not_a_number", composite, "out_color = vec4(color, 1.0)", "out_color = vec4(color / (color - color), 1.0)", "nonfinite"},
+    {"does_not_compile", composite, "out_color = vec4(color, 1.0)", "out_color = vec4(colour, 1.0)", "cell"},
+};
+
+class GateMutations : public Gate, public testing::WithParamInterface<Mutation> {};
+INSTANTIATE_TEST_SUITE_P(Each, GateMutations, testing::ValuesIn(mutations),
+                         [](const testing::TestParamInfo<Mutation>& info) { return info.param.name; });
+
+// Each on one of the backends in turn: loading the heart is most of the time.
+TEST_P(GateMutations, IsCaught) {
+  copy_tree();
+  replace(GetParam().file, GetParam().from, GetParam().to);
+  const char* backend = std::string_view(GetParam().name).size() % 2 == 0 ? "vulkan" : "osmesa";
+  const Outcome outcome = gate(std::string("--backend ") + backend);
+  EXPECT_EQ(outcome.status, 1) << outcome.output;
+  const Record record = this->record();
+  EXPECT_TRUE(std::any_of(record.verdicts.begin(), record.verdicts.end(),
+                          [&](const Json& row) {
+                            return row.at("backend") == backend && row.at("what") == GetParam().what &&
+                                   (row.at("verdict") == "worse" || row.at("verdict") == "failed");
+                          }))
+      << GetParam().what << " on " << backend << "\n"
+      << outcome.output;
+}
+
+TEST_F(Gate, TheSameCodeAndACommentPass) {
+  copy_tree();
+  replace(composite, "void main() {", "// another comment\nvoid main() {");
+  const Outcome outcome = gate();
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_EQ(record().gates.at(0).at("verdict"), "same");
+}
+
+// Other code that draws the same picture with as many fetches: everything is looked at, and passes.
+TEST_F(Gate, OtherCodeForTheSamePicturePasses) {
+  copy_tree();
+  replace(composite, "out_color = vec4(color, 1.0)", "out_color = vec4(color.rg, color.b, 1.0)");
+  const Outcome outcome = gate("--backend osmesa");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  const Record record = this->record();
+  EXPECT_GE(record.cells.size(), 9u) << "three variants in three views";
+}
+
+TEST_F(Gate, AVariantThatVanishedIsNoPass) {
+  copy_tree();
+  std::filesystem::remove(tree() / "variants/layered_material/vertex_normal.toml");
+  const Outcome outcome = gate("--backend osmesa");
+  EXPECT_EQ(outcome.status, 1) << outcome.output;
+  EXPECT_SAYS(outcome.output, "vertex_normal on osmesa is gone");
+}
+
+TEST_F(Gate, LimitsOfTheGateFileHold) {
+  copy_tree();
+  replace(taps, "  return middle + difference / 13.0;",
+          "  difference += 1e-9 * textureGrad(source, center, footprint.uv_dx, footprint.uv_dy).rgb;\n  return middle + "
+          "difference / 13.0;");
+  const auto limits = write("gate.toml", "[default]\nmax_extra_fetches = \"10%\"\n");
+  const Outcome allowed = gate("--backend osmesa --limits " + limits.string());
+  EXPECT_EQ(allowed.status, 0) << allowed.output;
+  const auto strict = write(
+      "strict.toml", "[default]\nmax_extra_fetches = \"10%\"\n[[limit]]\nvariant = \"vertex_normal\"\nmin_ssim = 0.99999\n");
+  const Outcome refused = gate("--backend osmesa --limits " + strict.string());
+  EXPECT_EQ(refused.status, 1) << refused.output;
+  EXPECT_SAYS(refused.output, "the gate file asks for at least");
+}
+
+TEST_F(Gate, BadInputSaysWhatIsWrongAndIsNeverAPass) {
+  copy_tree();
+  const auto expect_refused = [](const Outcome& outcome, const std::string& words) {
+    EXPECT_EQ(outcome.status, 2) << outcome.output;
+    EXPECT_SAYS(outcome.output, words);
+  };
+  expect_refused(lamina_program("gate heart"), "--against DIR");
+  expect_refused(lamina_program("gate heart --against " + folder_.string()), "has no folder 'variants'");
+  expect_refused(lamina_program("gate heart --against " LAMINA_SOURCE_DIR " --baseline x.jsonl"), "excludes");
+  expect_refused(lamina_program("gate heart --update --against " LAMINA_SOURCE_DIR), "--update");
+  expect_refused(lamina_program("gate heart --baseline " + (folder_ / "none.jsonl").string()), "no such record");
+  expect_refused(gate("--variant vertex_norml"), "did you mean 'vertex_normal'");
+  expect_refused(gate("--limits " + write("bad.toml", "[default]\nmin_sim = 0.9\n").string()), "did you mean 'min_ssim'");
+  expect_refused(gate("--limits " + (folder_ / "none.toml").string()), "none.toml");
+}
+
+// A record is made, passes against itself, and what is wrong with a changed one is said.
+TEST_F(Gate, StoredRecordsAreWrittenComparedAndRefused) {
+  const std::string baseline = (folder_ / "kept" / "baseline.jsonl").string();
+  const Outcome written = against_record(baseline, "--update");
+  ASSERT_EQ(written.status, 0) << written.output;
+  EXPECT_SAYS(written.output, "there was no record before");
+  const Outcome again = against_record(baseline);
+  EXPECT_EQ(again.status, 0) << again.output;
+  EXPECT_SAYS(against_record(baseline, "--update").output, "nothing changed");
+
+  std::ifstream in(baseline);
+  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string other = text;
+    for (size_t at = 0; (at = other.find(from, at)) != std::string::npos; at += to.size()) other.replace(at, from.size(), to);
+    EXPECT_NE(other, text) << from;
+    return against_record(write("changed.jsonl", other).string());
+  };
+  const auto expect = [](const Outcome& outcome, int status, const std::string& words) {
+    EXPECT_EQ(outcome.status, status) << outcome.output;
+    EXPECT_SAYS(outcome.output, words);
+  };
+  expect(changed("\"schema\":1", "\"schema\":9"), 2, "schema");
+  expect(changed("\"scene\":\"square\"", "\"scene\":\"cube\""), 2, "cube");
+  expect(changed("\"width\":48", "\"width\":64"), 2, "width");
+  expect(changed("\"backend\":\"osmesa\"", "\"backend\":\"egl\""), 2, "no cell in common");
+  expect(changed("\"image_hash\":\"", "\"image_hash\":\"x"), 1, "picture changed");
+  expect(against_record(write("cut.jsonl", text.substr(0, text.size() - 40)).string()), 2, "cut short");
+  expect(against_record(write("empty.jsonl", "").string()), 2, "empty");
+  // Another driver may round otherwise: hashes tell nothing there.
+  expect(changed("\"driver\":\"Mesa", "\"driver\":\"Other"), 0, "another machine");
+}
+
+}  // namespace
+}  // namespace lamina
