@@ -44,12 +44,12 @@ class SweepTest : public ProgramTest {
   }
   std::filesystem::path file(const std::string& out) const { return folder_ / out / "record.jsonl"; }
 
-  // All but what the command's words and the machines' list may differ in.
+  // All but what the command's words, its moment and the machines' list may differ in.
   std::vector<Json> lines(const std::string& out) const {
     std::vector<Json> all;
     std::istringstream stream(read_file(file(out), "test"));
     for (std::string line; std::getline(stream, line);) all.push_back(Json::parse(line));
-    for (const char* name : {"command", "machines"}) all.at(0).erase(name);
+    for (const char* name : {"command", "date", "machines"}) all.at(0).erase(name);
     return all;
   }
   // Starts the program and leaves it running.
