@@ -30,9 +30,6 @@ GateNames names_in(const TreePair& trees, const GateOptions& options) {
 int run_against(const GateOptions& options, const std::function<double()>& elapsed_s) {
   const Scene scene = load_scene_for(options.compare.scene);
   TreePair trees = pair_trees(scene, load_library(options.against, {}), load_library_for(options.compare.scene), options);
-  std::vector<std::string> variants;
-  for (const VariantPair& pair : trees.variants) variants.push_back(pair.after ? pair.after->name : pair.before->name);
-  check_variant_names("gate", options.compare.variants, variants);
   const LimitsFile limits = options.limits.empty() ? LimitsFile() : LimitsFile(options.limits, names_in(trees, options));
   const std::vector<DeviceInfo> devices = probe_devices(options);
 

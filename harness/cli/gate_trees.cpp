@@ -107,7 +107,7 @@ TreePair pair_trees(const Scene& scene, Library library_before, Library library_
                  load_tree(std::move(library_before), scene, options.compare.backends),
                  load_tree(std::move(library_after), scene, options.compare.backends),
                  {}};
-  std::vector<std::string> effects;
+  std::vector<std::string> effects, all;
   for (const Plan* plan : {&trees.before.plan, &trees.after.plan})
     for (const EffectPlan& entry : plan->effects)
       if (entry.called_for && std::find(effects.begin(), effects.end(), entry.effect->name) == effects.end())
@@ -120,6 +120,7 @@ TreePair pair_trees(const Scene& scene, Library library_before, Library library_
       if (side)
         for (const VariantManifest& variant : side->variants)
           if (std::find(names.begin(), names.end(), variant.name) == names.end()) names.push_back(variant.name);
+    all.insert(all.end(), names.begin(), names.end());
     for (const std::string& name : names) {
       VariantPair pair{before, after, find_variant(before, name), find_variant(after, name), false, ""};
       if (!is_asked_for(name, pair, options)) continue;
@@ -127,6 +128,7 @@ TreePair pair_trees(const Scene& scene, Library library_before, Library library_
       trees.variants.push_back(std::move(pair));
     }
   }
+  check_variant_names("gate", options.compare.variants, all);
   if (std::none_of(trees.variants.begin(), trees.variants.end(),
                    [](const VariantPair& pair) { return pair.before && pair.after; }))
     throw Error(ErrorKind::bad_input, "gate", options.against.string(),

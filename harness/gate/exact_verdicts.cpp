@@ -2,6 +2,7 @@
 #include "harness/gate/exact_verdicts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -210,14 +211,17 @@ PictureFacts picture_facts(const Image& picture, const Image* before) {
   if (before && (before->width != picture.width || before->height != picture.height))
     throw Error(ErrorKind::failed, "gate", "picture", "the pictures before and after are of different sizes");
   PictureFacts facts;
-  float least = std::numeric_limits<float>::infinity(), most = -least;
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  std::array<float, 3> least = {infinity, infinity, infinity}, most = {-infinity, -infinity, -infinity};
   double change = 0;
   for (size_t i = 0; i < picture.rgba.size(); ++i) {
-    if (i % 4 == 3) continue;
-    least = std::min(least, picture.rgba[i]), most = std::max(most, picture.rgba[i]);
+    const size_t channel = i % 4;
+    if (channel == 3) continue;
+    least[channel] = std::min(least[channel], picture.rgba[i]), most[channel] = std::max(most[channel], picture.rgba[i]);
     if (before) change = std::max(change, std::abs(double{picture.rgba[i]} - double{before->rgba[i]}));
   }
-  facts.range = picture.rgba.empty() ? 0 : double{most} - double{least};
+  for (size_t channel = 0; channel < 3 && !picture.rgba.empty(); ++channel)
+    facts.range = std::max(facts.range, double{most[channel]} - double{least[channel]});
   if (before) facts.most_change = change;
   return facts;
 }

@@ -13,7 +13,7 @@ namespace lamina {
 
 // What is seen of a picture beyond its errors.
 struct PictureFacts {
-  double range = 0;                   // greatest less least value of r, g and b over all pixels, linear light
+  double range = 0;  // greatest less least value over all pixels, of the channel where it is most; linear light
   std::optional<double> most_change;  // greatest difference from the picture before, linear light; absent where unknown
 };
 // Throws Error(failed) for pictures of two sizes. `before` may be null.

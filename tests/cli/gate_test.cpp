@@ -58,7 +58,6 @@ constexpr Mutation mutations[] = {
      "fetches"},
     {"one_tap_less", taps, "i < 12", "i < 11", "picture"},
     {"disc_scaled", taps, "disc_taps[i] * radius", "disc_taps[i] * 1.05 * radius", "picture"},
-    {"disc_of_normals_scaled", composite, "disc_taps[i] * radius", "disc_taps[i] * 1.05 * radius", "picture"},
     {"weight_swapped", "shaders/layered_material/layers.glsl", "mix(outer, inner,", "mix(inner, outer,", "picture"},
     {"mip_levels_missing", light_map,
      "[[pass]]\nname = \"light_mips\"\ndraw = \"mips\"\nwhen = \"mesh_or_lights_move\"\nwrite = [\"light_map\"]\n", "",

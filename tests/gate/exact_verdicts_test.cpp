@@ -186,7 +186,7 @@ TEST(PictureFacts_, RangeAndGreatestChangeAreOverColoursAlone) {
   EXPECT_NEAR(facts.range, 0.5, 1e-6);
   EXPECT_NEAR(*facts.most_change, 0.5, 1e-6);
   EXPECT_FALSE(picture_facts(after, nullptr).most_change);
-  const Image flat{2, 1, {0.2f, 0.2f, 0.2f, 0, 0.2f, 0.2f, 0.2f, 1}};
+  const Image flat{2, 1, {0.1f, 0.2f, 0.4f, 0, 0.1f, 0.2f, 0.4f, 1}};  // a colour that is no grey
   EXPECT_EQ(picture_facts(flat, nullptr).range, 0);
   const Image larger{2, 2, std::vector<float>(16, 0.0f)};
   EXPECT_THROW(picture_facts(larger, &before), Error);
