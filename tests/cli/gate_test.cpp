@@ -66,7 +66,8 @@ constexpr Mutation mutations[] = {
     {"pass_run_twice", light_map, "name = \"dilate\"", "name = \"dilate\"\nrepeat = 2", "fetches"},
     {"blank_frame", composite, "out_color = vec4(color, 1.0)", "discard", "blank"},
     {"one_colour", composite, "out_color = vec4(color, 1.0)", "out_color = vec4(0.0, 0.0, 0.0, 1.0)", "picture"},
-    {"not_a_number", composite, "out_color = vec4(color, 1.0)", "out_color = vec4(color / (color - color), 1.0)", "nonfinite"},
+    {"not_a_number", composite, "out_color = vec4(color, 1.0)", "out_color = vec4(color * uintBitsToFloat(0x7fc00000u), 1.0)",
+     "nonfinite"},
     {"does_not_compile", composite, "out_color = vec4(color, 1.0)", "out_color = vec4(colour, 1.0)", "cell"},
 };
 
