@@ -2,7 +2,7 @@
 #include "harness/gate/slowdown.h"
 
 #include <algorithm>
-#include <regex>
+#include <string_view>
 
 #include "harness/core/text.h"
 
@@ -17,19 +17,29 @@ constexpr const char* main_line = "void main() {";
   throw Error(ErrorKind::bad_input, "gate", file.string(), std::move(message));
 }
 
+// What stands between `before` and `after` in a text, from `at` on, which moves behind it. Empty where there is none.
+std::string between(const std::string& text, std::string_view before, char after, size_t& at) {
+  const size_t found = text.find(before, at);
+  if (found == std::string::npos) return at = found, "";
+  const size_t start = found + before.size();
+  at = text.find(after, start);
+  return text.substr(start, at - start);
+}
+
+std::string first_between(const std::string& text, std::string_view before, char after) {
+  size_t at = 0;
+  return between(text, before, after, at);
+}
+
 // The files that a shader is made of, itself first: as deep as its includes go once.
 std::string with_includes(const fs::path& file) {
   const std::string text = read_file(file, "gate");
   std::string whole = text;
-  const std::regex include("#include \"([^\"]+)\"");
-  for (std::sregex_iterator at(text.begin(), text.end(), include), end; at != end; ++at)
-    if (const fs::path other = file.parent_path() / (*at)[1].str(); fs::exists(other)) whole += read_file(other, "gate");
+  for (size_t at = 0; at != std::string::npos;) {
+    const std::string name = between(text, "#include \"", '"', at);
+    if (const fs::path other = file.parent_path() / name; !name.empty() && fs::exists(other)) whole += read_file(other, "gate");
+  }
   return whole;
-}
-
-std::string first_match(const std::string& text, const std::string& pattern) {
-  std::smatch match;
-  return std::regex_search(text, match, std::regex(pattern)) ? match[1].str() : "";
 }
 
 // `main` of the shader under another name where EXTRA_TAPS is defined, and a main that calls it and then samples.
@@ -69,8 +79,8 @@ void write_slower_tree(const fs::path& home, const fs::path& folder, const Varia
   if (found == variant.passes.end()) refuse(variant.file, fmt::format("has no pass '{}' with a fragment shader", pass));
   const fs::path fragment = folder / fs::relative(found->fragment, home);
   const std::string whole = with_includes(fragment);
-  const std::string output = first_match(whole, R"(layout\(location = 0\) out vec4 (\w+);)");
-  const std::string sampler = first_match(whole, R"(uniform sampler2D (\w+);)");
+  const std::string output = first_between(whole, "layout(location = 0) out vec4 ", ';');
+  const std::string sampler = first_between(whole, "uniform sampler2D ", ';');
   std::string text = read_file(fragment, "gate");
   if (output.empty() || sampler.empty() || text.find(main_line) == std::string::npos)
     refuse(fragment, "needs a vec4 output at location 0, a sampler2D and 'void main() {' to be given extra taps");
