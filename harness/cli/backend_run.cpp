@@ -7,7 +7,7 @@
 namespace lamina {
 
 BackendRun::BackendRun(Backend& backend, SceneResources& resources, const Plan& plan, const EffectManifest& effect,
-                       ShaderCache& shaders, Bakes& bakes, const CompareOptions& options, const std::filesystem::path& images)
+                       ShaderCache& shaders, Bakes& bakes, const CompareOptions& options, const std::string& images)
     : resources_(resources),
       plan_(plan),
       shaders_(shaders),
@@ -33,7 +33,7 @@ void BackendRun::attempt(Variant& variant, Work&& work) {
     work();
   } catch (const std::exception& error) {
     variant.failure = error.what();
-    variant.frame.reset();
+    variant.ready.reset();
     for (CellRow& row : variant.rows) fail(row, variant.failure);
   }
 }
@@ -44,12 +44,9 @@ void BackendRun::prepare(Progress& progress) {
     progress.show(static_cast<double>(i) / static_cast<double>(variants_.size()), "preparing " + variant.manifest->name);
     attempt(variant, [&] {
       const auto start = std::chrono::steady_clock::now();
-      variant.graph = make_graph(plan_, configuration_with(plan_, *variant.manifest), resources_.scene(), shaders_);
-      variant.frame = std::make_unique<Frame>(resources_, variant.graph, Build::timed);
-      variant.frame->run_once(Timing::off);
-      variant.frame->run(0, Timing::off);
+      variant.ready = std::make_unique<ReadyFrame>(resources_, plan_, *variant.manifest, shaders_);
       const double cold_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-      const std::set<std::string> hashes = variant.graph.shader_hashes();
+      const std::set<std::string> hashes = variant.ready->graph.shader_hashes();
       for (CellRow& row : variant.rows) {
         row.cold_ms = cold_ms;
         row.shader_hashes.assign(hashes.begin(), hashes.end());
@@ -63,7 +60,7 @@ void BackendRun::count(Progress& progress) {
     Variant& variant = variants_[i];
     progress.show(static_cast<double>(i) / static_cast<double>(variants_.size()), "counting " + variant.manifest->name);
     attempt(variant, [&] {
-      Frame counting(resources_, variant.graph, Build::counting);
+      Frame counting(resources_, variant.ready->graph, Build::counting);
       counting.run_once(Timing::off);
       const std::vector<PassCounts> once = counting.once_counts();
       for (size_t view = 0; view < variant.rows.size(); ++view) {
@@ -73,18 +70,13 @@ void BackendRun::count(Progress& progress) {
   }
 }
 
-Image BackendRun::render(Variant& variant, size_t view) {
-  variant.frame->run(view, Timing::off);
-  return variant.frame->picture();
-}
-
-std::optional<Image> BackendRun::picture(std::string_view variant, size_t view) {
+Frame* BackendRun::frame(std::string_view variant) {
   for (Variant& candidate : variants_)
-    if (candidate.manifest->name == variant && candidate.frame) return render(candidate, view);
-  return std::nullopt;
+    if (candidate.manifest->name == variant && candidate.ready) return &candidate.ready->frame;
+  return nullptr;
 }
 
-void BackendRun::score(Progress& progress) {
+void BackendRun::score(Progress& progress, const Taken& taken) {
   const size_t views = variants_.front().rows.size();
   for (size_t view = 0; view < views; ++view) {
     progress.show(static_cast<double>(view) / static_cast<double>(views),
@@ -92,28 +84,29 @@ void BackendRun::score(Progress& progress) {
     std::optional<Image> baseline;
     for (Variant& variant : variants_) {
       attempt(variant, [&] {
-        if (variant.manifest->baseline) baseline = render(variant, view);
-        score_view(variant, view, baseline ? &*baseline : nullptr, progress);
+        variant.ready->frame.run(view, Timing::off);
+        const Image picture = variant.ready->frame.picture();
+        if (taken) taken(variant.manifest->name, view, picture);
+        if (variant.manifest->baseline) baseline = picture;
+        score_view(variant, view, picture, baseline ? &*baseline : nullptr, progress);
       });
     }
   }
 }
 
-void BackendRun::score_view(Variant& variant, size_t view, const Image* baseline, Progress& progress) {
+void BackendRun::score_view(Variant& variant, size_t view, const Image& picture, const Image* baseline, Progress& progress) {
   CellRow& row = variant.rows[view];
-  const bool is_baseline = variant.manifest->baseline;
-  const Image picture = is_baseline ? *baseline : render(variant, view);
   const auto write = [&](const std::string& suffix, const DisplayImage& image) {
-    const std::string name = picture_name(row, suffix);
-    write_png((images_ / name).string(), image);
-    return "images/" + name;
+    const std::string path = images_ + "/" + picture_name(row, suffix);
+    write_png((options_.out / path).string(), image);
+    return path;
   };
   fill_picture(row, picture, write);
   if (row.nonfinite_pixels == 0)
     truth_.score(*variant.manifest, view, picture, row, write, [&](double fraction) {
       progress.show(fraction, "casting rays for the truth of view " + resources_.scene().views[view].name);
     });
-  if (is_baseline || !baseline) return;
+  if (variant.manifest->baseline || !baseline) return;
   fill_errors(row, picture, *baseline, either(variant.covered[view], variants_.front().covered[view]), write);
 }
 
@@ -121,13 +114,13 @@ RoundsResult BackendRun::time(Progress& progress, bool timer_ok) {
   for (Variant& variant : variants_)
     for (CellRow& row : variant.rows) row.timed = timer_ok;
   if (!timer_ok) return {};
-  for (Variant& variant : variants_) attempt(variant, [&] { variant.once_ms = time_once(*variant.frame); });
+  for (Variant& variant : variants_) attempt(variant, [&] { variant.once_ms = time_once(variant.ready->frame); });
 
   std::vector<TimedCell> cells;
   for (Variant& variant : variants_) {
     if (!variant.failure.empty()) continue;
     for (size_t view = 0; view < variant.rows.size(); ++view) {
-      TimedCell& cell = cells.emplace_back(TimedCell{variant.frame.get(), view, &variant.rows[view], &variant.once_ms, {}});
+      TimedCell& cell = cells.emplace_back(TimedCell{&variant.ready->frame, view, &variant.rows[view], &variant.once_ms, {}});
       if (variants_.front().failure.empty()) cell.baseline = view;  // the baseline's come first, one a view
     }
   }

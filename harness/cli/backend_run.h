@@ -6,23 +6,27 @@
 #include <memory>
 
 #include "harness/cli/cell.h"
+#include "harness/cli/ready_frame.h"
 #include "harness/cli/truth_run.h"
 
 namespace lamina {
 
 class BackendRun {
  public:
-  // Everything must outlive this. `images` is the folder of the pictures, whose paths in rows begin with "images/".
+  // Everything must outlive this. `images` is the folder of the pictures within options.out; their paths in rows begin with it.
   BackendRun(Backend& backend, SceneResources& resources, const Plan& plan, const EffectManifest& effect, ShaderCache& shaders,
-             Bakes& bakes, const CompareOptions& options, const std::filesystem::path& images);
+             Bakes& bakes, const CompareOptions& options, const std::string& images);
 
-  void prepare(Progress& progress);  // pipelines and targets, first frame; what is done once
-  void count(Progress& progress);    // by the counting build
-  void score(Progress& progress);    // pictures, and their errors
+  // Told of each picture as it is scored, with its variant and view.
+  using Taken = std::function<void(const std::string& variant, size_t view, const Image& picture)>;
+
+  void prepare(Progress& progress);                         // pipelines and targets, first frame; what is done once
+  void count(Progress& progress);                           // by the counting build
+  void score(Progress& progress, const Taken& taken = {});  // pictures, and their errors
   RoundsResult time(Progress& progress, bool timer_ok);
 
-  // The variant's picture of a view, drawn again; none where it failed or is not compared.
-  std::optional<Image> picture(std::string_view variant, size_t view);
+  // The variant's frame; null where it failed or is not compared.
+  Frame* frame(std::string_view variant);
 
   // One row a variant and view, the baseline's first.
   std::vector<CellRow> rows() const;
@@ -31,22 +35,20 @@ class BackendRun {
   struct Variant {
     const VariantManifest* manifest = nullptr;
     std::string failure;
-    Graph graph;
-    std::unique_ptr<Frame> frame;
+    std::unique_ptr<ReadyFrame> ready;
     std::vector<std::vector<double>> once_ms;  // [pass][repetition]
     std::vector<CellRow> rows;                 // [view]
     std::vector<Mask> covered;                 // [view]
   };
   template <class Work>
   void attempt(Variant& variant, Work&& work);
-  void score_view(Variant& variant, size_t view, const Image* baseline, Progress& progress);
-  Image render(Variant& variant, size_t view);
+  void score_view(Variant& variant, size_t view, const Image& picture, const Image* baseline, Progress& progress);
 
   SceneResources& resources_;
   const Plan& plan_;
   ShaderCache& shaders_;
   const CompareOptions& options_;
-  const std::filesystem::path& images_;
+  const std::string images_;
   TruthRun truth_;
   std::vector<Variant> variants_;  // the baseline first
 };

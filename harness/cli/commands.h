@@ -72,7 +72,6 @@ struct GateOptions {
   double family_error = 0.05;      // chance of any wrong verdict on times
   bool times = true;
   bool exact = true, certify = true;  // counts, pictures and errors; the timer
-  bool time_unchanged = false;        // time variants whose code is the same too
   bool calibrate = false;
   size_t equal_gates = 200, slower_gates = 40;  // of a calibration: over equal trees; for each slow-down
 };

@@ -61,7 +61,6 @@ void bake(const Plan& plan, const std::vector<const EffectManifest*>& effects, c
 size_t run_backend(const OpenedBackend& opened, const Scene& scene, const Library& library, const Plan& plan,
                    std::vector<const EffectManifest*>& effects, Bakes& bakes, const CompareOptions& options,
                    RecordWriter& record) {
-  const std::filesystem::path images = options.out / "images";
   const std::unique_ptr<Backend> backend = open_backend(opened.name, {options.device, options.validation});
   Progress progress(opened.name);
   progress.show(0, "certifying the timer");
@@ -71,7 +70,7 @@ size_t run_backend(const OpenedBackend& opened, const Scene& scene, const Librar
   ShaderCache shaders(backend->info().api, library.shaders);
   while (!effects.empty()) {
     const EffectManifest* effect = effects.front();
-    BackendRun run(*backend, resources, plan, *effect, shaders, bakes, options, images);
+    BackendRun run(*backend, resources, plan, *effect, shaders, bakes, options, "images");
     run.prepare(progress);
     run.count(progress);
     run.score(progress);

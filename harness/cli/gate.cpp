@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <chrono>
-
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
 #include "harness/record/record.h"
@@ -27,7 +25,7 @@ GateNames names_in(const TreePair& trees, const GateOptions& options) {
   return names;
 }
 
-int run_against(const GateOptions& options, const std::function<double()>& elapsed_s) {
+int run_against(const GateOptions& options, const Stopwatch& watch) {
   const Scene scene = load_scene_for(options.compare.scene);
   TreePair trees = pair_trees(scene, load_library(options.against, {}), load_library_for(options.compare.scene), options);
   const LimitsFile limits = options.limits.empty() ? LimitsFile() : LimitsFile(options.limits, names_in(trees, options));
@@ -40,7 +38,7 @@ int run_against(const GateOptions& options, const std::function<double()>& elaps
   record.append(run_line(options.compare, scene, devices));
   record.append(plan_line(trees.after.plan, scene, trees.after.shaders.begin()->second));
 
-  const GateMeasurements measured = measure_trees(trees, options, limits, elapsed_s);
+  const GateMeasurements measured = measure_trees(trees, options, limits, watch);
   const GateResult result = judge_trees(trees, measured, options, limits);
   const GateOutcome outcome = outcome_of(result.rows);
   for (const auto* lines : {&measured.timers, &measured.cells_after})
@@ -50,7 +48,7 @@ int run_against(const GateOptions& options, const std::function<double()>& elaps
   for (const VerdictRow& row : result.rows) record.append(to_json(row));
   record.append(
       to_json(GateRow{"against", fmt::format("the variants and shaders of {}", options.against.string()), outcome.verdict,
-                      outcome.status, measured.processes, result.times.rounds, result.times.comparisons, elapsed_s(),
+                      outcome.status, measured.processes, result.times.rounds, result.times.comparisons, watch.elapsed_s(),
                       limits.of("", "", "").max_slowdown, 1 - options.family_error}));
   return finish_gate(options.compare.out);
 }
@@ -103,8 +101,7 @@ int finish_gate(const std::filesystem::path& out) {
 }
 
 int run_gate(const GateOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto elapsed_s = [start] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  const Stopwatch watch;
   if (options.calibrate) return run_calibration(options);
   if (options.against.empty() == options.baseline.empty())
     throw Error(ErrorKind::bad_input, "gate", "options",
@@ -115,7 +112,7 @@ int run_gate(const GateOptions& options) {
     if (!options.against.empty() && !std::filesystem::is_directory(options.against / folder))
       throw Error(ErrorKind::bad_input, "gate", options.against.string(),
                   fmt::format("has no folder '{}'; give a tree with variants/ and shaders/, such as a checkout", folder));
-  return options.baseline.empty() ? run_against(options, elapsed_s) : run_against_record(options, elapsed_s);
+  return options.baseline.empty() ? run_against(options, watch) : run_against_record(options, watch);
 }
 
 }  // namespace lamina

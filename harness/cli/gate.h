@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "harness/cli/commands.h"
+#include "harness/core/stopwatch.h"
 #include "harness/gate/child.h"
 #include "harness/gate/exact_verdicts.h"
 #include "harness/gate/pairs.h"
@@ -40,12 +41,15 @@ struct GateTask {
   size_t process = 0;
   bool certify = false;  // the timer
   bool exact = false;    // counts, pictures and errors
-  double until_s = 0;    // seconds of this process's own clock, for everything
+  double until_s = 0;    // seconds of this process's own clock, for everything; its least rounds are run in any case
 };
 
-// Runs in the child. Emits {"timer":..}, {"cell":..,"side":"before"|"after"}, {"facts":..} and {"pairs":..} objects.
+// Runs in the child. Emits {"timer":..}, {"cell":..,"side":"before"|"after"}, {"facts":..}, {"pairs":..} and {"messages":..,
+// "rounds_s":..} objects.
 void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOptions& options, const LimitsFile& limits,
                             const EmitLine& emit);
+// Whether the ratios of these frames of one process are so precise that, pooled over processes, they can be judged.
+bool precise_enough(const std::vector<PairsRow>& rows, const LimitsFile& limits);
 
 // What the processes of a gate have handed over, in record form.
 struct GateMeasurements {
@@ -54,12 +58,15 @@ struct GateMeasurements {
   std::vector<PairsRow> pairs;
   std::vector<VerdictRow> failures;  // of backends and processes
   size_t processes = 0;
+  double rounds_s = 0;  // the time that rounds took
+
+  // The backend's certificate, the last one: an earlier one that failed was asked again. Null: none.
+  const nlohmann::json* timer(const std::string& backend) const;
 };
 
 // Runs processes on every backend until `options.processes` have run on each and times are precise, or the budget is spent.
-// `elapsed_s` tells the wall time since the command began.
-GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, const LimitsFile& limits,
-                               const std::function<double()>& elapsed_s);
+// `watch` began with the command.
+GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, const LimitsFile& limits, const Stopwatch& watch);
 
 // The trees of `lamina gate SCENE --against DIR`. Throws Error(bad_input) where they have no variant in common.
 TreePair pair_trees(const Scene& scene, Library before, Library after, const GateOptions& options);
@@ -83,7 +90,7 @@ std::vector<DeviceInfo> probe_devices(const GateOptions& options);
 
 // Each is a whole gate, or many, and returns the exit status.
 int run_calibration(const GateOptions& options);
-int run_against_record(const GateOptions& options, const std::function<double()>& elapsed_s);
+int run_against_record(const GateOptions& options, const Stopwatch& watch);
 
 // Reports from the record in `out`; prints the table. Returns the exit status that the record holds.
 int finish_gate(const std::filesystem::path& out);

@@ -1,164 +1,129 @@
 // SPDX-License-Identifier: Apache-2.0
-// The measuring of a gate, in a process of its own: certificate, counts and errors of both trees, then paired rounds.
+// The measuring of a gate over two trees, in a process of its own: counts and errors of both, then paired rounds.
 #include <algorithm>
-#include <chrono>
 #include <set>
 
 #include "harness/cli/backend_run.h"
-#include "harness/cli/gate.h"
-#include "harness/measure/timer_certificate.h"
+#include "harness/cli/gate_process.h"
 
 namespace lamina {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr size_t least_rounds = 2 * rounds_a_frame;
 // A process stops when its own interval of every ratio is this share of the margin: pooled over processes, and at the higher
 // confidence of many comparisons, it then is about half of it.
 constexpr double enough_of_margin = 0.6;
 
-class Stopwatch {
+// The frames of a process by tree and variant, each made once: by the exact comparison, or when it is first asked for.
+class Frames {
  public:
-  double elapsed_s() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  explicit Frames(GateProcess& process) : process_(process) {}
+
+  // A second one ("again") of the same tree and variant is another frame.
+  Frame& get(Tree& tree, const VariantManifest& variant, size_t copy = 0) {
+    if (copy == 0)
+      for (const auto& [of_tree, run] : runs_)
+        if (Frame* frame = of_tree == &tree ? run->frame(variant.name) : nullptr) return *frame;
+    std::unique_ptr<ReadyFrame>& ready = made_[{&tree, &variant, copy}];
+    if (!ready)
+      ready =
+          std::make_unique<ReadyFrame>(process_.resources, tree.plan, variant, tree.shaders.at(process_.backend->info().api));
+    return ready->frame;
+  }
+  void keep(const Tree& tree, std::unique_ptr<BackendRun> run) { runs_.emplace_back(&tree, std::move(run)); }
 
  private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  GateProcess& process_;
+  std::vector<std::pair<const Tree*, std::unique_ptr<BackendRun>>> runs_;
+  std::map<std::tuple<const Tree*, const VariantManifest*, size_t>, std::unique_ptr<ReadyFrame>> made_;
 };
 
 // Every pair of one effect whose code changed; its baselines are always compared.
-void compare_exactly(Backend& backend, TreePair& trees, SceneResources& resources, Bakes& bakes, const GateTask& task,
-                     const GateOptions& options, const EmitLine& emit) {
-  std::set<std::string> effects;
+void compare_exactly(GateProcess& process, TreePair& trees, const std::string& effect, Frames& frames, Progress& progress,
+                     const EmitLine& emit) {
+  CompareOptions only = process.options.compare;
+  only.variants.clear();
   for (const VariantPair& pair : trees.variants)
-    if (pair.before && pair.after && !pair.same_code) effects.insert(pair.after->effect);
-  Progress progress(task.backend + ", counts and pictures");
-  for (const std::string& effect : effects) {
-    CompareOptions only = options.compare;
-    only.variants.clear();
-    for (const VariantPair& pair : trees.variants)
-      if (pair.after && pair.after->effect == effect && (!pair.same_code || !pair.before) && pair.failure.empty())
-        only.variants.push_back(pair.after->name);
-    if (only.variants.empty()) continue;
-    const auto run_tree = [&](Tree& tree, const char* side) {
-      const std::filesystem::path images = options.compare.out / "images" / side;
-      std::filesystem::create_directories(images);
-      auto run =
-          std::make_unique<BackendRun>(backend, resources, tree.plan, tree.library.effect(effect),
-                                       const_cast<ShaderCache&>(tree.shaders.at(backend.info().api)), bakes, only, images);
-      run->prepare(progress), run->count(progress), run->score(progress);
-      for (const CellRow& row : run->rows()) emit({{"cell", to_json(row)}, {"side", side}});
-      return run;
-    };
-    const auto before = run_tree(trees.before, "before");
-    const auto after = run_tree(trees.after, "after");
-    for (const VariantPair& pair : trees.variants) {
-      if (!pair.after || pair.after->effect != effect) continue;
-      for (size_t view = 0; view < trees.scene.views.size(); ++view) {
-        const std::optional<Image> now = after->picture(pair.after->name, view);
-        const std::optional<Image> was = before->picture(pair.after->name, view);
-        if (!now) continue;
-        const PictureFacts facts = picture_facts(*now, was ? &*was : nullptr);
-        emit({{"facts",
-               {{"variant", pair.after->name},
-                {"view", trees.scene.views[view].name},
-                {"range", facts.range},
-                {"most_change", facts.most_change ? Json(*facts.most_change) : Json(nullptr)}}}});
-      }
-    }
-  }
-}
-
-// A variant's frames, and the passes that pair them.
-struct Timed {
-  const VariantPair* pair = nullptr;
-  std::vector<std::string> names;
-  std::vector<std::unique_ptr<Graph>> graphs;
-  std::vector<std::unique_ptr<Frame>> frames;
-  std::unique_ptr<PairedFrames> paired;
-};
-
-Timed prepare(Backend& backend, TreePair& trees, SceneResources& resources, const VariantPair& pair, bool changed) {
-  Timed timed;
-  timed.pair = &pair;
-  const auto add = [&](Tree& tree, const VariantManifest& variant, std::string_view name) {
-    const Plan& plan = tree.plan;
-    timed.graphs.push_back(std::make_unique<Graph>(make_graph(plan, configuration_with(plan, variant), trees.scene,
-                                                              const_cast<ShaderCache&>(tree.shaders.at(backend.info().api)))));
-    timed.frames.push_back(std::make_unique<Frame>(resources, *timed.graphs.back(), Build::timed));
-    timed.frames.back()->run_once(Timing::off);
-    timed.frames.back()->run(0, Timing::off);
-    timed.names.emplace_back(name);
+    if (pair.after && pair.after->effect == effect && (!pair.same_code || !pair.before) && pair.failure.empty())
+      only.variants.push_back(pair.after->name);
+  if (only.variants.empty()) return;
+  const auto run_tree = [&](Tree& tree, const char* side, const BackendRun::Taken& taken) {
+    const std::string images = fmt::format("images/{}", side);
+    std::filesystem::create_directories(only.out / images);
+    auto run = std::make_unique<BackendRun>(*process.backend, process.resources, tree.plan, tree.library.effect(effect),
+                                            tree.shaders.at(process.backend->info().api), process.bakes, only, images);
+    run->prepare(progress), run->count(progress), run->score(progress, taken);
+    for (const CellRow& row : run->rows()) emit({{"cell", to_json(row)}, {"side", side}});
+    frames.keep(tree, std::move(run));
   };
-  add(trees.before, *pair.before, frame_before);
-  if (changed) add(trees.after, *pair.after, frame_after);
-  if (pair.before->baseline) add(trees.before, *pair.before, frame_again);
-  std::vector<Frame*> frames;
-  for (const auto& frame : timed.frames) frames.push_back(frame.get());
-  timed.paired = std::make_unique<PairedFrames>(backend, frames, 0);
-  return timed;
+  std::map<std::pair<std::string, size_t>, Image> before;
+  run_tree(trees.before, "before", [&](const std::string& variant, size_t view, const Image& picture) {
+    before[{variant, view}] = picture;
+  });
+  run_tree(trees.after, "after", [&](const std::string& variant, size_t view, const Image& picture) {
+    const auto was = before.find({variant, view});
+    const PictureFacts facts = picture_facts(picture, was != before.end() ? &was->second : nullptr);
+    emit({{"facts",
+           {{"variant", variant},
+            {"view", trees.scene.views[view].name},
+            {"range", facts.range},
+            {"most_change", facts.most_change ? Json(*facts.most_change) : Json(nullptr)}}}});
+  });
 }
 
-PairsRow row_of(const Timed& timed, const GateTask& task, const Scene& scene) {
-  return {task.process, task.backend,          timed.pair->before->effect, timed.pair->before->name, scene.views.front().name,
-          timed.names,  timed.paired->passes()};
+void time_pairs(GateProcess& process, TreePair& trees, Frames& frames, const LimitsFile& limits, const EmitLine& emit) {
+  std::vector<TimedFrames> all;
+  bool changes = false;
+  for (const VariantPair& pair : trees.variants) {
+    if (!pair.before || (!pair.after && !pair.before->baseline)) continue;
+    const bool changed = pair.after && pair.failure.empty() && !pair.same_code;
+    if (!changed && !pair.before->baseline) continue;
+    TimedFrames& timed = all.emplace_back(TimedFrames{pair.before->effect, pair.before->name, {}, {}, nullptr});
+    timed.add(frame_before, frames.get(trees.before, *pair.before));
+    if (changed) timed.add(frame_after, frames.get(trees.after, *pair.after));
+    if (pair.before->baseline) timed.add(frame_again, frames.get(trees.before, *pair.before, 1));
+    changes = changes || changed;
+  }
+  if (all.empty()) return;
+  std::mt19937_64 random = random_of(process);
+  const auto rows = [&] {
+    std::vector<PairsRow> measured;
+    for (const TimedFrames& timed : all) measured.push_back(timed.row(process));
+    return measured;
+  };
+  time_rounds(process, all, random,
+              [&] { return !changes || process.watch.elapsed_s() >= process.task.until_s || precise_enough(rows(), limits); });
+  for (const PairsRow& row : rows()) emit({{"pairs", to_json(row)}});
 }
 
-bool precise_enough(const std::vector<Timed>& all, const GateTask& task, const Scene& scene, const LimitsFile& limits) {
-  std::vector<PairsRow> rows;
-  for (const Timed& timed : all) rows.push_back(row_of(timed, task, scene));
+}  // namespace
+
+bool precise_enough(const std::vector<PairsRow>& rows, const LimitsFile& limits) {
   for (const PairsRow& row : rows) {
     const double margin = limits.of(row.effect, row.variant, row.backend).max_slowdown;
     for (const std::string& frame : row.frames) {
       if (frame == frame_before) continue;
-      const std::vector<double> ratios = ratios_of(row, frame, -1);
-      const Interval interval = median_interval(ratios);
+      const Interval interval = median_interval(ratios_of(row, frame, -1));
       if ((interval.high - interval.low) / 2 > enough_of_margin * margin) return false;
     }
   }
   return true;
 }
 
-void time_pairs(Backend& backend, TreePair& trees, SceneResources& resources, const GateTask& task, const GateOptions& options,
-                const LimitsFile& limits, const Stopwatch& watch, const EmitLine& emit) {
-  std::vector<Timed> all;
-  for (const VariantPair& pair : trees.variants) {
-    if (!pair.before || (!pair.after && !pair.before->baseline)) continue;
-    const bool changed = pair.after && pair.failure.empty() && (!pair.same_code || options.time_unchanged);
-    if (changed || pair.before->baseline) all.push_back(prepare(backend, trees, resources, pair, changed));
-  }
-  if (all.empty()) return;
-  std::mt19937_64 random(options.compare.seed + 7919 * task.process);  // another order in every process
-  const bool changes = std::any_of(all.begin(), all.end(), [](const Timed& timed) { return timed.names[1] == frame_after; });
-  size_t rounds = 0;
-  while (rounds < least_rounds ||
-         (changes && watch.elapsed_s() < task.until_s && !precise_enough(all, task, trees.scene, limits))) {
-    std::shuffle(all.begin(), all.end(), random);
-    for (const Timed& timed : all) timed.paired->run_round(random);
-    ++rounds;
-  }
-  for (const Timed& timed : all) emit({{"pairs", to_json(row_of(timed, task, trees.scene))}});
-}
-
-}  // namespace
-
 void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOptions& options, const LimitsFile& limits,
                             const EmitLine& emit) {
-  const Stopwatch watch;
-  const std::unique_ptr<Backend> backend = open_backend(task.backend, {options.compare.device, options.compare.validation});
-  bool certified = true;
-  if (task.certify) {
-    const TimerRow timer = certify_timer(*backend, trees.after.library.shaders);
-    emit({{"timer", to_json(timer)}});
-    certified = timer.ok;
+  GateProcess process(task, trees.scene, trees.after.library.shaders, options, emit);
+  Frames frames(process);
+  if (task.exact) {
+    std::set<std::string> effects;
+    for (const VariantPair& pair : trees.variants)
+      if (pair.before && pair.after && !pair.same_code) effects.insert(pair.after->effect);
+    Progress progress(task.backend + ", counts and pictures");
+    for (const std::string& effect : effects) compare_exactly(process, trees, effect, frames, progress, emit);
   }
-  Bakes bakes(trees.scene, DiskCache(options.compare.cache));
-  SceneResources resources(*backend, trees.scene, options.compare.width_px, options.compare.height_px, &bakes);
-  if (task.exact) compare_exactly(*backend, trees, resources, bakes, task, options, emit);
-  if (options.times && certified) time_pairs(*backend, trees, resources, task, options, limits, watch, emit);
-  Json messages = Json::array();
-  for (const std::string& message : backend->take_messages()) messages.push_back(message);
-  emit({{"messages", messages}, {"elapsed_s", watch.elapsed_s()}});
+  if (options.times && process.certified) time_pairs(process, trees, frames, limits, emit);
+  process.end(emit);
 }
 
 }  // namespace lamina

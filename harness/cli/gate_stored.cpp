@@ -3,15 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <set>
 
 #include "harness/cli/backend_run.h"
-#include "harness/cli/gate.h"
+#include "harness/cli/gate_process.h"
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
 #include "harness/gate/stored.h"
-#include "harness/measure/timer_certificate.h"
 #include "harness/record/record.h"
 
 namespace lamina {
@@ -23,62 +20,30 @@ using Json = nlohmann::json;
 // each effect paired with each other.
 void measure_state(const Scene& scene, Tree& tree, const std::vector<const EffectManifest*>& effects, const GateTask& task,
                    const GateOptions& options, const EmitLine& emit) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto elapsed_s = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
-  const std::unique_ptr<Backend> backend = open_backend(task.backend, {options.compare.device, options.compare.validation});
-  bool certified = true;
-  if (task.certify) {
-    const TimerRow timer = certify_timer(*backend, tree.library.shaders);
-    emit({{"timer", to_json(timer)}});
-    certified = timer.ok;
-  }
-  Bakes bakes(scene, DiskCache(options.compare.cache));
-  SceneResources resources(*backend, scene, options.compare.width_px, options.compare.height_px, &bakes);
-  ShaderCache& shaders = tree.shaders.at(backend->info().api);
+  GateProcess process(task, scene, tree.library.shaders, options, emit);
+  ShaderCache& shaders = tree.shaders.at(process.backend->info().api);
   Progress progress(task.backend);
-  if (task.exact)
-    for (const EffectManifest* effect : effects) {
-      const std::filesystem::path images = options.compare.out / "images";
-      BackendRun run(*backend, resources, tree.plan, *effect, shaders, bakes, options.compare, images);
-      run.prepare(progress), run.count(progress), run.score(progress);
-      for (const CellRow& row : run.rows()) emit({{"cell", to_json(row)}});
-    }
-  if (!options.times || !certified) return;
-
-  struct Timed {
-    const EffectManifest* effect;
-    std::vector<std::string> names;
-    std::vector<std::unique_ptr<Graph>> graphs;
-    std::vector<std::unique_ptr<Frame>> frames;
-    std::unique_ptr<PairedFrames> paired;
-  };
-  std::vector<Timed> all;
+  std::vector<std::unique_ptr<BackendRun>> runs;
   for (const EffectManifest* effect : effects) {
-    Timed timed{effect, {}, {}, {}, nullptr};
-    for (const VariantManifest& variant : effect->variants) {
-      if (!is_compared(variant, options.compare)) continue;
-      try {
-        auto graph = std::make_unique<Graph>(make_graph(tree.plan, configuration_with(tree.plan, variant), scene, shaders));
-        auto frame = std::make_unique<Frame>(resources, *graph, Build::timed);
-        frame->run_once(Timing::off);
-        frame->run(0, Timing::off);
-        timed.graphs.push_back(std::move(graph)), timed.frames.push_back(std::move(frame)), timed.names.push_back(variant.name);
-      } catch (const Error&) {  // its cells have failed and say why
-      }
-    }
-    std::vector<Frame*> frames;
-    for (const auto& frame : timed.frames) frames.push_back(frame.get());
-    if (frames.empty()) continue;
-    timed.paired = std::make_unique<PairedFrames>(*backend, frames, 0);
-    all.push_back(std::move(timed));
+    runs.push_back(std::make_unique<BackendRun>(*process.backend, process.resources, tree.plan, *effect, shaders, process.bakes,
+                                                options.compare, "images"));
+    BackendRun& run = *runs.back();
+    run.prepare(progress);
+    if (!task.exact) continue;
+    run.count(progress), run.score(progress);
+    for (const CellRow& row : run.rows()) emit({{"cell", to_json(row)}});
   }
-  std::mt19937_64 random(options.compare.seed + 7919 * task.process);  // another order in every process
-  for (size_t round = 0;
-       !all.empty() && (round % rounds_a_frame != 0 || round < 2 * rounds_a_frame || elapsed_s() < task.until_s); ++round)
-    for (const Timed& timed : all) timed.paired->run_round(random);
-  for (const Timed& timed : all)
-    emit({{"pairs", to_json(PairsRow{task.process, task.backend, timed.effect->name, "", scene.views.front().name, timed.names,
-                                     timed.paired->passes()})}});
+  std::vector<TimedFrames> all;
+  for (size_t i = 0; i < effects.size() && options.times && process.certified; ++i) {
+    TimedFrames timed{effects[i]->name, "", {}, {}, nullptr};
+    for (const VariantManifest& variant : effects[i]->variants)
+      if (Frame* frame = runs[i]->frame(variant.name)) timed.add(variant.name, *frame);
+    if (!timed.frames.empty()) all.push_back(std::move(timed));
+  }
+  std::mt19937_64 random = random_of(process);
+  if (!all.empty()) time_rounds(process, all, random, [&] { return process.watch.elapsed_s() >= task.until_s; });
+  for (const TimedFrames& timed : all) emit({{"pairs", to_json(timed.row(process))}});
+  process.end(emit);
 }
 
 // One sample a whole frame, from the rounds that make it up.
@@ -132,27 +97,68 @@ void add_times(std::vector<Json>& cells, const std::vector<PairsRow>& pairs, boo
   }
 }
 
-Record load_baseline(const std::filesystem::path& given) {
-  return read_record(std::filesystem::is_directory(given) ? given / "record.jsonl" : given);
+// The stored record; none where there is none and one is to be written.
+std::optional<Record> load_baseline(const std::filesystem::path& file, bool update) {
+  if (!std::filesystem::exists(file)) {
+    if (update) return std::nullopt;
+    throw Error(ErrorKind::bad_input, "gate", file.string(), "there is no such record; make one with --update");
+  }
+  if (!update) return read_record(file);
+  try {
+    return read_record(file);
+  } catch (const Error& error) {  // what is written afresh need not be readable
+    fmt::print(stderr, "lamina: warning: {}; it is written afresh\n", error.what());
+    return std::nullopt;
+  }
+}
+
+// The present state as it can be known before the minute of measuring.
+Record shape_of(const nlohmann::ordered_json& run, const std::vector<const EffectManifest*>& effects,
+                const GateOptions& options) {
+  Record shape;
+  shape.run = run;
+  for (const std::string& backend : options.compare.backends)
+    for (const EffectManifest* effect : effects)
+      for (const VariantManifest& variant : effect->variants)
+        if (is_compared(variant, options.compare))
+          shape.cells.push_back({{"backend", backend}, {"effect", effect->name}, {"variant", variant.name}});
+  return shape;
+}
+
+// Writes the record afresh, whole or not at all, and prints what changed. Returns the exit status.
+int write_baseline(const std::filesystem::path& file, const std::string& lines, const std::optional<Record>& stored,
+                   const Record& present, const GateMeasurements& measured, const GateOptions& options,
+                   const LimitsFile& limits) {
+  const auto has_failed = [](const Json& cell) { return cell.at("status") == "failed"; };
+  if (present.cells.empty() || !measured.failures.empty() || std::ranges::any_of(present.cells, has_failed)) {
+    for (const VerdictRow& row : measured.failures) fmt::print(stderr, "lamina: {}\n", row.sentence);
+    throw Error(ErrorKind::failed, "gate", file.string(), "not written: a cell failed, and what failed is no baseline");
+  }
+  std::vector<VerdictRow> rows;
+  if (stored) try {
+      check_comparable(*stored, present, file);
+      rows = judge_stored(*stored, present, limits, options.family_error);
+    } catch (const Error& error) {
+      fmt::print(stderr, "lamina: note: the record before cannot be compared with: {}\n", error.what());
+    }
+  if (!file.parent_path().empty()) std::filesystem::create_directories(file.parent_path());
+  write_file_atomically(file, lines);
+  size_t changes = 0;
+  for (const VerdictRow& row : rows)
+    if (row.verdict != Verdict::same && ++changes) fmt::print("changed: {}\n", row.sentence);
+  fmt::print("{}: {} cells written{}\n", file.string(), present.cells.size(),
+             !stored        ? ", there was no record before"
+             : changes == 0 ? ", nothing changed"
+                            : "");
+  return 0;
 }
 
 }  // namespace
 
-int run_against_record(const GateOptions& options, const std::function<double()>& elapsed_s) {
-  const bool known = std::filesystem::exists(options.baseline);
-  if (!known && !options.update)
-    throw Error(ErrorKind::bad_input, "gate", options.baseline.string(), "there is no such record; make one with --update");
+int run_against_record(const GateOptions& options, const Stopwatch& watch) {
   const std::filesystem::path file =
       std::filesystem::is_directory(options.baseline) ? options.baseline / "record.jsonl" : options.baseline;
-  std::optional<Record> stored;
-  if (!options.update) stored = load_baseline(options.baseline);
-  if (options.update && std::filesystem::exists(file)) {
-    try {
-      stored = load_baseline(options.baseline);
-    } catch (const Error& error) {  // what is written afresh need not be readable
-      fmt::print(stderr, "lamina: warning: {}; it is written afresh\n", error.what());
-    }
-  }
+  const std::optional<Record> stored = load_baseline(file, options.update);
   const Scene scene = load_scene_for(options.compare.scene);
   Tree tree = load_tree(load_library_for(options.compare.scene), scene, options.compare.backends);
   std::vector<const EffectManifest*> effects;
@@ -166,96 +172,46 @@ int run_against_record(const GateOptions& options, const std::function<double()>
   check_variant_names("gate", options.compare.variants, names.variants);
   const LimitsFile limits = options.limits.empty() ? LimitsFile() : LimitsFile(options.limits, names);
   const std::vector<DeviceInfo> devices = probe_devices(options);
-  if (stored && !options.update) {  // before the minute of measuring, not after it
-    Record shape;
-    shape.run = run_line(options.compare, scene, devices);
-    for (const std::string& backend : options.compare.backends)
-      for (const EffectManifest* effect : effects)
-        for (const VariantManifest& variant : effect->variants)
-          if (is_compared(variant, options.compare))
-            shape.cells.push_back({{"backend", backend}, {"effect", effect->name}, {"variant", variant.name}});
-    check_comparable(*stored, shape, file);
-  }
+  const nlohmann::ordered_json run = run_line(options.compare, scene, devices);
+  if (!options.update) check_comparable(*stored, shape_of(run, effects, options), file);
 
   std::error_code not_there;
   std::filesystem::remove_all(options.compare.out / "images", not_there);  // an earlier run's
   make_run_folder("gate", options.compare.out);
   RecordWriter record(options.compare.out / "record.jsonl");
-  Record run;
-  run.run = run_line(options.compare, scene, devices);
-  record.append(run_line(options.compare, scene, devices));
+  record.append(run);
   record.append(plan_line(tree.plan, scene, tree.shaders.begin()->second));
 
-  GateMeasurements measured;
-  std::set<std::string> broken;
-  std::map<std::string, bool> certified;
-  const size_t planned = options.times ? options.processes : 1;
-  for (size_t process = 0; process < planned; ++process)
-    for (size_t i = 0; i < options.compare.backends.size(); ++i) {
-      const std::string& backend = options.compare.backends[i];
-      if (broken.contains(backend)) continue;
-      const size_t left = (planned - process) * options.compare.backends.size() - i;
-      const GateTask task{backend, process, options.times && !certified[backend], process == 0,
-                          (options.budget_s - elapsed_s()) / static_cast<double>(left)};
-      const ChildResult child =
-          run_in_child([&](const EmitLine& emit) { measure_state(scene, tree, effects, task, options, emit); });
-      take_lines(child, task, measured);
-      if (!child.failure.empty()) broken.insert(backend);
-      for (const Json& timer : measured.timers)
-        if (timer.at("backend") == backend) certified[backend] = timer.at("ok");
-    }
-  for (const std::string& backend : options.compare.backends)
-    add_times(measured.cells_after, measured.pairs, certified[backend], backend);
+  GateMeasurements measured = measure_in_processes(
+      options, watch,
+      [&](const GateTask& task, const EmitLine& emit) { measure_state(scene, tree, effects, task, options, emit); }, {});
+  for (const std::string& backend : options.compare.backends) {
+    const Json* timer = measured.timer(backend);
+    add_times(measured.cells_after, measured.pairs, timer && timer->at("ok"), backend);
+  }
   for (const Json& timer : measured.timers) record.append(nlohmann::ordered_json(timer));
   for (const Json& cell : measured.cells_after) record.append(nlohmann::ordered_json(cell));
-  const std::string baseline_lines = read_file(options.compare.out / "record.jsonl", "gate");
-  for (const PairsRow& row : measured.pairs) record.append(to_json(row));
-  run.cells = measured.cells_after;
+  Record present;
+  present.run = run, present.cells = measured.cells_after;
+  if (options.update)
+    return write_baseline(file, read_file(options.compare.out / "record.jsonl", "gate"), stored, present, measured, options,
+                          limits);
 
+  for (const PairsRow& row : measured.pairs) record.append(to_json(row));
   std::vector<VerdictRow> rows = measured.failures;
-  size_t comparisons = 0;
-  for (const Json& timer : measured.timers)
-    if (options.times) rows.push_back(judge_timer(timer));
-  if (stored && !run.cells.empty()) {
-    const auto judge = [&] {
-      check_comparable(*stored, run, file);
-      for (VerdictRow& row : judge_stored(*stored, run, limits, options.family_error)) rows.push_back(std::move(row));
-    };
-    if (options.update) {
-      try {
-        judge();
-      } catch (const Error& error) {
-        fmt::print(stderr, "lamina: note: the record before cannot be compared with: {}\n", error.what());
-      }
-    } else {
-      judge();
-    }
+  for (const std::string& backend : options.compare.backends)
+    if (const Json* timer = measured.timer(backend)) rows.push_back(judge_timer(*timer));
+  if (!present.cells.empty()) {
+    check_comparable(*stored, present, file);
+    for (VerdictRow& row : judge_stored(*stored, present, limits, options.family_error)) rows.push_back(std::move(row));
   }
-  for (const VerdictRow& row : rows) comparisons += row.ratio.has_value();
-  if (options.update) {
-    const bool whole = measured.failures.empty() && std::none_of(run.cells.begin(), run.cells.end(), [](const Json& cell) {
-                         return cell.at("status") == "failed";
-                       });
-    if (!whole || run.cells.empty()) {
-      for (const VerdictRow& row : measured.failures) fmt::print(stderr, "lamina: {}\n", row.sentence);
-      throw Error(ErrorKind::failed, "gate", file.string(), "not written: a cell failed, and what failed is no baseline");
-    }
-    if (!file.parent_path().empty()) std::filesystem::create_directories(file.parent_path());
-    write_file_atomically(file, baseline_lines);
-    size_t changes = 0;
-    for (const VerdictRow& row : rows)
-      if (row.verdict != Verdict::same && ++changes) fmt::print("changed: {}\n", row.sentence);
-    fmt::print("{}: {} cells written{}\n", file.string(), run.cells.size(),
-               !stored        ? ", there was no record before"
-               : changes == 0 ? ", nothing changed"
-                              : "");
-    return 0;
-  }
+  const auto comparisons = std::ranges::count_if(rows, [](const VerdictRow& row) { return row.ratio.has_value(); });
   const GateOutcome outcome = outcome_of(rows);
   for (const VerdictRow& row : rows) record.append(to_json(row));
   record.append(to_json(GateRow{"baseline", fmt::format("the record {}", file.string()), outcome.verdict, outcome.status,
-                                planned, judge_pairs(measured.pairs, limits, options.family_error).rounds, comparisons,
-                                elapsed_s(), limits.of("", "", "").max_drift, 1 - options.family_error}));
+                                measured.processes, judge_pairs(measured.pairs, limits, options.family_error).rounds,
+                                static_cast<size_t>(comparisons), watch.elapsed_s(), limits.of("", "", "").max_drift,
+                                1 - options.family_error}));
   return finish_gate(options.compare.out);
 }
 

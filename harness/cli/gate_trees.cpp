@@ -3,26 +3,17 @@
 #include <algorithm>
 #include <set>
 
-#include "harness/cli/gate.h"
+#include "harness/cli/gate_process.h"
 #include "harness/core/text.h"
 #include "harness/gate/identity.h"
 
 namespace lamina {
 namespace {
 
-// A process is not begun for less: most of it would be preparation.
-constexpr double least_process_s = 4;
-
 const VariantManifest* find_variant(const EffectManifest* effect, const std::string& name) {
   if (!effect) return nullptr;
   for (const VariantManifest& variant : effect->variants)
     if (variant.name == name) return &variant;
-  return nullptr;
-}
-
-const EffectManifest* find_effect(const Plan& plan, const std::string& name) {
-  for (const EffectPlan& entry : plan.effects)
-    if (entry.called_for && entry.effect->name == name) return entry.effect;
   return nullptr;
 }
 
@@ -47,12 +38,6 @@ void look_at_code(VariantPair& pair, Tree& before, Tree& after, const Scene& sce
   }
 }
 
-bool is_asked_for(const std::string& variant, const VariantPair& pair, const GateOptions& options) {
-  const std::vector<std::string>& wanted = options.compare.variants;
-  const VariantManifest& manifest = pair.before ? *pair.before : *pair.after;
-  return manifest.baseline || wanted.empty() || std::find(wanted.begin(), wanted.end(), variant) != wanted.end();
-}
-
 }  // namespace
 
 Tree load_tree(Library library, const Scene& scene, const std::vector<std::string>& backends) {
@@ -63,6 +48,13 @@ Tree load_tree(Library library, const Scene& scene, const std::vector<std::strin
   }
   tree.plan = make_plan(tree.library, scene);
   return tree;
+}
+
+const nlohmann::json* GateMeasurements::timer(const std::string& backend) const {
+  const nlohmann::json* last = nullptr;
+  for (const nlohmann::json& timer : timers)
+    if (timer.at("backend") == backend) last = &timer;
+  return last;
 }
 
 void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements& measured) {
@@ -78,6 +70,7 @@ void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements
       if (!from["most_change"].is_null()) facts.most_change = from["most_change"].get<double>();
     }
     if (!line.contains("messages")) continue;
+    measured.rounds_s += line["rounds_s"].get<double>();
     for (const nlohmann::json& message : line["messages"]) {
       VerdictRow& row = measured.failures.emplace_back();
       row.backend = task.backend, row.what = "api", row.verdict = Verdict::failed;
@@ -113,8 +106,11 @@ TreePair pair_trees(const Scene& scene, Library library_before, Library library_
       if (entry.called_for && std::find(effects.begin(), effects.end(), entry.effect->name) == effects.end())
         effects.push_back(entry.effect->name);
   for (const std::string& effect : effects) {
-    const EffectManifest* before = find_effect(trees.before.plan, effect);
-    const EffectManifest* after = find_effect(trees.after.plan, effect);
+    const auto called_for = [&](const Plan& plan) {
+      const EffectPlan* entry = plan.of(effect);
+      return entry && entry->called_for ? entry->effect : nullptr;
+    };
+    const EffectManifest *before = called_for(trees.before.plan), *after = called_for(trees.after.plan);
     std::vector<std::string> names;
     for (const EffectManifest* side : {before, after})
       if (side)
@@ -123,7 +119,7 @@ TreePair pair_trees(const Scene& scene, Library library_before, Library library_
     all.insert(all.end(), names.begin(), names.end());
     for (const std::string& name : names) {
       VariantPair pair{before, after, find_variant(before, name), find_variant(after, name), false, ""};
-      if (!is_asked_for(name, pair, options)) continue;
+      if (!is_compared(pair.before ? *pair.before : *pair.after, options.compare)) continue;
       look_at_code(pair, trees.before, trees.after, scene);
       trees.variants.push_back(std::move(pair));
     }
@@ -136,42 +132,11 @@ TreePair pair_trees(const Scene& scene, Library library_before, Library library_
   return trees;
 }
 
-GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, const LimitsFile& limits,
-                               const std::function<double()>& elapsed_s) {
-  GateMeasurements measured;
-  std::set<std::string> certified, broken;
-  const auto run = [&](const std::string& backend, size_t process, double seconds) {
-    GateTask task{backend, process, options.certify && options.times && !certified.contains(backend),
-                  options.exact && process == 0, seconds};
-    const ChildResult child =
-        run_in_child([&](const EmitLine& emit) { measure_pairs_of_trees(trees, task, options, limits, emit); });
-    take_lines(child, task, measured);
-    if (!child.failure.empty()) broken.insert(backend);
-    for (const nlohmann::json& timer : measured.timers)
-      if (timer.at("backend") == backend && timer.at("ok")) certified.insert(backend);
-  };
-  const size_t planned = options.times ? options.processes : 1;
-  for (size_t process = 0; process < planned; ++process)
-    for (size_t i = 0; i < options.compare.backends.size(); ++i) {
-      const std::string& backend = options.compare.backends[i];
-      const size_t left = (planned - process) * options.compare.backends.size() - i;
-      const double seconds = (options.budget_s - elapsed_s()) / static_cast<double>(left);
-      if (!broken.contains(backend)) run(backend, process, seconds);
-    }
-  measured.processes = planned;
-  // Backends that are still ambiguous get what is left.
-  while (options.times && !measured.pairs.empty()) {
-    const TimeReport report = judge_pairs(measured.pairs, limits, options.family_error);
-    std::vector<std::string> undecided;
-    for (const std::string& backend : report.undecided)
-      if (!broken.contains(backend)) undecided.push_back(backend);
-    const double left_s = options.budget_s - elapsed_s();
-    if (undecided.empty() || left_s < least_process_s * static_cast<double>(undecided.size())) break;
-    for (size_t i = 0; i < undecided.size(); ++i)
-      run(undecided[i], measured.processes, (options.budget_s - elapsed_s()) / static_cast<double>(undecided.size() - i));
-    ++measured.processes;
-  }
-  return measured;
+GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, const LimitsFile& limits, const Stopwatch& watch) {
+  return measure_in_processes(
+      options, watch,
+      [&](const GateTask& task, const EmitLine& emit) { measure_pairs_of_trees(trees, task, options, limits, emit); },
+      [&](const std::vector<PairsRow>& pairs) { return judge_pairs(pairs, limits, options.family_error).undecided; });
 }
 
 namespace {
@@ -224,10 +189,7 @@ GateResult judge_trees(const TreePair& trees, const GateMeasurements& measured, 
   GateResult result;
   result.rows = measured.failures;
   for (const std::string& backend : options.compare.backends) {
-    const nlohmann::json* timer = nullptr;  // the last one: an earlier one that failed was asked again
-    for (const nlohmann::json& each : measured.timers)
-      if (each.at("backend") == backend) timer = &each;
-    if (timer) result.rows.push_back(judge_timer(*timer));
+    if (const nlohmann::json* timer = measured.timer(backend)) result.rows.push_back(judge_timer(*timer));
     for (const VariantPair& pair : trees.variants) {
       if (auto row = judge_presence(pair, backend)) {
         result.rows.push_back(std::move(*row));

@@ -64,6 +64,13 @@ void PairedFrames::cut(size_t frame, size_t view, const PieceOptions& options) {
     cuts_[passes[slice.pass]].pieces[frame].push_back(std::move(slice.piece));
 }
 
+void PairedFrames::start_again() {
+  for (PairedPass& pass : passes_)
+    for (auto* samples : {&pass.ms, &pass.ratio})
+      for (std::vector<double>& of_frame : *samples) of_frame.clear();
+  rounds_ = 0;
+}
+
 void PairedFrames::run_round(std::mt19937_64& random) {
   struct Owner {
     size_t pass, frame;
@@ -153,17 +160,6 @@ std::vector<double> frame_ratios(const std::vector<PairedPass>& passes, size_t f
   for (size_t round = 0; frame > 0 && round < std::min(before.size(), after.size()); ++round)
     ratios.push_back(after[round] / before[round]);
   return ratios;
-}
-
-std::vector<std::vector<double>> frame_ms(const std::vector<PairedPass>& passes) {
-  std::vector<std::vector<double>> sums(passes.empty() ? 0 : passes.front().ms.size());
-  for (const PairedPass& pass : passes)
-    for (size_t frame = 0; frame < sums.size(); ++frame) {
-      sums[frame].resize(std::max(sums[frame].size(), pass.ms[frame].size()), 0);
-      for (size_t round = 0; round < pass.ms[frame].size(); ++round)
-        sums[frame][round] += pass.cut ? pass.ms[frame][round] : pass.ms[frame][round] / rounds_a_frame;
-    }
-  return sums;
 }
 
 std::optional<double> whole_ms(const PairedPass& pass, size_t frame) {

@@ -44,6 +44,9 @@ class PairedFrames {
   // Times the round's pieces of every frame; a pass that is repeated counts with the mean. Throws Error(failed) on device loss.
   void run_round(std::mt19937_64& random);
 
+  // Forgets the rounds so far; the cuts stay.
+  void start_again();
+
   const std::vector<PairedPass>& passes() const { return passes_; }
   size_t rounds() const { return rounds_; }
 
@@ -77,8 +80,6 @@ double trimmed_ratio(const std::vector<StripPair>& strips);
 // The ratio of whole frames by round, from those of passes weighted by their times; passes of one frame alone count with
 // theirs. Empty for frame 0.
 std::vector<double> frame_ratios(const std::vector<PairedPass>& passes, size_t frame);
-// Of each frame, a round: the sum over its passes; one that is not cut counts with a fourth, as the others do.
-std::vector<std::vector<double>> frame_ms(const std::vector<PairedPass>& passes);
 // What a pass of a frame lasts as a whole: for one that is cut, the sum of the medians of the kinds of rounds. Absent where the
 // frame has no such pass, or fewer rounds than make a frame.
 std::optional<double> whole_ms(const PairedPass& pass, size_t frame);

@@ -72,7 +72,9 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
   TimeReport report;
   for (const PairsRow& row : pairs) {
     by_cell[{row.backend, row.effect, row.variant, row.view}].push_back(&row);
-    if (!row.passes.empty()) report.rounds += frame_ms(row.passes).front().size();
+    size_t rounds = 0;  // of the first frame, any of whose passes is in each of them
+    for (const PairedPass& pass : row.passes) rounds = std::max(rounds, pass.ms.front().size());
+    report.rounds += rounds;
   }
   std::vector<TimeComparison> comparisons, same_comparisons;
   const auto add_comparison = [](std::vector<TimeComparison>& to, const std::vector<const PairsRow*>& processes, double margin,

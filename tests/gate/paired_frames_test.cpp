@@ -109,8 +109,13 @@ TEST_P(Pieces, RoundsHoldASampleOfEveryPassOfEveryFrame) {
       for (const double sample : ms) EXPECT_GT(sample, 0) << pass.name;
     }
   }
-  EXPECT_EQ(frame_ms(paired.passes()).front().size(), 8u);
+  EXPECT_EQ(frame_ratios(paired.passes(), 1).size(), 8u);
   EXPECT_GT(*whole_ms(paired.passes().front(), 0), 0);
+  paired.start_again();
+  EXPECT_EQ(paired.rounds(), 0u);
+  for (int round = 0; round < 4; ++round) paired.run_round(random);
+  for (const PairedPass& pass : paired.passes())
+    for (const std::vector<double>& ms : pass.ms) EXPECT_EQ(ms.size(), 4u) << pass.name << ": the rounds before are forgotten";
 }
 
 TEST_P(Pieces, FramesOfDifferentPassesArePairedByName) {

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The processes of a gate: which run, for how long, and what all of them have: a device, its timer's certificate, the scene
+// there, frames that are timed against each other.
+#pragma once
+
+#include <random>
+#include <set>
+
+#include "harness/backend/backend.h"
+#include "harness/cli/gate.h"
+#include "harness/cli/ready_frame.h"
+
+namespace lamina {
+
+// A backend with the scene on it, in the child.
+class GateProcess {
+ public:
+  // Opens and, where the task says so, certifies, which emits {"timer":..}. Throws Error where the backend does not open.
+  // `shaders`: the folder of the certificate's.
+  GateProcess(const GateTask& task, const Scene& scene, const std::filesystem::path& shaders, const GateOptions& options,
+              const EmitLine& emit);
+  // Emits {"messages":..}, what the API's checker said, and the seconds that rounds took. Nothing may follow.
+  void end(const EmitLine& emit);
+
+  const GateTask& task;
+  const GateOptions& options;
+  const Stopwatch watch;
+  std::unique_ptr<Backend> backend;
+  bool certified = true;
+  Bakes bakes;
+  SceneResources resources;
+  double rounds_s = 0;
+
+ private:
+  static bool certify(Backend& backend, const std::filesystem::path& shaders, const EmitLine& emit);
+};
+
+// Frames of one effect or variant that are timed against the first of them.
+struct TimedFrames {
+  std::string effect, variant;  // variant "": the frames are the effect's variants
+  std::vector<std::string> names;
+  std::vector<Frame*> frames;  // which have run
+  std::unique_ptr<PairedFrames> paired;
+
+  void add(std::string_view name, Frame& frame);
+  PairsRow row(const GateProcess& process) const;
+};
+
+inline constexpr size_t least_rounds = 2 * rounds_a_frame;
+
+// Times rounds of all of them in shuffled order until `enough` says so, asked after every whole frame, and at least
+// least_rounds. Cuts the frames on the first call; later ones begin anew.
+void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, std::mt19937_64& random,
+                 const std::function<bool()>& enough);
+
+// The seed of a process's orders: another one in each.
+std::mt19937_64 random_of(const GateProcess& process);
+
+// Runs `work` in children: options.processes on every backend, each with its share of the budget; then, while `undecided` names
+// backends and there is time, more of them there. A backend on which one fails is left alone after it.
+GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatch& watch,
+                                      const std::function<void(const GateTask&, const EmitLine&)>& work,
+                                      const std::function<std::set<std::string>(const std::vector<PairsRow>&)>& undecided);
+
+}  // namespace lamina

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// A variant's frame of the timed build that has run: its passes are compiled, what is done once is done.
+#pragma once
+
+#include "harness/graph/frame.h"
+#include "harness/plan/plan.h"
+
+namespace lamina {
+
+struct ReadyFrame {
+  // Everything given must outlive this. Throws Error where the variant does not compile or the device refuses.
+  ReadyFrame(SceneResources& resources, const Plan& plan, const VariantManifest& variant, ShaderCache& shaders);
+
+  Graph graph;
+  Frame frame;
+};
+
+}  // namespace lamina
