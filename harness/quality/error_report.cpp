@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All figures of one comparison, over the covered pixels and over the frame. Maps are made once and pooled twice.
+#include <tbb/parallel_invoke.h>
+
 #include "harness/quality/pixels.h"
 
 namespace lamina {
@@ -12,9 +14,10 @@ ErrorReport measure_error(const Image& test, const Image& reference, const Mask&
   check_finite("comparison", reference, "reference");
 
   const DisplayImage shown = to_display(test), shown_reference = to_display(reference);
-  const cv::Mat3d similarity = ssim_map(shown, shown_reference);
   ErrorReport report;
-  report.flip = flip_map(shown, shown_reference);
+  cv::Mat3d similarity;
+  tbb::parallel_invoke([&] { similarity = ssim_map(shown, shown_reference); },
+                       [&] { report.flip = flip_map(shown, shown_reference); });
   const auto figures_over = [&](const Mask* mask) {
     return ErrorFigures{.psnr_db = psnr_db(shown, shown_reference, mask),
                         .ssim = ssim_mean(similarity, mask),

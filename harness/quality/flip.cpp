@@ -7,6 +7,9 @@
 //
 // The contrast filter is defined on YCxCz, where Y = 116 Y/Yn - 16, Cx = 500 (X/Xn - Y/Yn), Cz = 200 (Y/Yn - Z/Zn). Its weights
 // sum to 1, so scales and offset cancel on the way back: here the opponent planes are Y/Yn, X/Xn - Y/Yn and Y/Yn - Z/Zn.
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,14 +42,15 @@ Opponent opponent_from(const DisplayImage& picture) {
   for (int code = 0; code < 256; ++code) linear[code] = srgb_decode(static_cast<float>(code) / 255);
   Opponent planes{Plane(picture.height, picture.width), Plane(picture.height, picture.width),
                   Plane(picture.height, picture.width)};
-  const uint8_t* rgb = picture.rgb.data();
-  for (int y = 0; y < picture.height; ++y)
+  tbb::parallel_for(0, picture.height, [&](int y) {
+    const uint8_t* rgb = &picture.rgb[3 * static_cast<size_t>(y) * static_cast<size_t>(picture.width)];
     for (int x = 0; x < picture.width; ++x, rgb += 3) {
       const cv::Vec3f xyz = relative_from_linear * cv::Vec3f(linear[rgb[0]], linear[rgb[1]], linear[rgb[2]]);
       planes.luminance(y, x) = xyz[1];
       planes.red_green(y, x) = xyz[0] - xyz[1];
       planes.blue_yellow(y, x) = xyz[1] - xyz[2];
     }
+  });
   return planes;
 }
 
@@ -164,6 +168,24 @@ Features features_of(const Plane& luminance, double pixels_per_degree) {
           magnitude(detector([&](double x) { return (x * x / (sigma * sigma) - 1) * g(x); }))};
 }
 
+// What FLIP compares of a picture.
+struct Seen {
+  Opponent colours;
+  Features features;
+};
+Seen seen(const DisplayImage& picture, double pixels_per_degree) {
+  const Opponent planes = opponent_from(picture);
+  return {ContrastFilter(pixels_per_degree)(planes), features_of(planes.luminance, pixels_per_degree)};
+}
+
+float pixel_error(const Seen& test, const Seen& reference, int y, int x) {
+  const float colour = colour_error(seen_colour(test.colours, y, x), seen_colour(reference.colours, y, x));
+  const float edge = std::abs(test.features.edge(y, x) - reference.features.edge(y, x));
+  const float point = std::abs(test.features.point(y, x) - reference.features.point(y, x));
+  const float feature = std::min(std::sqrt(std::max(edge, point) / std::numbers::sqrt2_v<float>), 1.f);
+  return std::pow(colour, 1 - feature);
+}
+
 }  // namespace
 
 std::vector<float> flip_map(const DisplayImage& test, const DisplayImage& reference, double pixels_per_degree) {
@@ -173,22 +195,15 @@ std::vector<float> flip_map(const DisplayImage& test, const DisplayImage& refere
     throw Error(ErrorKind::failed, "quality", "FLIP",
                 fmt::format("{} pixels per degree is outside 1 to 1000", pixels_per_degree));
 
-  const Opponent test_planes = opponent_from(test), reference_planes = opponent_from(reference);
-  const ContrastFilter contrast(pixels_per_degree);
-  const Opponent test_seen = contrast(test_planes), reference_seen = contrast(reference_planes);
-  const Features test_features = features_of(test_planes.luminance, pixels_per_degree);
-  const Features reference_features = features_of(reference_planes.luminance, pixels_per_degree);
-
+  Seen test_seen, reference_seen;
+  tbb::parallel_invoke([&] { test_seen = seen(test, pixels_per_degree); },
+                       [&] { reference_seen = seen(reference, pixels_per_degree); });
   std::vector<float> map(test.rgb.size() / 3);
-  auto error = map.begin();
-  for (int y = 0; y < test.height; ++y)
-    for (int x = 0; x < test.width; ++x, ++error) {
-      const float colour = colour_error(seen_colour(test_seen, y, x), seen_colour(reference_seen, y, x));
-      const float edge = std::abs(test_features.edge(y, x) - reference_features.edge(y, x));
-      const float point = std::abs(test_features.point(y, x) - reference_features.point(y, x));
-      const float feature = std::min(std::sqrt(std::max(edge, point) / std::numbers::sqrt2_v<float>), 1.f);
-      *error = std::pow(colour, 1 - feature);
-    }
+  tbb::parallel_for(0, test.height, [&](int y) {
+    for (int x = 0; x < test.width; ++x)
+      map[static_cast<size_t>(y) * static_cast<size_t>(test.width) + static_cast<size_t>(x)] =
+          pixel_error(test_seen, reference_seen, y, x);
+  });
   return map;
 }
 

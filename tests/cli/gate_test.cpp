@@ -73,7 +73,7 @@ constexpr Mutation mutations[] = {
 
 class GateMutations : public Gate, public testing::WithParamInterface<Mutation> {};
 INSTANTIATE_TEST_SUITE_P(Each, GateMutations, testing::ValuesIn(mutations),
-                         [](const testing::TestParamInfo<Mutation>& info) { return info.param.name; });
+                         [](const testing::TestParamInfo<Mutation>& mutation) { return mutation.param.name; });
 
 // Each on one of the backends in turn: loading the heart is most of the time.
 TEST_P(GateMutations, IsCaught) {
