@@ -46,15 +46,6 @@ std::optional<ErrorFigures> figures_of(const Json& figures) {
                       .max_linear = figures.at("max_linear")};
 }
 
-std::optional<Interval> interval_of(const Json& interval) {
-  if (interval.is_null()) return std::nullopt;
-  return Interval{.median = interval.at("median"),
-                  .low = interval.at("low"),
-                  .high = interval.at("high"),
-                  .rounds = interval.at("rounds"),
-                  .coverage = interval.at("coverage")};
-}
-
 bool times_shown(const Record& record, std::string_view backend) {
   bool certified = false;
   for (const Json& timer : record.timers) {

@@ -23,7 +23,6 @@ std::string text_at(const nlohmann::json& value, const char* pointer);
 std::string entries_of(const nlohmann::json& object);
 // PSNR is +infinity for identical pictures. Nothing for null.
 std::optional<ErrorFigures> figures_of(const nlohmann::json& figures);
-std::optional<Interval> interval_of(const nlohmann::json& interval);
 
 // Whether the backend has a timer certificate and every one of it is good. Where not, no report shows its times.
 bool times_shown(const Record& record, std::string_view backend);

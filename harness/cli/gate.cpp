@@ -60,13 +60,7 @@ std::vector<DeviceInfo> probe_devices(const GateOptions& options) {
   std::vector<std::string> usable;
   for (const std::string& name : options.compare.backends) {
     const ChildResult child = run_in_child([&](const EmitLine& emit) {
-      const DeviceInfo info = open_backend(name, {options.compare.device, options.compare.validation})->info();
-      emit({{"backend", info.backend},
-            {"device", info.device},
-            {"driver", info.driver},
-            {"api_version", info.api_version},
-            {"software", info.software},
-            {"max_texture_size", info.max_texture_size}});
+      emit(to_json(open_backend(name, {options.compare.device, options.compare.validation})->info()));
     });
     if (!child.failure.empty() || child.lines.empty()) {
       fmt::print(stderr, "lamina: {}: {}\n", name, child.failure);

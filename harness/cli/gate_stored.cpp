@@ -88,12 +88,7 @@ void add_times(std::vector<Json>& cells, const std::vector<PairsRow>& pairs, boo
     const std::vector<double> whole = frame_samples_ms(passes_of(cell));
     if (!whole.empty()) cell["median_ms"] = median(whole);
     if (ratios.size() < min_rounds_for_95 || cell.at("baseline").get<bool>()) continue;
-    const Interval ratio = median_interval(ratios);
-    cell["ratio_to_baseline"] = {{"median", ratio.median},
-                                 {"low", ratio.low},
-                                 {"high", ratio.high},
-                                 {"rounds", ratio.rounds},
-                                 {"coverage", ratio.coverage}};
+    cell["ratio_to_baseline"] = interval_to_json(median_interval(ratios), variant, "ratio_to_baseline");
   }
 }
 

@@ -49,13 +49,7 @@ Json passes_of(const std::vector<GraphPass>& passes, const Scene& scene, bool ru
 // What the run lines of all commands have in common.
 Json start(const std::string& command, const std::vector<DeviceInfo>& devices) {
   Json rows = Json::array();
-  for (const DeviceInfo& device : devices)
-    rows.push_back({{"backend", device.backend},
-                    {"device", device.device},
-                    {"driver", device.driver},
-                    {"api_version", device.api_version},
-                    {"software", device.software},
-                    {"max_texture_size", device.max_texture_size}});
+  for (const DeviceInfo& device : devices) rows.push_back(to_json(device));
   return {{"kind", "run"},
           {"schema", record_schema},
           {"lamina", LAMINA_VERSION},
@@ -72,6 +66,11 @@ Json start(const std::string& command, const std::vector<DeviceInfo>& devices) {
 }
 
 }  // namespace
+
+Json to_json(const DeviceInfo& device) {
+  return {{"backend", device.backend},         {"device", device.device},     {"driver", device.driver},
+          {"api_version", device.api_version}, {"software", device.software}, {"max_texture_size", device.max_texture_size}};
+}
 
 std::string cpu_model() {
   std::ifstream info("/proc/cpuinfo");

@@ -9,6 +9,8 @@
 
 namespace lamina {
 
+// As run lines hold it.
+nlohmann::ordered_json to_json(const DeviceInfo& device);
 // As /proc/cpuinfo names it.
 std::string cpu_model();
 nlohmann::ordered_json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices);

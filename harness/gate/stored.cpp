@@ -7,6 +7,7 @@
 #include <set>
 
 #include "harness/gate/exact_verdicts.h"
+#include "harness/record/record.h"
 
 namespace lamina {
 namespace {
@@ -92,14 +93,11 @@ struct Judge {
   }
 
   // Samples that are no times are refused: neither a record nor a run may pass by having measured nothing.
-  std::optional<Interval> interval_of(const Json& cell, const char* whose, const std::string& pass,
+  std::optional<Interval> interval_in(const Json& cell, const char* whose, const std::string& pass,
                                       const std::vector<double>& ms) {
     const bool tells_time =
         ms.size() >= min_rounds_for_95 && std::all_of(ms.begin(), ms.end(), [](double each) { return each > 0; });
-    if (tells_time) {
-      const double most = 1 - std::ldexp(2.0, -static_cast<int>(ms.size()));
-      return median_interval(ms, std::min(confidence, most * (1 - 1e-12)));
-    }
+    if (tells_time) return widest_interval(ms, confidence);
     VerdictRow& row = add(cell, "time", pass);
     row.verdict = Verdict::failed;
     row.sentence = fmt::format("{} on {}: {} {} has no times to compare ({} samples, none may be 0)", row.variant, row.backend,
@@ -109,18 +107,15 @@ struct Judge {
 
   void times(const Json& before, const Json& after, double margin) {
     const std::vector<PassRow> old_passes = passes_of(before), new_passes = passes_of(after);
-    const auto then = interval_of(before, "the record's", "", frame_samples_ms(old_passes));
-    const auto now = interval_of(after, "this run's", "", frame_samples_ms(new_passes));
+    const auto then = interval_in(before, "the record's", "", frame_samples_ms(old_passes));
+    const auto now = interval_in(after, "this run's", "", frame_samples_ms(new_passes));
     if (then && now) compare(after, "time", "", *now, *then, margin);
   }
 
   void ratio(const Json& before, const Json& after, double margin) {
     const Json &was = before.at("ratio_to_baseline"), &is = after.at("ratio_to_baseline");
     if (was.is_null() || is.is_null()) return;
-    const auto read = [](const Json& from) {
-      return Interval{from.at("median"), from.at("low"), from.at("high"), from.at("rounds"), from.at("coverage")};
-    };
-    const Interval then = read(was), now = read(is);
+    const Interval then = *interval_of(was), now = *interval_of(is);
     if (!(then.low > 0) || !(now.low > 0)) {
       VerdictRow& row = add(after, "ratio", "");
       row.verdict = Verdict::failed;

@@ -56,13 +56,6 @@ std::vector<double> all_ratios(const TimeComparison& comparison) {
   return ratios;
 }
 
-// The widest interval that the rounds can give, where they are too few for the confidence.
-Interval interval_of(const std::vector<double>& ratios, double confidence) {
-  const double most = 1 - std::ldexp(2.0, -static_cast<int>(ratios.size()));
-  if (most <= 0) return {ratios[0], ratios[0], ratios[0], ratios.size(), 0};
-  return median_interval(ratios, std::min(confidence, most * (1 - 1e-12)));
-}
-
 }  // namespace
 
 std::vector<TimeVerdict> judge_times(std::span<const TimeComparison> comparisons, double family_error) {
@@ -82,7 +75,7 @@ std::vector<TimeVerdict> judge_times(std::span<const TimeComparison> comparisons
     const size_t i = order[k];
     decided = decided && claims[i].chance <= error;
     verdicts[i].verdict = decided ? claims[i].verdict : Verdict::ambiguous;
-    verdicts[i].ratio = interval_of(ratios[i], 1 - error);
+    verdicts[i].ratio = widest_interval(ratios[i], 1 - error);
   }
   return verdicts;
 }

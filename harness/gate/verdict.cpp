@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "harness/record/record.h"
+
 namespace lamina {
 namespace {
 
@@ -15,14 +17,6 @@ constexpr std::array<std::string_view, 8> names = {"same",      "faster", "bette
 
 // A PSNR of equal pictures is infinite, which JSON has no number for.
 Json number(const std::optional<double>& value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
-
-Json interval(const Interval& ratio) {
-  return {{"median", ratio.median},
-          {"low", ratio.low},
-          {"high", ratio.high},
-          {"rounds", ratio.rounds},
-          {"coverage", ratio.coverage}};
-}
 
 }  // namespace
 
@@ -40,14 +34,18 @@ Json to_json(const VerdictRow& row) {
           {"verdict", name_of(row.verdict)},
           {"before", number(row.before)},
           {"after", number(row.after)},
-          {"ratio", row.ratio ? interval(*row.ratio) : Json(nullptr)},
+          {"ratio", interval_to_json(row.ratio, row.variant, "ratio")},
           {"limit", number(row.limit)},
           {"sentence", row.sentence}};
 }
 
 Json to_json(const SameArmRow& row) {
-  return {{"kind", "aa"},           {"backend", row.backend},       {"effect", row.effect},
-          {"variant", row.variant}, {"ratio", interval(row.ratio)}, {"verdict", name_of(row.verdict)}};
+  return {{"kind", "aa"},
+          {"backend", row.backend},
+          {"effect", row.effect},
+          {"variant", row.variant},
+          {"ratio", interval_to_json(row.ratio, row.variant, "ratio")},
+          {"verdict", name_of(row.verdict)}};
 }
 
 Json to_json(const GateRow& row) {

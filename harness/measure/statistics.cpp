@@ -33,8 +33,8 @@ double middle(const std::vector<double>& in_order) {
 double median(std::span<const double> samples) { return middle(sorted(samples)); }
 
 // The count of samples below the true median is binomial(n, 1/2), and x(k) <= median <= x(n+1-k) exactly when it lies in k ..
-// n-k. So the coverage is a sum of binomial probabilities, grown here from the middle outwards until it is enough.
-Interval median_interval(std::span<const double> samples, double confidence) {
+// n-k. So the coverage is a sum of binomial probabilities, grown here from the middle outwards until it is enough, or all.
+Interval widest_interval(std::span<const double> samples, double confidence) {
   if (!(confidence > 0 && confidence < 1))
     refuse("median interval", fmt::format("a confidence of {} is not between 0 and 1", confidence));
   const std::vector<double> in_order = sorted(samples);
@@ -46,16 +46,21 @@ Interval median_interval(std::span<const double> samples, double confidence) {
   double probability = 1;
   for (size_t j = 1; j <= k; ++j) probability *= static_cast<double>(2 * j - 1) / static_cast<double>(2 * j);
   double coverage = n % 2 == 0 ? probability : 0;  // an odd count's innermost pair is the middle sample itself
-  while (coverage < confidence) {
-    if (k == 1)
-      refuse("median interval", fmt::format("{} samples give at most {:.4f} confidence, {} was asked for; measure more rounds",
-                                            n, coverage, confidence));
+  while (coverage < confidence && k > 1) {
     // From count k to k - 1: C(n, k - 1) = C(n, k) k / (n - k + 1). From an odd count's middle that factor is 1.
     probability *= static_cast<double>(k) / static_cast<double>(n - k + 1);
     --k;
     coverage += 2 * probability;
   }
   return {.median = middle(in_order), .low = in_order[k - 1], .high = in_order[n - k], .rounds = n, .coverage = coverage};
+}
+
+Interval median_interval(std::span<const double> samples, double confidence) {
+  const Interval interval = widest_interval(samples, confidence);
+  if (interval.coverage < confidence)
+    refuse("median interval", fmt::format("{} samples give at most {:.4f} confidence, {} was asked for; measure more rounds",
+                                          interval.rounds, interval.coverage, confidence));
+  return interval;
 }
 
 Interval ratio_interval(std::span<const double> a, std::span<const double> b, double confidence) {

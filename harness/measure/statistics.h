@@ -25,6 +25,10 @@ inline constexpr size_t min_rounds_for_95 = 6;
 // Throws as median() does, and where n samples cannot reach the confidence.
 Interval median_interval(std::span<const double> samples, double confidence = 0.95);
 
+// The same, but where the samples cannot reach the confidence, the whole range, whose coverage says so. Throws as median()
+// does, and for a confidence that is not between 0 and 1.
+Interval widest_interval(std::span<const double> samples, double confidence);
+
 // The interval of the median of a[i] / b[i]: paired by round. Throws on unequal counts, or a b[i] that is not positive.
 Interval ratio_interval(std::span<const double> a, std::span<const double> b, double confidence = 0.95);
 

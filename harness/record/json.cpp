@@ -58,6 +58,15 @@ Json interval_to_json(const std::optional<Interval>& interval, const std::string
           {"coverage", number(interval->coverage, "coverage")}};
 }
 
+std::optional<Interval> interval_of(const nlohmann::json& interval) {
+  if (interval.is_null()) return std::nullopt;
+  return Interval{.median = interval.at("median"),
+                  .low = interval.at("low"),
+                  .high = interval.at("high"),
+                  .rounds = interval.at("rounds"),
+                  .coverage = interval.at("coverage")};
+}
+
 std::vector<double> frame_samples_ms(std::span<const PassRow> passes) {
   std::vector<double> sum_ms;
   const PassRow* first = nullptr;

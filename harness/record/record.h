@@ -86,6 +86,11 @@ struct BakeRow {
 nlohmann::ordered_json to_json(const CellRow& cell);
 // one_ms, additivity and attribution are null where linearity is empty, which is a certificate that never got to measure.
 nlohmann::ordered_json to_json(const TimerRow& timer);
+// Its fields, or null. Throws Error(failed) for a number that is not finite, naming `owner` and `what`.
+nlohmann::ordered_json interval_to_json(const std::optional<Interval>& interval, const std::string& owner,
+                                        std::string_view what);
+// And back; none for null.
+std::optional<Interval> interval_of(const nlohmann::json& interval);
 // rays_per_second is null where the result came from the cache or took no time that could be measured.
 nlohmann::ordered_json to_json(const BakeRow& bake);
 

@@ -43,6 +43,25 @@ double counted_coverage(size_t n, size_t k) {
   return std::ldexp(static_cast<double>(ways), -static_cast<int>(n));
 }
 
+// Few samples: the whole range, with what it covers by definition, 1 - 2 / 2^n; enough of them: as narrow as asked for.
+TEST(WidestInterval, SaysWhatFewSamplesCover) {
+  const Interval one = widest_interval(std::vector<double>{3}, 0.99);
+  EXPECT_EQ(one.low, 3);
+  EXPECT_EQ(one.high, 3);
+  EXPECT_EQ(one.coverage, 0);
+  for (size_t n = 2; n <= 7; ++n) {
+    const Interval all = widest_interval(one_to(n), 0.999);
+    EXPECT_EQ(all.low, one_to(n).front()) << n;
+    EXPECT_EQ(all.high, one_to(n).back()) << n;
+    EXPECT_NEAR(all.coverage, 1 - std::ldexp(2.0, -static_cast<int>(n)), 1e-12) << n;
+  }
+  const Interval many = widest_interval(one_to(40), 0.95), same = median_interval(one_to(40), 0.95);
+  EXPECT_EQ(many.low, same.low);
+  EXPECT_EQ(many.high, same.high);
+  EXPECT_THROW(widest_interval(std::vector<double>{}, 0.9), Error);
+  EXPECT_THROW(widest_interval(one_to(9), 1), Error);
+}
+
 TEST(Median, HasKnownAnswers) {
   EXPECT_EQ(median(std::vector{7.0}), 7);
   EXPECT_EQ(median(std::vector{9.0, 1.0, 5.0}), 5);
