@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t gates_a_set = 20;  // over equal trees; their share of those with a slower pass goes along
+constexpr size_t gates_a_set = 40;  // over equal trees; their share of those with a slower pass goes along
 constexpr std::array<double, 5> slow_downs = {0.01, 0.02, 0.03, 0.05, 0.10};
 constexpr std::array<uint32_t, 5> tried_taps = {8, 16, 32, 64, 128};
 constexpr double full_dose_wanted = 0.25;    // extra taps in every block make the pass slower by at least this

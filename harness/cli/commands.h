@@ -67,7 +67,7 @@ struct GateOptions {
   std::filesystem::path baseline;  // or a record
   bool update = false;             // write the record in place of checking it
   std::filesystem::path limits;    // a gate file; empty: the defaults
-  double budget_s = 120;           // wall time of everything
+  double budget_s = 60;            // wall time of everything
   size_t processes = 3;            // at least, on each backend
   double family_error = 0.05;      // chance of any wrong verdict on times
   bool times = true;
