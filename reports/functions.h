@@ -56,9 +56,10 @@ std::array<std::string, function_set_columns.size()> function_set_cells(const nl
 // How to read the tables, one sentence each.
 std::vector<std::string> function_notes(const FunctionReport& report);
 
-// The section of the page: words, chart, tables, pictures. "" where the record has no functions.
-std::string html_functions(const Record& record, const PictureUrl& url);
+// The section of the page: words, chart, tables, pictures. "" where the record has no functions. `name` parts the record from
+// the others on the page; "" where there is one.
+std::string html_functions(const Record& record, const std::string& name, const PictureUrl& url);
 // The chart of error over time of a report, as the data that reports/page/functions.js draws; "" where nothing was timed.
-std::string html_function_chart(const FunctionReport& report);
+std::string html_function_chart(const FunctionReport& report, const std::string& name = "");
 
 }  // namespace lamina

@@ -93,7 +93,7 @@ std::string slices(const FunctionBackend& backend, bool open, const PictureUrl& 
 
 }  // namespace
 
-std::string html_function_chart(const FunctionReport& report) {
+std::string html_function_chart(const FunctionReport& report, const std::string& name) {
   Json points = Json::array();
   std::string left_out;
   for (const FunctionBackend& backend : report.backends)
@@ -103,7 +103,7 @@ std::string html_function_chart(const FunctionReport& report) {
         left_out += fmt::format("{}{} on {}", left_out.empty() ? "" : ", ", row.variant, backend.backend);
         continue;
       }
-      points.push_back({{"group", backend.backend},
+      points.push_back({{"group", (name.empty() ? "" : name + ", ") + backend.backend},
                         {"name", row.variant},
                         {"x", row.ns->median},
                         {"low", row.ns->low},
@@ -129,13 +129,13 @@ std::string html_function_chart(const FunctionReport& report) {
                                                   left_out)));
 }
 
-std::string html_functions(const Record& record, const PictureUrl& url) {
+std::string html_functions(const Record& record, const std::string& name, const PictureUrl& url) {
   std::string html;
   for (const FunctionReport& report : summarize_functions(record)) {
     html += fmt::format("<h2>Functions: {}</h2>\n<ul class=\"headlines\">\n", escaped_html(report.title));
     for (const Headline& headline : function_headlines(report))
       html += fmt::format("<li><strong>{}</strong> {}</li>\n", escaped_html(headline.variant), escaped_html(headline.words));
-    html += "</ul>\n" + html_function_chart(report);
+    html += "</ul>\n" + html_function_chart(report, name);
     for (const FunctionBackend& backend : report.backends) html += main_table(report, backend);
     for (const std::string& note : function_notes(report))
       html += fmt::format("<p class=\"note\">{}</p>\n", escaped_html(note));

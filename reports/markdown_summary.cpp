@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "reports/functions.h"
+#include "reports/gate.h"
+#include "reports/gate_reading.h"
 #include "reports/markdown.h"
 #include "reports/sweep_text.h"
 
@@ -94,8 +96,12 @@ std::string functions_section(const Record& record) {
 
 std::string gate_section(const Record& record) {
   if (record.verdicts.empty()) return "";
-  std::string text = "\n## What the gate found\n\n" + markdown_row(gate_columns) + "|---|---|---|---:|---:|---:|---:|---|\n";
-  for (const auto& row : gate_rows(record)) text += markdown_row(row);
+  const GateReading reading = reading_of(record);
+  std::string text = "\n## What the gate found\n\n" + gate_table_head();
+  for (const auto* row : reading.all()) text += markdown_row(gate_cells(*row));
+  text += "\n";
+  for (const GateReading::Rows& rows : {reading.regressed, reading.ambiguous, reading.not_compared})
+    for (const auto* row : rows) text += fmt::format("- {}\n", escaped_markdown(text_at(*row, "/sentence")));
   return text;
 }
 
@@ -112,9 +118,9 @@ std::string markdown_summary(const Record& record) {
   const std::vector<SummaryRow> rows = summarize(record);
   std::string text = fmt::format("# {}\n\n", escaped_markdown(title_of(record)));
   for (const std::string& warning : warnings_of(record)) text += fmt::format("**Warning:** {}\n\n", escaped_markdown(warning));
-  for (const std::string& line : gate_lines(record)) text += fmt::format("- **Gate** {}\n", escaped_markdown(line));
   for (const Headline& headline : answers(rows))
     text += fmt::format("- **{}**: {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
+  for (const std::string& line : gate_lines(record)) text += fmt::format("- {}\n", escaped_markdown(line));
   for (const Headline& headline : headlines(rows))
     text += fmt::format("- **{}** {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
   text += sweep_section(record);
@@ -131,7 +137,8 @@ std::string markdown_summary(const Record& record) {
   for (const std::string& line : phase_lines(record)) certified.push_back(line);
   for (const auto& [label, value] : run_facts(record)) facts.push_back(label + ": " + value);
   text += list_section("Failures", failed);
-  for (const std::string& line : aa_lines(record)) certified.push_back("A/A: " + line);
+  for (const auto& aa : record.aas) certified.push_back(words_for_aa(aa));
+  if (!record.aas.empty()) certified.push_back(aa_note);
   text += list_section("Timer", certified);
   text += list_section("What was run", facts);
   return text;

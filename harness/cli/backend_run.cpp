@@ -106,7 +106,7 @@ void BackendRun::score_view(Variant& variant, size_t view, const Image* baseline
   const auto write = [&](const std::string& suffix, const DisplayImage& image) {
     const std::string name = picture_name(row, suffix);
     write_png((images_ / name).string(), image);
-    return "images/" + name;
+    return (images_ / name).lexically_relative(options_.out).generic_string();
   };
   fill_picture(row, picture, write);
   if (row.nonfinite_pixels == 0)
