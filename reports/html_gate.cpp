@@ -14,8 +14,8 @@ constexpr size_t most_open = 20;  // sentences; more of them are folded away
 
 std::string sentences(const char* title, const GateReading::Rows& rows, bool open) {
   if (rows.empty()) return "";
-  std::string html =
-      fmt::format("<details class=\"verdicts\"{}><summary>{}: {}</summary>\n<ul>\n", open ? " open" : "", title, rows.size());
+  std::string html = fmt::format("<details class=\"verdicts printed\"{}><summary>{}: {}</summary>\n<ul>\n", open ? " open" : "",
+                                 title, rows.size());
   for (const Json* row : rows)
     html += fmt::format("<li><strong>{}</strong> ({}) {}</li>\n", escaped_html(text_at(*row, "/verdict")),
                         escaped_html(text_at(*row, "/what")), escaped_html(text_at(*row, "/sentence")));
@@ -52,10 +52,11 @@ std::string html_gate(const Record& record) {
           sentences("Better", reading.improved, reading.improved.size() <= most_open);
   if (record.verdicts.empty()) return html;
   html += fmt::format(
-      "<details><summary>All {0} checks</summary>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"All {0} "
+      "<details class=\"printed\"{2}><summary>All {0} checks</summary>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+      "aria-label=\"All {0} "
       "checks\"><table class=\"wide\"><caption>Change: of a time the ratio to before with its interval, of fetches the "
       "share, of other figures the difference. Limit: what was allowed; of a time the margin.</caption>{1}<tbody>\n",
-      record.verdicts.size(), header_row(gate_columns, 6));
+      record.verdicts.size(), header_row(gate_columns, 6), record.verdicts.size() <= most_open ? " open" : "");
   for (size_t i = 0; const Json* row : reading.all()) html += row_of(*row, i++ < reading.regressed.size());
   return html + "</tbody></table></div></details>\n";
 }

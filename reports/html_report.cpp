@@ -88,17 +88,22 @@ std::string html_charts(const std::vector<Record>& records) {
     sweeps = sweeps || !record.sweeps.empty();
   }
   if (!cells) return "";
-  constexpr std::pair<const char*, const char*> sections[] = {{"pareto", "Cost against error"},
-                                                              {"passes", "Where the time goes"},
-                                                              {"sweeps", "Over the parameter"},
-                                                              {"pictures", "Pictures"},
-                                                              {"samples", "Every sample"}};
-  for (const auto& [name, title] : sections)
-    if (std::string_view(name) != "sweeps" || sweeps)
-      html += fmt::format(
-          "<section class=\"drawn\" id=\"{}\"><h2>{}</h2><noscript><p class=\"note\">This part is drawn by a "
-          "script; the tables hold its figures.</p></noscript></section>\n",
-          name, title);
+  struct Section {
+    const char *name, *title, *without_script;
+  };
+  constexpr Section sections[] = {
+      {"pareto", "Cost against error", "This chart is drawn by a script; the table of the variants holds its figures."},
+      {"passes", "Where the time goes", "These charts are drawn by a script; the table of every pass holds their figures."},
+      {"sweeps", "Over the parameter", "These curves are drawn by a script; the tables of all figures hold their points."},
+      {"pictures", "Pictures", "This viewer needs a script; all pictures stand under \"All figures and pictures\"."},
+      {"samples", "Every sample",
+       "This chart is drawn by a script; record.jsonl holds every sample, and the tables their "
+       "medians and intervals."}};
+  for (const Section& section : sections)
+    if (std::string_view(section.name) != "sweeps" || sweeps)
+      html +=
+          fmt::format("<section class=\"drawn\" id=\"{}\"><h2>{}</h2><noscript><p class=\"note\">{}</p></noscript></section>\n",
+                      section.name, section.title, escaped_html(section.without_script));
   return html + fmt::format("<script type=\"application/json\" id=\"page-data\">{}</script>\n", for_script(page_data(records)));
 }
 

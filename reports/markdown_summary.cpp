@@ -75,6 +75,27 @@ std::string sweep_section(const Record& record) {
   return text;
 }
 
+// Which cases each variant passes and fails, and the figures of every set.
+std::string hard_cases(const FunctionBackend& backend) {
+  const auto rows = rows_by_set(backend);
+  if (rows.empty()) return "";
+  std::string text = fmt::format("\n### Hard cases on {}\n\n", escaped_markdown(backend.backend));
+  for (const Headline& headline : hard_case_headlines(backend))
+    text += fmt::format("- **{}** {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
+  std::vector<std::string> columns(function_set_columns.begin(), function_set_columns.end());
+  columns.insert(columns.begin(), "set");
+  text += fmt::format("\n{}\n\n", escaped_markdown(function_set_note)) + markdown_row(columns) + "|---|---|---|---|";
+  for (size_t column = 4; column + 2 < columns.size(); ++column) text += "---:|";
+  text += "---|---|\n";
+  for (const auto* row : rows) {
+    const auto cells = function_set_cells(*row);
+    std::vector<std::string> with_set(cells.begin(), cells.end());
+    with_set.insert(with_set.begin(), text_at(*row, "/set"));
+    text += markdown_row(with_set);
+  }
+  return text;
+}
+
 std::string functions_section(const Record& record) {
   std::string text;
   for (const FunctionReport& report : summarize_functions(record)) {
@@ -88,6 +109,7 @@ std::string functions_section(const Record& record) {
       text += "\n";
       for (const FunctionSummary& row : backend.variants) text += markdown_row(function_cells(row));
     }
+    for (const FunctionBackend& backend : report.backends) text += hard_cases(backend);
     text += "\n";
     for (const std::string& note : function_notes(report)) text += fmt::format("{}  \n", escaped_markdown(note));
   }

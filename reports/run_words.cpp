@@ -51,7 +51,8 @@ std::string title_of(const Record& record) {
     views.insert(cell.at("view"));
   }
   if (record.cells.empty() && !record.functions.empty()) return "What functions cost and err by";
-  if (record.cells.empty()) return fmt::format("{}: no cells", text_at(record.run, "/scene"));
+  if (record.cells.empty())
+    return fmt::format("{}: {}", text_at(record.run, "/scene"), record.gates.empty() ? "no cells" : "gate");
   return fmt::format("{}, {}, {} view{}", fmt::join(scenes, " and "), fmt::join(sizes, " and "), views.size(),
                      views.size() == 1 ? "" : "s");
 }

@@ -47,7 +47,15 @@ if (page) {
           height: 110 + 34 * unique(costs.map(p => p.variant)).length,
           marginLeft: 130,
           marginTop: 10,
-          x: {label: 'ns a fetch', labelAnchor: 'center', labelArrow: 'none', labelOffset: 38, grid: true, zero: true, nice: true},
+          x: {
+            label: 'ns a fetch',
+            labelAnchor: 'center',
+            labelArrow: 'none',
+            labelOffset: 38,
+            grid: true,
+            zero: true,
+            nice: true
+          },
           y: {label: null, domain: unique(costs.map(p => p.variant)), type: 'band'},
           color: legend_of(unique(costs.map(p => p.pass)), names),
           marks: [Plot.dot(costs, {

@@ -30,7 +30,8 @@ if (page && section_of('sweeps')) {
   // Figures nearly alike must not look far apart: an SSIM's axis spans 0.01 at least, another's a tenth of its greatest figure.
   function metric_domain(points) {
     const [low, high] = d3.extent(points, p => p.y), least = shown.quantity.metric === 'ssim' ? 0.01 : 0.1 * Math.abs(high);
-    const lacking = Math.max(0.04 * (high - low), (least - (high - low)) / 2), perfect = shown.quantity.metric === 'ssim' ? 1 : Infinity;
+    const lacking = Math.max(0.04 * (high - low), (least - (high - low)) / 2),
+          perfect = shown.quantity.metric === 'ssim' ? 1 : Infinity;
     const top = Math.min(perfect, high + lacking);
     return [Math.min(low - 0.04 * (high - low), top - Math.max(least, high - low)), top];
   }

@@ -56,7 +56,7 @@ TEST(Gate, TheAnswerComesFirstThenItsVerdictThenWhatMoved) {
                conditions =
                    page.find("against commit 1&lt;2; 60 rounds in 3 processes, 41.2 s; margin 2%, confidence 95% over 12"),
                headline = page.find("<strong>vertex_normal</strong> is 2.0 times faster"),
-               regressed = page.find("<details class=\"verdicts\" open><summary>Regressed: 2</summary>"),
+               regressed = page.find("<details class=\"verdicts printed\" open><summary>Regressed: 2</summary>"),
                ambiguous = page.find("<summary>Ambiguous: 1</summary>"), all = page.find("<summary>All 6 checks</summary>");
   const std::vector<size_t> order = {answer, verdict, conditions, headline, regressed, ambiguous, all};
   EXPECT_NE(order.back(), std::string::npos);
