@@ -29,7 +29,6 @@ std::string words_for_number(double value) {
 }
 
 std::string words_for_figure(const Json& value, const std::string& what) {
-  if (value.is_null()) return "-";
   return what == "time" ? words_for_ms(value.get<double>()) : words_for_number(value.get<double>());
 }
 
@@ -65,10 +64,11 @@ std::string counts_of(const Record& record, const GateReading& reading) {
 }
 
 std::string conditions_of(const Json& gate) {
-  return fmt::format("against {}; {} rounds in {} processes, {:.1f} s; margin {:.3g}%, confidence {:.3g}% over {} comparisons",
+  return fmt::format("against {}; {} rounds in {} process{}, {:.1f} s; margin {:.3g}%, confidence {:.3g}% over {} comparisons",
                      text_at(gate, "/against"), text_at(gate, "/rounds"), text_at(gate, "/processes"),
-                     gate.at("wall_s").get<double>(), 100 * gate.at("margin").get<double>(),
-                     100 * gate.at("confidence").get<double>(), text_at(gate, "/comparisons"));
+                     gate.at("processes") == 1 ? "" : "es", gate.at("wall_s").get<double>(),
+                     100 * gate.at("margin").get<double>(), 100 * gate.at("confidence").get<double>(),
+                     text_at(gate, "/comparisons"));
 }
 
 }  // namespace
@@ -127,7 +127,10 @@ std::string before_and_after(const Json& verdict) {
   const Json &before = verdict.at("before"), &after = verdict.at("after");
   if (before.is_null() && after.is_null()) return "";
   const std::string what = verdict.at("what");
-  return fmt::format("{} -> {}{}", words_for_figure(before, what), words_for_figure(after, what), what == "time" ? " ms" : "");
+  const char* unit = what == "time" ? " ms" : "";
+  if (before.is_null()) return fmt::format("now {}{}", words_for_figure(after, what), unit);
+  if (after.is_null()) return fmt::format("was {}{}", words_for_figure(before, what), unit);
+  return fmt::format("{} -> {}{}", words_for_figure(before, what), words_for_figure(after, what), unit);
 }
 
 std::string change_of(const Json& verdict) {

@@ -37,7 +37,7 @@ std::vector<std::string> gate_lines(const Record& record);
 // Of a verdict line.
 std::string place_of(const nlohmann::json& verdict);  // "view front, pass composite, texture light_map"; "" for the whole frame
 std::string subject_of(const nlohmann::json& verdict);  // "vertex_normal on vulkan, view front, pass composite", or "vulkan"
-std::string before_and_after(const nlohmann::json& verdict);  // "12.31 -> 13.54 ms"; "" where neither is known
+std::string before_and_after(const nlohmann::json& verdict);  // "12.31 -> 13.54 ms", "now 0.052", "" where neither is known
 std::string change_of(const nlohmann::json& verdict);         // "+10.1% [+8.2%, +11.9%]", "-0.0123"; "" where not known
 std::string certainty_of(const nlohmann::json& verdict);      // "95.9% interval, 60 rounds", or "exact"
 std::string limit_of(const nlohmann::json& verdict);          // "0.03"; "" where there is none

@@ -13,7 +13,7 @@ std::string figures_row(const Cells& cells, size_t names, size_t last_names, con
   for (size_t i = 0; i < cells.size(); ++i)
     html += i == 0                           ? fmt::format("<th scope=\"row\">{}</th>", escaped_html(cells[i]))
             : i < names                      ? fmt::format("<td>{}</td>", escaped_html(cells[i]))
-            : i + last_names >= cells.size() ? fmt::format("<td class=\"wrap\">{}</td>", escaped_html(cells[i]))
+            : i + last_names >= cells.size() ? fmt::format("<td class=\"name\">{}</td>", escaped_html(cells[i]))
                                              : fmt::format("<td class=\"num\">{}</td>", escaped_html(cells[i]));
   return html + "</tr>\n";
 }

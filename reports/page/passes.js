@@ -68,6 +68,9 @@ if (page) {
           })],
         });
     }
+    if (page.passes.length && page.points.length > 1)
+      all.append(
+          element('p', {className: 'note', textContent: 'Means over the points at which passes were timed or counted.'}));
     if (!page.passes.length) all.append(element('p', {className: 'note', textContent: 'No pass was measured.'}));
   }
   let width = 0;

@@ -100,6 +100,16 @@ TEST(Gate, CountsHaveAllTheirDigits) {
   EXPECT_EQ(limit_of(verdict), "10485760");
 }
 
+TEST(Gate, WhatIsKnownOfOneSideAloneSaysOfWhich) {
+  nlohmann::json verdict = example_slower();
+  verdict["before"] = nullptr;
+  EXPECT_EQ(before_and_after(verdict), "now 11.00 ms");
+  verdict["before"] = 10, verdict["after"] = nullptr;
+  EXPECT_EQ(before_and_after(verdict), "was 10.00 ms");
+  verdict["before"] = nullptr;
+  EXPECT_EQ(before_and_after(verdict), "");
+}
+
 class Reports : public testing::Test {
  protected:
   Reports()
