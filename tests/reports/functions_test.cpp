@@ -218,6 +218,20 @@ TEST(Functions, ThePageHoldsTheChartItsLibraryAndThePictures) {
   EXPECT_FALSE(has(html_report({example_record({})}), "Observable")) << "no chart, no library";
 }
 
+TEST(Functions, AReportOfFunctionsAloneDoesNotExplainFramesAndPictures) {
+  EXPECT_FALSE(has(page_of(caps()), "Worst view: by FLIP"));
+  EXPECT_FALSE(has(markdown_summary(caps()), "Worst view: by FLIP"));
+  EXPECT_TRUE(has(page_of(caps(example_cells())), "Worst view: by FLIP"));
+}
+
+TEST(Functions, OfSeveralRecordsEachChartNamesItsOwn) {
+  std::vector<Record> records = {caps(), caps()};
+  records[1].run["commit"] = "def5678";
+  const std::string page = html_report(records);
+  EXPECT_TRUE(has(page, "\"group\":\"A: abc1234, vulkan\""));
+  EXPECT_TRUE(has(page, "\"group\":\"B: def5678, vulkan\""));
+}
+
 nlohmann::json chart_data(const std::string& chart) {
   const std::string opening = "<script type=\"application/json\">";
   const size_t begin = chart.find(opening) + opening.size();
