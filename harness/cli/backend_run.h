@@ -12,7 +12,7 @@ namespace lamina {
 
 class BackendRun {
  public:
-  // Everything must outlive this. `images` is the folder of the pictures, in `options.out`, to which their paths in rows are relative.
+  // Everything must outlive this. `images` is the folder of the pictures, in `options.out`; their paths in rows begin there.
   BackendRun(Backend& backend, SceneResources& resources, const Plan& plan, const EffectManifest& effect, ShaderCache& shaders,
              Bakes& bakes, const CompareOptions& options, const std::filesystem::path& images);
 

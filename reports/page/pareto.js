@@ -172,16 +172,17 @@ if (page) {
     const at_point = shown.view !== null && page.points.length > 1 ? ` At the point ${point_words(chosen.point)}.` :
         shown.view === null && page.points.length > 1 ? ' Means over all points too.' :
                                                         '';
+    const more = left_out.length > 6 ? `; and ${left_out.length - 6} more` : '';
+    const without_place = left_out.length ? ` Without a place, since ${
+                                                shown.cost === 'ms' ? 'their time' : 'their fetches'} or error is not known: ${
+                                                left_out.slice(0, 6).join('; ')}${more}.` :
+                                            '';
     section.append(element('p', {
       className: 'note caption',
-      textContent: drawn ?
-          'Filled dots on the line are worth having: nothing closer is as cheap. Hollow ones are dominated. Bars are 95% intervals of the time; a dot leads to its pictures.' +
-              ' The axis of errors is stretched so that small ones stay apart; what is perfect stands at its end.' + at_point +
-              (left_out.length ?
-                   ` Without a place, since ${shown.cost === 'ms' ? 'their time' : 'their fetches'} or error is not known: ${
-                       left_out.slice(0, 6).join('; ')}${left_out.length > 6 ? `; and ${left_out.length - 6} more` : ''}.` :
-                                                                               '') :
-                                                                               'The record has nothing to draw here: no such cost or error is known.'
+      textContent: drawn ? 'Filled dots on the line are worth having: nothing closer is as cheap. Hollow ones are dominated. ' +
+              'Bars are 95% intervals of the time; a dot leads to its pictures. The axis of errors is stretched so that small ' +
+              'ones stay apart; what is perfect stands at its end.' + at_point + without_place :
+                           'The record has nothing to draw here: no such cost or error is known.'
     }));
   }
   drawn_on_choice(draw);
