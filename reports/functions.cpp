@@ -167,25 +167,6 @@ std::string function_caption(const FunctionReport& report, const FunctionBackend
                      report.main_what);
 }
 
-std::array<std::string, function_set_columns.size()> function_set_cells(const Json& row) {
-  std::array<std::string, function_set_columns.size()> cells = {row.at("variant"),
-                                                                words_for(row.at("max_over"), 3),
-                                                                words_for(row.at("max_under"), 3),
-                                                                words_for(row.at("mean_absolute"), 2),
-                                                                words_for(row.at("rms"), 2),
-                                                                words_for(row.at("most_eps"), 3),
-                                                                words_for(row.at("most_eps_kappa"), 3),
-                                                                row.at("negative").dump(),
-                                                                row.at("nonfinite").dump(),
-                                                                row.at("not_zero").dump(),
-                                                                ""};
-  if (row.at("max_over").is_null()) return cells;
-  const bool over = row.at("max_over").get<double>() > -row.at("max_under").get<double>();
-  if (const Json& worst = row.at(over ? "worst_over" : "worst_under"); !worst.is_null())
-    cells.back() = fmt::format("{:.6g} {:.6g} {:.6g}", worst[0].get<double>(), worst[1].get<double>(), worst[2].get<double>());
-  return cells;
-}
-
 std::vector<std::string> function_notes(const FunctionReport& report) {
   std::vector<std::string> notes = {
       fmt::format("Errors are of {}: over is too much, under too little; mean of the absolute errors. Ratio: median time over "

@@ -49,16 +49,29 @@ inline constexpr std::array<const char*, 9> function_columns = {
 std::array<std::string, function_columns.size()> function_cells(const FunctionSummary& row);
 // "100000 points of 'overlaps': ...", and what the columns are of.
 std::string function_caption(const FunctionReport& report, const FunctionBackend& backend);
-// Columns of the table of one set: the first is a name, the last an input.
-inline constexpr std::array<const char*, 11> function_set_columns = {
-    "variant", "max over", "max under", "mean", "rms", "eps", "eps kappa", "negative", "non-finite", "not 0", "worst at"};
+// Columns of the table of one set: three of words, figures, and two inputs.
+inline constexpr std::array<const char*, 14> function_set_columns = {
+    "variant", "bounds",    "claims",   "max over",   "max under", "mean",     "rms",
+    "eps",     "eps kappa", "negative", "non-finite", "not 0",     "worst at", "first fault at"};
 std::array<std::string, function_set_columns.size()> function_set_cells(const nlohmann::json& row);
+// How to read that table.
+extern const char* const function_set_note;
+// A backend's rows of every set, set by set, so that the variants stand under each other.
+std::vector<const nlohmann::json*> rows_by_set(const FunctionBackend& backend);
+
+// Whether a row keeps what its variant claims: every value finite, none negative, 0 where 0 is right, and the errors within its
+// bounds where it claims any.
+enum class Keeps { yes, no, claims_none };
+Keeps keeps_bounds(const nlohmann::json& row);
+// A sentence a variant: on how many sets its bounds hold, and on each where they do not by how much and at which input.
+std::vector<Headline> hard_case_headlines(const FunctionBackend& backend);
 // How to read the tables, one sentence each.
 std::vector<std::string> function_notes(const FunctionReport& report);
 
-// The section of the page: words, chart, tables, pictures. "" where the record has no functions.
-std::string html_functions(const Record& record, const PictureUrl& url);
+// The section of the page: words, chart, tables, pictures. "" where the record has no functions. `name` parts the record from
+// the others on the page; "" where there is one.
+std::string html_functions(const Record& record, const std::string& name, const PictureUrl& url);
 // The chart of error over time of a report, as the data that reports/page/functions.js draws; "" where nothing was timed.
-std::string html_function_chart(const FunctionReport& report);
+std::string html_function_chart(const FunctionReport& report, const std::string& name = "");
 
 }  // namespace lamina

@@ -12,17 +12,6 @@ using Json = nlohmann::json;
 
 constexpr size_t most_bytes = 60000;  // a comment on GitHub takes 65,536 characters
 
-constexpr const char* header =
-    "| verdict | what | effect | variant | backend | where | before -> after | change | how sure | limit |\n"
-    "|---|---|---|---|---|---|---:|---:|---|---:|\n";
-
-std::string row_of(const Json& verdict) {
-  return markdown_row(std::array<std::string, 10>{text_at(verdict, "/verdict"), text_at(verdict, "/what"),
-                                                  text_at(verdict, "/effect"), text_at(verdict, "/variant"),
-                                                  text_at(verdict, "/backend"), place_of(verdict), before_and_after(verdict),
-                                                  change_of(verdict), certainty_of(verdict), limit_of(verdict)});
-}
-
 // Adds lines while they fit; says how many did not.
 void add_while_they_fit(std::string& text, const std::vector<std::string>& lines, size_t room, const char* what) {
   for (size_t i = 0; i < lines.size(); ++i) {
@@ -46,6 +35,8 @@ void add_section(std::string& text, const char* title, const GateReading::Rows& 
 
 }  // namespace
 
+std::string gate_table_head() { return markdown_row(gate_columns) + "|---|---|---|---|---|---|---:|---:|---|---:|\n"; }
+
 std::string gate_markdown(const Record& record) {
   const GateReading reading = reading_of(record);
   const char* mark = reading.well ? "✅" : reading.word == "AMBIGUOUS" ? "⚠️" : "❌";
@@ -62,10 +53,9 @@ std::string gate_markdown(const Record& record) {
   for (const std::string& warning : warnings_of(record)) text += fmt::format("**Warning:** {}  \n", escaped_markdown(warning));
   if (record.verdicts.empty()) return text;
 
-  text += fmt::format("\n<details><summary>All {} checks</summary>\n\n{}", record.verdicts.size(), header);
+  text += fmt::format("\n<details><summary>All {} checks</summary>\n\n{}", record.verdicts.size(), gate_table_head());
   std::vector<std::string> rows;
-  for (const auto& group : {reading.regressed, reading.ambiguous, reading.not_compared, reading.improved, reading.same})
-    for (const Json* row : group) rows.push_back(row_of(*row));
+  for (const Json* row : reading.all()) rows.push_back(markdown_row(gate_cells(*row)));
   add_while_they_fit(text, rows, most_bytes, "rows");
   return text + "\n</details>\n";
 }

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "reports/words.h"
 
 namespace lamina {
@@ -21,9 +23,13 @@ GateReading::Rows& rows_for(GateReading& reading, const std::string& verdict) {
 
 std::string percent(double ratio) { return fmt::format("{:+.1f}%", 100 * (ratio - 1)); }
 
+// Counts have all their digits, for one fetch more is a change.
+std::string words_for_number(double value) {
+  return std::abs(value) < 1e15 && value == std::floor(value) ? fmt::format("{:.0f}", value) : fmt::format("{:.6g}", value);
+}
+
 std::string words_for_figure(const Json& value, const std::string& what) {
-  if (value.is_null()) return "-";
-  return what == "time" ? words_for_ms(value.get<double>()) : fmt::format("{:.6g}", value.get<double>());
+  return what == "time" ? words_for_ms(value.get<double>()) : words_for_number(value.get<double>());
 }
 
 std::string trouble_of(const Record& record, const GateReading& reading) {
@@ -58,10 +64,11 @@ std::string counts_of(const Record& record, const GateReading& reading) {
 }
 
 std::string conditions_of(const Json& gate) {
-  return fmt::format("against {}; {} rounds in {} processes, {:.1f} s; margin {:.3g}%, confidence {:.3g}% over {} comparisons",
+  return fmt::format("against {}; {} rounds in {} process{}, {:.1f} s; margin {:.3g}%, confidence {:.3g}% over {} comparisons",
                      text_at(gate, "/against"), text_at(gate, "/rounds"), text_at(gate, "/processes"),
-                     gate.at("wall_s").get<double>(), 100 * gate.at("margin").get<double>(),
-                     100 * gate.at("confidence").get<double>(), text_at(gate, "/comparisons"));
+                     gate.at("processes") == 1 ? "" : "es", gate.at("wall_s").get<double>(),
+                     100 * gate.at("margin").get<double>(), 100 * gate.at("confidence").get<double>(),
+                     text_at(gate, "/comparisons"));
 }
 
 }  // namespace
@@ -86,6 +93,22 @@ GateReading reading_of(const Record& record) {
   return reading;
 }
 
+GateReading::Rows GateReading::all() const {
+  Rows rows;
+  for (const Rows* group : {&regressed, &ambiguous, &not_compared, &improved, &same})
+    rows.insert(rows.end(), group->begin(), group->end());
+  return rows;
+}
+
+std::vector<std::string> gate_lines(const Record& record) {
+  if (record.gates.empty() && record.verdicts.empty()) return {};
+  const GateReading reading = reading_of(record);
+  std::vector<std::string> lines = {fmt::format("gate {}: {}", reading.word, reading.counts)};
+  for (const std::string& line : {reading.trouble, reading.conditions})
+    if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
 std::string place_of(const Json& verdict) {
   std::string words;
   for (const char* field : {"view", "pass", "texture"})
@@ -104,7 +127,10 @@ std::string before_and_after(const Json& verdict) {
   const Json &before = verdict.at("before"), &after = verdict.at("after");
   if (before.is_null() && after.is_null()) return "";
   const std::string what = verdict.at("what");
-  return fmt::format("{} -> {}{}", words_for_figure(before, what), words_for_figure(after, what), what == "time" ? " ms" : "");
+  const char* unit = what == "time" ? " ms" : "";
+  if (before.is_null()) return fmt::format("now {}{}", words_for_figure(after, what), unit);
+  if (after.is_null()) return fmt::format("was {}{}", words_for_figure(before, what), unit);
+  return fmt::format("{} -> {}{}", words_for_figure(before, what), words_for_figure(after, what), unit);
 }
 
 std::string change_of(const Json& verdict) {
@@ -123,7 +149,13 @@ std::string certainty_of(const Json& verdict) {
 }
 
 std::string limit_of(const Json& verdict) {
-  return verdict.at("limit").is_null() ? "" : fmt::format("{:.4g}", verdict.at("limit").get<double>());
+  return verdict.at("limit").is_null() ? "" : words_for_number(verdict.at("limit").get<double>());
+}
+
+std::array<std::string, gate_columns.size()> gate_cells(const Json& verdict) {
+  return {text_at(verdict, "/verdict"), text_at(verdict, "/what"), text_at(verdict, "/effect"), text_at(verdict, "/variant"),
+          text_at(verdict, "/backend"), place_of(verdict),         before_and_after(verdict),   change_of(verdict),
+          certainty_of(verdict),        limit_of(verdict)};
 }
 
 std::string words_for_aa(const Json& aa) {

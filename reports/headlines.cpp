@@ -37,9 +37,18 @@ std::string loss_words(const SummaryRow& row) {
                      row.worst->ssim, digits);
 }
 
-std::string clause(const SummaryRow& row, const std::string& baseline) {
+// What is known of the cost where no time is.
+std::string untimed_words(const SummaryRow& row, const SummaryRow* baseline) {
+  if (!baseline) return "was not timed against the baseline";
+  if (!row.fetches_per_pixel || !baseline->fetches_per_pixel) return "was not timed against " + baseline->variant;
+  return fmt::format("was not timed; it makes {:.1f} fetches a pixel, {} {:.1f},", *row.fetches_per_pixel, baseline->variant,
+                     *baseline->fetches_per_pixel);
+}
+
+std::string clause(const SummaryRow& row, const SummaryRow* baseline) {
   if (row.failed_views == row.views) return fmt::format("failed on {}: {}", row.backend, row.reason);
-  std::string words = row.ratio ? speed_words(*row.ratio, baseline) : fmt::format("was not timed against {}", baseline);
+  std::string words =
+      row.ratio ? speed_words(*row.ratio, baseline ? baseline->variant : "the baseline") : untimed_words(row, baseline);
   words += fmt::format(" on {}", row.backend) + loss_words(row);
   if (row.ratio && row.ratio->coverage < report_confidence)
     words += fmt::format(", by {} round{} only", row.ratio->rounds, row.ratio->rounds == 1 ? "" : "s");
@@ -56,7 +65,7 @@ std::vector<Headline> headlines(const std::vector<SummaryRow>& rows) {
     const auto baseline = std::find_if(rows.begin(), rows.end(), [&](const SummaryRow& r) {
       return r.baseline && r.effect == row.effect && r.backend == row.backend;
     });
-    const std::string words = clause(row, baseline == rows.end() ? "the baseline" : baseline->variant);
+    const std::string words = clause(row, baseline == rows.end() ? nullptr : &*baseline);
     const auto known = std::find_if(by_effect.begin(), by_effect.end(),
                                     [&](const auto& h) { return h.first == row.effect && h.second.variant == row.variant; });
     if (known == by_effect.end())

@@ -28,6 +28,8 @@ std::string html_list(const std::vector<std::string>& lines);
 
 // The sections of the page in its order; each is "" where the record has nothing for it.
 std::string html_summary(const std::vector<SummaryRow>& rows);
+// What a gate says in a box, and what it found. "" where the record is not a gate's.
+std::string html_gate_answer(const Record& record);
 std::string html_gate(const Record& record);
 std::string html_passes(const Record& record);
 // The pictures and figures of every backend, view and point, the baseline's and the variants' side by side.

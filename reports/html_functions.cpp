@@ -2,9 +2,6 @@
 // The page's section on functions: which variants are worth having, the chart that shows it, tables and pictures of the error.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
-
 #include "reports/functions.h"
 #include "reports/html.h"
 
@@ -27,27 +24,17 @@ std::string main_table(const FunctionReport& report, const FunctionBackend& back
   return html + "</tbody></table></div>\n";
 }
 
-// Every set but the main one, by set, so that the variants stand under each other.
-std::string hard_sets(const FunctionReport& report, const FunctionBackend& backend) {
-  std::vector<const Json*> rows;
-  std::map<std::string, size_t> first;  // of each set, its place
-  for (const FunctionSummary& variant : backend.variants)
-    for (const Json* row : variant.sets) {
-      if (row->at("set") == report.main_set) continue;
-      first.try_emplace(row->at("set"), first.size());
-      rows.push_back(row);
-    }
+// Which cases each variant passes and fails, in words, and the figures of every set.
+std::string hard_cases(const FunctionBackend& backend) {
+  const std::vector<const Json*> rows = rows_by_set(backend);
   if (rows.empty()) return "";
-  std::ranges::stable_sort(rows, [&](const Json* a, const Json* b) { return first.at(a->at("set")) < first.at(b->at("set")); });
-  std::string html = fmt::format(
-      "<details><summary>Hard inputs on {}: {} sets</summary><div class=\"scroll\" tabindex=\"0\" role=\"region\" "
-      "aria-label=\"{}\"><table class=\"wide\"><caption>eps: the "
-      "greatest error in "
-      "units of 2^-23; eps kappa: the greatest error of the value itself, in units of 2^-23 times its condition number where "
-      "that "
-      "is above 1; not 0: values of inputs for which 0 is right.</caption>{}<tbody>\n",
-      escaped_html(backend.backend), first.size(), "hard inputs on " + escaped_html(backend.backend),
-      header_row(function_set_columns, 1));
+  std::string html = fmt::format("<h3>Hard cases on {}</h3>\n<ul class=\"verdicts\">\n", escaped_html(backend.backend));
+  for (const Headline& one : hard_case_headlines(backend))
+    html += fmt::format("<li><strong>{}</strong> {}</li>\n", escaped_html(one.variant), escaped_html(one.words));
+  html += fmt::format(
+      "</ul>\n<details class=\"printed\"><summary>Every function and set on {0}</summary><div class=\"scroll\" tabindex=\"0\" "
+      "role=\"region\" aria-label=\"every function and set on {0}\"><table class=\"wide\"><caption>{1}</caption>{2}<tbody>\n",
+      escaped_html(backend.backend), escaped_html(function_set_note), header_row(function_set_columns, 3, 2));
   std::string set;
   for (const Json* row : rows) {
     if (row->at("set") != set) {
@@ -57,8 +44,10 @@ std::string hard_sets(const FunctionReport& report, const FunctionBackend& backe
                           row->at("points").dump());
     }
     const auto cells = function_set_cells(*row);
-    html += fmt::format("<tr><th scope=\"row\">{}</th>", escaped_html(cells[0]));
-    for (size_t i = 1; i < cells.size(); ++i) html += fmt::format("<td class=\"num\">{}</td>", escaped_html(cells[i]));
+    html += fmt::format("<tr{}><th scope=\"row\">{}</th>", keeps_bounds(*row) == Keeps::no ? " class=\"bad\"" : "",
+                        escaped_html(cells[0]));
+    for (size_t i = 1; i < cells.size(); ++i)
+      html += fmt::format("<td{}>{}</td>", i < 3 || i + 2 >= cells.size() ? "" : " class=\"num\"", escaped_html(cells[i]));
     html += "</tr>\n";
   }
   return html + "</tbody></table></div></details>\n";
@@ -93,7 +82,7 @@ std::string slices(const FunctionBackend& backend, bool open, const PictureUrl& 
 
 }  // namespace
 
-std::string html_function_chart(const FunctionReport& report) {
+std::string html_function_chart(const FunctionReport& report, const std::string& name) {
   Json points = Json::array();
   std::string left_out;
   for (const FunctionBackend& backend : report.backends)
@@ -103,7 +92,7 @@ std::string html_function_chart(const FunctionReport& report) {
         left_out += fmt::format("{}{} on {}", left_out.empty() ? "" : ", ", row.variant, backend.backend);
         continue;
       }
-      points.push_back({{"group", backend.backend},
+      points.push_back({{"group", (name.empty() ? "" : name + ", ") + backend.backend},
                         {"name", row.variant},
                         {"x", row.ns->median},
                         {"low", row.ns->low},
@@ -129,17 +118,17 @@ std::string html_function_chart(const FunctionReport& report) {
                                                   left_out)));
 }
 
-std::string html_functions(const Record& record, const PictureUrl& url) {
+std::string html_functions(const Record& record, const std::string& name, const PictureUrl& url) {
   std::string html;
   for (const FunctionReport& report : summarize_functions(record)) {
     html += fmt::format("<h2>Functions: {}</h2>\n<ul class=\"headlines\">\n", escaped_html(report.title));
     for (const Headline& headline : function_headlines(report))
       html += fmt::format("<li><strong>{}</strong> {}</li>\n", escaped_html(headline.variant), escaped_html(headline.words));
-    html += "</ul>\n" + html_function_chart(report);
+    html += "</ul>\n" + html_function_chart(report, name);
     for (const FunctionBackend& backend : report.backends) html += main_table(report, backend);
     for (const std::string& note : function_notes(report))
       html += fmt::format("<p class=\"note\">{}</p>\n", escaped_html(note));
-    for (const FunctionBackend& backend : report.backends) html += hard_sets(report, backend);
+    for (const FunctionBackend& backend : report.backends) html += hard_cases(backend);
     for (const FunctionBackend& backend : report.backends) html += slices(backend, &backend == &report.backends.front(), url);
   }
   return html;

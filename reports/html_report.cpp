@@ -17,17 +17,14 @@ std::string warnings(const Record& record) {
 
 // What a reader wants first.
 std::string findings(const Record& record, const std::vector<SummaryRow>& rows) {
-  std::string html;
-  for (const std::string& line : gate_lines(record))
-    html += fmt::format("<p class=\"verdict\">{}.</p>\n", escaped_html("T" + line.substr(1)));
-  html += "<ul class=\"headlines\">\n";
-  for (const Headline& headline : answers(rows))
-    html += fmt::format("<li class=\"answer\"><strong>{}</strong>: {}</li>\n", escaped_html(headline.variant),
-                        escaped_html(headline.words));
-  for (const Headline& headline : headlines(rows))
-    html += fmt::format("<li><strong>{}</strong> {}</li>\n", escaped_html(headline.variant), escaped_html(headline.words));
-  for (const std::string& line : crossover_lines(record)) html += fmt::format("<li>{}</li>\n", escaped_html(line));
-  return html + "</ul>\n";
+  const auto list = [](const std::vector<Headline>& all, const char* after) {
+    std::string html;
+    for (const Headline& one : all)
+      html += fmt::format("<li><strong>{}</strong>{} {}</li>\n", escaped_html(one.variant), after, escaped_html(one.words));
+    return html.empty() ? "" : "<ul class=\"headlines\">\n" + html + "</ul>\n";
+  };
+  return list(answers(rows), ":") + html_gate_answer(record) + list(headlines(rows), "") +
+         list(crossover_headlines(record), ":");
 }
 
 std::string one_record(const Record& record, const std::string& name, const PictureUrl& url, const std::string& charts) {
@@ -35,7 +32,7 @@ std::string one_record(const Record& record, const std::string& name, const Pict
   std::string html = name.empty() ? "" : fmt::format("<h2>{}</h2>\n", escaped_html(name));
   html += warnings(record) + findings(record, rows) + html_summary(rows) + html_gate(record) + charts;
   if (const std::string passes = html_passes(record); !passes.empty()) html += "<h2>Every pass</h2>\n" + passes;
-  html += html_assumptions(record, url) + html_functions(record, url) + html_gallery(record, url);
+  html += html_assumptions(record, url) + html_functions(record, name, url) + html_gallery(record, url);
   return html + html_run(record);
 }
 
@@ -91,17 +88,22 @@ std::string html_charts(const std::vector<Record>& records) {
     sweeps = sweeps || !record.sweeps.empty();
   }
   if (!cells) return "";
-  constexpr std::pair<const char*, const char*> sections[] = {{"pareto", "Cost against error"},
-                                                              {"passes", "Where the time goes"},
-                                                              {"sweeps", "Over the parameter"},
-                                                              {"pictures", "Pictures"},
-                                                              {"samples", "Every sample"}};
-  for (const auto& [name, title] : sections)
-    if (std::string_view(name) != "sweeps" || sweeps)
-      html += fmt::format(
-          "<section class=\"drawn\" id=\"{}\"><h2>{}</h2><noscript><p class=\"note\">This part is drawn by a "
-          "script; the tables hold its figures.</p></noscript></section>\n",
-          name, title);
+  struct Section {
+    const char *name, *title, *without_script;
+  };
+  constexpr Section sections[] = {
+      {"pareto", "Cost against error", "This chart is drawn by a script; the table of the variants holds its figures."},
+      {"passes", "Where the time goes", "These charts are drawn by a script; the table of every pass holds their figures."},
+      {"sweeps", "Over the parameter", "These curves are drawn by a script; the tables of all figures hold their points."},
+      {"pictures", "Pictures", "This viewer needs a script; all pictures stand under \"All figures and pictures\"."},
+      {"samples", "Every sample",
+       "This chart is drawn by a script; record.jsonl holds every sample, and the tables their "
+       "medians and intervals."}};
+  for (const Section& section : sections)
+    if (std::string_view(section.name) != "sweeps" || sweeps)
+      html +=
+          fmt::format("<section class=\"drawn\" id=\"{}\"><h2>{}</h2><noscript><p class=\"note\">{}</p></noscript></section>\n",
+                      section.name, section.title, escaped_html(section.without_script));
   return html + fmt::format("<script type=\"application/json\" id=\"page-data\">{}</script>\n", for_script(page_data(records)));
 }
 

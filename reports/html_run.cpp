@@ -5,10 +5,13 @@
 #include <map>
 #include <set>
 
+#include "reports/gate_reading.h"
 #include "reports/html.h"
 
 namespace lamina {
 namespace {
+
+using Json = nlohmann::json;
 
 std::string failures_section(const Record& record) {
   const auto failed = failures(record);
@@ -28,8 +31,11 @@ std::string timer_section(const Record& record) {
   for (const Certificate& certificate : certificates(record))
     html += fmt::format("<li{}>{}</li>\n", certificate.ok ? "" : " class=\"bad\"", escaped_html(certificate.words));
   for (const std::string& line : phase_lines(record)) html += fmt::format("<li>{}</li>\n", escaped_html(line));
-  for (const std::string& line : aa_lines(record)) html += fmt::format("<li>A/A: {}</li>\n", escaped_html(line));
-  return html.empty() ? "" : "<h3>Timer</h3>\n<ul>\n" + html + "</ul>\n";
+  for (const Json& aa : record.aas) html += fmt::format("<li>{}</li>\n", escaped_html(words_for_aa(aa)));
+  if (html.empty()) return "";
+  html = "<h3>Timer</h3>\n<ul>\n" + html + "</ul>\n";
+  if (!record.aas.empty()) html += fmt::format("<p class=\"note\">{}</p>\n", aa_note);
+  return html;
 }
 
 std::string hashes_section(const Record& record) {
@@ -41,9 +47,9 @@ std::string hashes_section(const Record& record) {
 }  // namespace
 
 std::string html_run(const Record& record) {
-  std::string html = "<h2 id=\"run\">What was run, and what was not</h2>\n<dl class=\"facts\">\n";
+  std::string html = "<h2>What was run, and what was not</h2>\n<dl class=\"facts\">\n";
   for (const auto& [label, value] : run_facts(record))
-    html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped_html(label), escaped_html(value));
+    if (label != "Command") html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped_html(label), escaped_html(value));
   html += "</dl>\n";
   if (const std::string command = text_at(record.run, "/command"); !command.empty())
     html += fmt::format("<p>To make it again: <code>{}</code></p>\n", escaped_html(command));

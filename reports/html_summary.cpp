@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's tables of figures: the variants', the gate's, the passes', the sweep's crossovers.
+// The page's tables of figures: the variants' and the passes'.
 #include <fmt/format.h>
 
 #include "reports/html.h"
@@ -13,7 +13,7 @@ std::string figures_row(const Cells& cells, size_t names, size_t last_names, con
   for (size_t i = 0; i < cells.size(); ++i)
     html += i == 0                           ? fmt::format("<th scope=\"row\">{}</th>", escaped_html(cells[i]))
             : i < names                      ? fmt::format("<td>{}</td>", escaped_html(cells[i]))
-            : i + last_names >= cells.size() ? fmt::format("<td class=\"wrap\">{}</td>", escaped_html(cells[i]))
+            : i + last_names >= cells.size() ? fmt::format("<td class=\"name\">{}</td>", escaped_html(cells[i]))
                                              : fmt::format("<td class=\"num\">{}</td>", escaped_html(cells[i]));
   return html + "</tr>\n";
 }
@@ -61,24 +61,6 @@ std::string html_summary(const std::vector<SummaryRow>& rows) {
       html += fmt::format("<p class=\"note bad\"><strong>{} on {}</strong> {}</p>\n", escaped_html(row.variant),
                           escaped_html(row.backend), escaped_html(trouble));
   for (const std::string& note : summary_notes(rows)) html += fmt::format("<p class=\"note\">{}</p>\n", escaped_html(note));
-  return html;
-}
-
-std::string html_gate(const Record& record) {
-  if (record.gates.empty() && record.verdicts.empty()) return "";
-  std::string html = "<h2 id=\"gate\">What the gate found</h2>\n", moved, same;
-  size_t quiet = 0;
-  for (const auto& row : gate_rows(record)) {
-    const bool as_before = row[2] == "same";
-    (as_before ? same : moved) +=
-        figures_row(row, 3, 1, row[2] == "slower" || row[2] == "worse" || row[2] == "failed" ? " class=\"bad\"" : "");
-    quiet += as_before ? 1 : 0;
-  }
-  const std::string head = header_row(gate_columns, 3, 1);
-  if (!moved.empty()) html += table("What is not as it was", head, moved, true);
-  if (!same.empty())
-    html += fmt::format("<details><summary>As it was: {} figure{}</summary>{}</details>\n", quiet, quiet == 1 ? "" : "s",
-                        table("What is as it was", head, same, true));
   return html;
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "reports/functions.h"
+#include "reports/gate.h"
+#include "reports/gate_reading.h"
 #include "reports/markdown.h"
 #include "reports/sweep_text.h"
 
@@ -73,6 +75,27 @@ std::string sweep_section(const Record& record) {
   return text;
 }
 
+// Which cases each variant passes and fails, and the figures of every set.
+std::string hard_cases(const FunctionBackend& backend) {
+  const auto rows = rows_by_set(backend);
+  if (rows.empty()) return "";
+  std::string text = fmt::format("\n### Hard cases on {}\n\n", escaped_markdown(backend.backend));
+  for (const Headline& headline : hard_case_headlines(backend))
+    text += fmt::format("- **{}** {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
+  std::vector<std::string> columns(function_set_columns.begin(), function_set_columns.end());
+  columns.insert(columns.begin(), "set");
+  text += fmt::format("\n{}\n\n", escaped_markdown(function_set_note)) + markdown_row(columns) + "|---|---|---|---|";
+  for (size_t column = 4; column + 2 < columns.size(); ++column) text += "---:|";
+  text += "---|---|\n";
+  for (const auto* row : rows) {
+    const auto cells = function_set_cells(*row);
+    std::vector<std::string> with_set(cells.begin(), cells.end());
+    with_set.insert(with_set.begin(), text_at(*row, "/set"));
+    text += markdown_row(with_set);
+  }
+  return text;
+}
+
 std::string functions_section(const Record& record) {
   std::string text;
   for (const FunctionReport& report : summarize_functions(record)) {
@@ -86,6 +109,7 @@ std::string functions_section(const Record& record) {
       text += "\n";
       for (const FunctionSummary& row : backend.variants) text += markdown_row(function_cells(row));
     }
+    for (const FunctionBackend& backend : report.backends) text += hard_cases(backend);
     text += "\n";
     for (const std::string& note : function_notes(report)) text += fmt::format("{}  \n", escaped_markdown(note));
   }
@@ -94,8 +118,12 @@ std::string functions_section(const Record& record) {
 
 std::string gate_section(const Record& record) {
   if (record.verdicts.empty()) return "";
-  std::string text = "\n## What the gate found\n\n" + markdown_row(gate_columns) + "|---|---|---|---:|---:|---:|---:|---|\n";
-  for (const auto& row : gate_rows(record)) text += markdown_row(row);
+  const GateReading reading = reading_of(record);
+  std::string text = "\n## What the gate found\n\n" + gate_table_head();
+  for (const auto* row : reading.all()) text += markdown_row(gate_cells(*row));
+  text += "\n";
+  for (const GateReading::Rows& rows : {reading.regressed, reading.ambiguous, reading.not_compared})
+    for (const auto* row : rows) text += fmt::format("- {}\n", escaped_markdown(text_at(*row, "/sentence")));
   return text;
 }
 
@@ -112,9 +140,9 @@ std::string markdown_summary(const Record& record) {
   const std::vector<SummaryRow> rows = summarize(record);
   std::string text = fmt::format("# {}\n\n", escaped_markdown(title_of(record)));
   for (const std::string& warning : warnings_of(record)) text += fmt::format("**Warning:** {}\n\n", escaped_markdown(warning));
-  for (const std::string& line : gate_lines(record)) text += fmt::format("- **Gate** {}\n", escaped_markdown(line));
   for (const Headline& headline : answers(rows))
     text += fmt::format("- **{}**: {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
+  for (const std::string& line : gate_lines(record)) text += fmt::format("- {}\n", escaped_markdown(line));
   for (const Headline& headline : headlines(rows))
     text += fmt::format("- **{}** {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
   text += sweep_section(record);
@@ -131,7 +159,8 @@ std::string markdown_summary(const Record& record) {
   for (const std::string& line : phase_lines(record)) certified.push_back(line);
   for (const auto& [label, value] : run_facts(record)) facts.push_back(label + ": " + value);
   text += list_section("Failures", failed);
-  for (const std::string& line : aa_lines(record)) certified.push_back("A/A: " + line);
+  for (const auto& aa : record.aas) certified.push_back(words_for_aa(aa));
+  if (!record.aas.empty()) certified.push_back(aa_note);
   text += list_section("Timer", certified);
   text += list_section("What was run", facts);
   return text;

@@ -23,7 +23,7 @@ struct SummaryRow {
   std::string reason;                // of the first failure
   std::optional<Interval> frame_ms;  // per view: the median over rounds of the mean over views of the frame's time
   std::optional<Interval> ratio;  // to the baseline, paired by round, over all views' times together; both must have the view
-  std::optional<double> fetches_per_pixel;  // over all views: fetches / covered pixels; absent where no view has any
+  std::optional<double> fetches_per_pixel;  // over all views: fetches / covered pixels; absent where some view's are not known
   // Over views, covered pixels. Mean PSNR is that of the mean squared error, so that one identical view does not make it
   // infinite; the others are plain means. Worst: each figure's own worst view.
   std::optional<ErrorFigures> mean, worst;

@@ -51,7 +51,8 @@ std::string title_of(const Record& record) {
     views.insert(cell.at("view"));
   }
   if (record.cells.empty() && !record.functions.empty()) return "What functions cost and err by";
-  if (record.cells.empty()) return fmt::format("{}: no cells", text_at(record.run, "/scene"));
+  if (record.cells.empty())
+    return fmt::format("{}: {}", text_at(record.run, "/scene"), record.gates.empty() ? "no cells" : "gate");
   return fmt::format("{}, {}, {} view{}", fmt::join(scenes, " and "), fmt::join(sizes, " and "), views.size(),
                      views.size() == 1 ? "" : "s");
 }
@@ -84,7 +85,9 @@ std::vector<Certificate> certificates(const Record& record) {
   }
   for (const Json& cell : record.cells) {
     const std::string backend = cell.at("backend");
-    if (!certified.insert(backend).second) continue;
+    const auto& passes = cell.at("passes");
+    const bool timed = std::ranges::any_of(passes, [](const Json& pass) { return !pass.at("ms").empty(); });
+    if (!timed || !certified.insert(backend).second) continue;
     all.push_back({.backend = backend,
                    .words = fmt::format("the record holds no timer certificate of {}, so no times are shown", backend)});
   }

@@ -63,7 +63,7 @@ std::optional<Interval> ratio_of(const Samples& variant, const Samples& baseline
 std::optional<double> fetches_per_pixel(const std::vector<const Json*>& cells) {
   double fetches = 0, pixels = 0;
   for (const Json* cell : cells) {
-    if (cell->at("fetches").is_null() || cell->at("covered_pixels").is_null()) continue;
+    if (cell->at("fetches").is_null() || cell->at("covered_pixels").is_null()) return std::nullopt;
     fetches += cell->at("fetches").get<double>();
     pixels += cell->at("covered_pixels").get<double>();
   }

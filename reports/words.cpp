@@ -144,13 +144,16 @@ std::string trouble_of(const SummaryRow& row) {
 }
 
 std::vector<std::string> summary_notes(const std::vector<SummaryRow>& rows) {
-  std::vector<std::string> notes = {
-      "Frame: the median over rounds of the mean over views, without what is done once. Ratio: to the baseline's time, paired "
-      "by "
-      "round; under 1 is faster.",
+  std::vector<std::string> notes;
+  if (rows.empty()) return notes;
+  if (std::ranges::any_of(rows, [](const SummaryRow& row) { return row.frame_ms.has_value(); }))
+    notes.push_back(
+        "Frame: the median over rounds of the mean over views, without what is done once. Ratio: to the baseline's time, "
+        "paired by round; under 1 is faster.");
+  notes.push_back(
       "PSNR, SSIM and FLIP: mean over views (worst view), against the baseline, over the pixels that the effect covers, on "
       "8-bit sRGB. "
-      "Worst view: by FLIP."};
+      "Worst view: by FLIP.");
   if (std::ranges::any_of(rows, [](const SummaryRow& row) { return row.mean_to_truth.has_value(); }))
     notes.push_back(
         "To truth: the same against the truth, an offline answer that no frame budget allows; RMSE is in linear light.");

@@ -57,15 +57,9 @@ std::vector<Headline> answers(const std::vector<SummaryRow>& rows);
 // A row as the frontier weighs it; a baseline without trouble has no error against itself.
 CostAndErrors figures_of(const SummaryRow& row);
 
-// A gate's answer, one sentence each; its verdicts as a table, of which the first three and the last are words; its A/A arms.
-std::vector<std::string> gate_lines(const Record& record);
-inline constexpr std::array<const char*, 8> gate_columns = {"of",    "what",        "verdict", "before",
-                                                            "after", "ratio [95%]", "limit",   "in words"};
-std::vector<std::array<std::string, gate_columns.size()>> gate_rows(const Record& record);
-std::vector<std::string> aa_lines(const Record& record);
-// What was swept, a parameter a line, and where curves meet a limit or each other.
+// What was swept, a parameter a line; where curves meet a limit or each other, a sentence each, under the effect's name.
 std::vector<std::string> sweep_lines(const Record& record);
-std::vector<std::string> crossover_lines(const Record& record);
+std::vector<Headline> crossover_headlines(const Record& record);
 
 // The columns of the summary table; the first two and the last are names, the rest figures. `truth`: with those against the
 // truth, for effects of which some row has any.

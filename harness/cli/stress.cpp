@@ -10,6 +10,7 @@
 #include "harness/core/text.h"
 #include "harness/measure/timer_certificate.h"
 #include "harness/record/function_rows.h"
+#include "harness/stress/cap_bounds.h"
 #include "harness/stress/cap_pictures.h"
 #include "harness/stress/cap_stress.h"
 #include "reports/reports.h"
@@ -44,7 +45,9 @@ FunctionRow row_of(const FunctionSubject& subject, const CapSet& set, const CapE
           .nonfinite = e.nonfinite,
           .not_zero = e.not_zero,
           .worst_over = point(e.worst_over),
-          .worst_under = point(e.worst_under)};
+          .worst_under = point(e.worst_under),
+          .first_fault = e.first_fault ? std::optional(point(*e.first_fault)) : std::nullopt,
+          .bounds = cap_bounds(subject.variant, set.name)};
 }
 
 void write_csv(const std::filesystem::path& file, const Results& results) {

@@ -50,6 +50,13 @@ Json to_json(const FunctionRow& row) {
   line["not_zero"] = row.not_zero;
   line["worst_over"] = any && row.max_over > 0 ? Json(row.worst_over) : Json(nullptr);
   line["worst_under"] = any && row.max_under < 0 ? Json(row.worst_under) : Json(nullptr);
+  if (row.first_fault) line["first_fault"] = *row.first_fault;
+  if (row.bounds) {
+    line["bounds"] = {{"over", finite(row.bounds->over, owner, "bounds.over")},
+                      {"under", finite(row.bounds->under, owner, "bounds.under")},
+                      {"eps_kappa", nullptr}};
+    if (row.bounds->eps_kappa) line["bounds"]["eps_kappa"] = finite(*row.bounds->eps_kappa, owner, "bounds.eps_kappa");
+  }
   return line;
 }
 

@@ -20,6 +20,12 @@ struct FunctionSubject {
   bool baseline = false;
 };
 
+// What a variant claims of its errors on a set of inputs, in the figures of a FunctionRow.
+struct FunctionBounds {
+  double over = 0, under = 0;       // max_over at most, max_under at least
+  std::optional<double> eps_kappa;  // most_eps_kappa at most
+};
+
 // One set of inputs. Errors are (value - truth) / scale.
 struct FunctionRow {
   FunctionSubject subject;
@@ -33,6 +39,9 @@ struct FunctionRow {
   uint64_t negative = 0, nonfinite = 0;  // of the points
   uint64_t not_zero = 0;                 // points whose truth is 0, but whose value is not
   std::array<double, 3> worst_over{}, worst_under{};  // the inputs of max_over and max_under
+  // The first input whose value is not finite, is negative, or is not 0 where 0 is right.
+  std::optional<std::array<double, 3>> first_fault;
+  std::optional<FunctionBounds> bounds;  // absent where the variant claims none on this set
 };
 
 struct FunctionTimeRow {
@@ -51,7 +60,7 @@ struct FunctionPictureRow {
 };
 
 // One line of the record each. Errors are null where no value was finite, an input of the worst where no value errs that way.
-// Throws Error(failed) for a number that is not finite.
+// "first_fault" and "bounds" are left out where there are none. Throws Error(failed) for a number that is not finite.
 nlohmann::ordered_json to_json(const FunctionRow& row);
 nlohmann::ordered_json to_json(const FunctionTimeRow& row);
 nlohmann::ordered_json to_json(const FunctionPictureRow& row);

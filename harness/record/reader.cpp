@@ -164,6 +164,11 @@ void check_function(const Json& line, const std::string& where) {
          {"worst_over", point_or_null},
          {"worst_under", point_or_null}},
         where);
+  if (line.contains("first_fault")) check(line, {{"first_fault", point_or_null}}, where);
+  if (line.contains("bounds")) {
+    check(line, {{"bounds", object}}, where);
+    check(line["bounds"], {{"over", number}, {"under", number}, {"eps_kappa", number_or_null}}, where, "bounds.");
+  }
   const bool none = line["points"] == line["nonfinite"];
   for (const char* name : {"max_over", "max_under", "mean_absolute", "rms", "most_eps", "most_eps_kappa"})
     if (line[name].is_null() != none)

@@ -115,6 +115,8 @@ CapErrors judge_caps(std::span<const CapInput> inputs, std::span<const float> ar
   size_t finite = 0;
   for (size_t i = 0; i < inputs.size(); ++i) {
     const CapInput& input = inputs[i];
+    const bool fault = !std::isfinite(areas[i]) || areas[i] < 0 || (truth.areas[i] == 0 && areas[i] != 0);
+    if (fault && !errors.first_fault) errors.first_fault = input;
     if (!std::isfinite(areas[i])) {
       ++errors.nonfinite;
       continue;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -57,7 +58,8 @@ struct CapErrors {
   double most_eps = 0;        // greatest |error| in units of 2^-23
   double most_eps_kappa = 0;  // greatest |area - truth| / truth in units of 2^-23 max(1, kappa), over caps that overlap
   size_t negative = 0, nonfinite = 0;
-  size_t not_zero = 0;  // caps that are apart, but area is not 0
+  size_t not_zero = 0;                  // caps that are apart, but area is not 0
+  std::optional<CapInput> first_fault;  // the first input of these three
 };
 // Inputs, areas and truth beside each other. What is not finite is counted and in no other figure.
 CapErrors judge_caps(std::span<const CapInput> inputs, std::span<const float> areas, const CapTruth& truth);

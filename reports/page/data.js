@@ -51,4 +51,9 @@ function choose_near(change) {
   }
   choose(next);
 }
-const point_words = point => Object.entries(page.points[point]).map(([path, value]) => `${path} ${digits(value)}`).join(', ');
+// What parts a point from the others; all that is known of it where it is the only one.
+const varies = path => page.points.length < 2 || page.points.some(point => point[path] !== page.points[0][path]);
+const point_words = point => Object.entries(page.points[point])
+                                 .filter(([path]) => varies(path))
+                                 .map(([path, value]) => `${path} ${digits(value)}`)
+                                 .join(', ');

@@ -156,8 +156,13 @@ if (page) {
     section.querySelector('.caption')?.remove();
     section.append(grid);
     let drawn = 0;
+    const left_out = [];
     for (const effect of unique(page.rows.map(row => row.effect))) {
       const [points, axis] = points_of(effect);
+      for (const row of page.rows)
+        if (row.effect === effect &&
+            !points.some(p => p.name === row.variant && p.one.record === row.record && p.one.backend === row.backend))
+          left_out.push([name_of_record(row.record), `${row.variant} on ${row.backend}`].filter(Boolean).join(', '));
       if (!points.length) continue;
       const low = d3.min(points, p => p.low), high = d3.max(points, p => p.high);
       const cost_domain = low > 0 && high > 5 * low ? [low / 1.3, high * (high / low) ** 0.3] : [0, high * 1.3];
@@ -167,12 +172,17 @@ if (page) {
     const at_point = shown.view !== null && page.points.length > 1 ? ` At the point ${point_words(chosen.point)}.` :
         shown.view === null && page.points.length > 1 ? ' Means over all points too.' :
                                                         '';
+    const more = left_out.length > 6 ? `; and ${left_out.length - 6} more` : '';
+    const without_place = left_out.length ? ` Without a place, since ${
+                                                shown.cost === 'ms' ? 'their time' : 'their fetches'} or error is not known: ${
+                                                left_out.slice(0, 6).join('; ')}${more}.` :
+                                            '';
     section.append(element('p', {
       className: 'note caption',
-      textContent: drawn ?
-          'Filled dots on the line are worth having: nothing closer is as cheap. Hollow ones are dominated. Bars are 95% intervals of the time; a dot leads to its pictures.' +
-              ' The axis of errors is stretched so that small ones stay apart; what is perfect stands at its end.' + at_point :
-          'The record has nothing to draw here: no such cost or error is known.'
+      textContent: drawn ? 'Filled dots on the line are worth having: nothing closer is as cheap. Hollow ones are dominated. ' +
+              'Bars are 95% intervals of the time; a dot leads to its pictures. The axis of errors is stretched so that small ' +
+              'ones stay apart; what is perfect stands at its end.' + at_point + without_place :
+                           'The record has nothing to draw here: no such cost or error is known.'
     }));
   }
   drawn_on_choice(draw);

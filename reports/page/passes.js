@@ -2,13 +2,16 @@
 // Where the time goes: passes stacked for each variant, beside them fetches by texture, and what a fetch costs.
 if (page) {
   const section = section_of('passes');
-  const bars = (place, title, label, rows, x, fill, words, legend) => draw_plot(place, title, {
+  // A legend of these names alone, of which each has its colour by its place in all.
+  const legend_of = (names, all) =>
+      ({legend: true, domain: names, range: names.map(name => `var(--series-${all.indexOf(name) % 10})`)});
+  const bars = (place, title, label, rows, x, fill, words, all) => draw_plot(place, title, {
     height: 110 + 34 * unique(rows.map(row => row.variant)).length,
     marginLeft: 130,
     marginTop: 10,
-    x: {label, labelAnchor: 'center', labelArrow: 'none', labelOffset: 38, grid: true},
+    x: {label, labelAnchor: 'center', labelArrow: 'none', labelOffset: 38, grid: true, nice: true},
     y: {label: null, domain: unique(rows.map(row => row.variant))},
-    color: {legend: true, domain: legend, range: legend.map((_, i) => `var(--series-${i % 10})`)},
+    color: legend_of(unique(rows.map(row => row[fill])), all),
     marks: [
       Plot.barX(rows, {y: 'variant', x, fill, title: words, tip: true, stroke: 'var(--page)', strokeWidth: 1}), Plot.ruleX([0])
     ],
@@ -44,9 +47,17 @@ if (page) {
           height: 110 + 34 * unique(costs.map(p => p.variant)).length,
           marginLeft: 130,
           marginTop: 10,
-          x: {label: 'ns a fetch', labelAnchor: 'center', labelArrow: 'none', labelOffset: 38, grid: true, zero: true},
+          x: {
+            label: 'ns a fetch',
+            labelAnchor: 'center',
+            labelArrow: 'none',
+            labelOffset: 38,
+            grid: true,
+            zero: true,
+            nice: true
+          },
           y: {label: null, domain: unique(costs.map(p => p.variant)), type: 'band'},
-          color: {legend: true, domain: names, range: names.map((_, i) => `var(--series-${i % 10})`)},
+          color: legend_of(unique(costs.map(p => p.pass)), names),
           marks: [Plot.dot(costs, {
             y: 'variant',
             x: 'ns_per_fetch',
@@ -57,6 +68,9 @@ if (page) {
           })],
         });
     }
+    if (page.passes.length && page.points.length > 1)
+      all.append(
+          element('p', {className: 'note', textContent: 'Means over the points at which passes were timed or counted.'}));
     if (!page.passes.length) all.append(element('p', {className: 'note', textContent: 'No pass was measured.'}));
   }
   let width = 0;

@@ -27,6 +27,15 @@ if (page && section_of('sweeps')) {
                                    ([path, value]) => path === shown.parameter || !parameters.includes(path) ||
                                        page.points[chosen.point][path] === value);
 
+  // Figures nearly alike must not look far apart: an SSIM's axis spans 0.01 at least, another's a tenth of its greatest figure.
+  function metric_domain(points) {
+    const [low, high] = d3.extent(points, p => p.y), least = shown.quantity.metric === 'ssim' ? 0.01 : 0.1 * Math.abs(high);
+    const lacking = Math.max(0.04 * (high - low), (least - (high - low)) / 2),
+          perfect = shown.quantity.metric === 'ssim' ? 1 : Infinity;
+    const top = Math.min(perfect, high + lacking);
+    return [Math.min(low - 0.04 * (high - low), top - Math.max(least, high - low)), top];
+  }
+
   function draw_group(grid, cells, crossovers) {
     const {record, effect, backend} = cells[0], unit = page.sweeps.find(sweep => sweep.path === shown.parameter)?.unit;
     const value = cell => page.points[cell.point][shown.parameter];
@@ -48,7 +57,12 @@ if (page && section_of('sweeps')) {
     draw_plot(plot_place(grid), title, {
       ariaLabel: `${title}: ${shown.quantity.words} over ${label}`,
       x: {label, labelAnchor: 'center', labelArrow: 'none', labelOffset: 38, grid: true},
-      y: {label: shown.quantity.words, labelArrow: 'none', grid: true, zero: !shown.quantity.metric},
+      y: {
+        label: shown.quantity.words,
+        labelArrow: 'none',
+        grid: true,
+        ...(shown.quantity.metric ? {domain: metric_domain(points)} : {zero: true})
+      },
       color: {legend: true, domain: variants, range: variants.map(variant => `var(--series-${all.indexOf(variant) % 10})`)},
       marks: [
         Plot.ruleX(

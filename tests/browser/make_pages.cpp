@@ -7,7 +7,7 @@
 
 #include "harness/core/text.h"
 #include "reports/pictures.h"
-#include "tests/reports/example_record.h"
+#include "tests/reports/example_gate.h"
 
 namespace lamina {
 namespace {
@@ -71,6 +71,8 @@ Record compare_record(const std::string& commit) {
       for (const Cost& cost : costs) {
         cells.push_back(cell_of(cost, view, backend, 12));
         name_pictures(cells.back(), fmt::format("{}-{}-{}", cost.variant, backend, view));
+        PassRow& once = cells.back().passes.emplace_back(cells.back().passes[0]);
+        once.name = "seeds", once.once = true;
       }
   CellRow failed = cells.back();
   failed.variant = "broken";
@@ -83,40 +85,9 @@ Record compare_record(const std::string& commit) {
                           {"effects",
                            {{{"effect", "layered_material"}, {"called_for", true}, {"reason", "heart has layers"}},
                             {{"effect", "aperture_lighting"}, {"called_for", false}, {"reason", "no object has apertures"}}}}});
-  const Json ratio = {{"median", 1.08}, {"low", 1.06}, {"high", 1.1}, {"rounds", 60}, {"coverage", 0.95}};
-  record.gates.push_back({{"kind", "gate"},
-                          {"mode", "against"},
-                          {"against", "the stored record of commit abc1234"},
-                          {"verdict", "slower"},
-                          {"status", 1},
-                          {"processes", 3},
-                          {"rounds", 60},
-                          {"wall_s", 41.2},
-                          {"margin", 0.02},
-                          {"confidence", 0.95},
-                          {"comparisons", 12}});
-  const Json same = {{"median", 1.001}, {"low", 0.99}, {"high", 1.01}, {"rounds", 60}, {"coverage", 0.95}};
-  record.aas.push_back({{"kind", "aa"},
-                        {"backend", "vulkan"},
-                        {"effect", "layered_material"},
-                        {"variant", "light_map"},
-                        {"ratio", same},
-                        {"verdict", "same"}});
-  for (const char* verdict : {"slower", "same"})
-    record.verdicts.push_back({{"kind", "verdict"},
-                               {"backend", "vulkan"},
-                               {"effect", "layered_material"},
-                               {"variant", "vertex_normal"},
-                               {"view", ""},
-                               {"what", "time"},
-                               {"pass", ""},
-                               {"texture", ""},
-                               {"verdict", verdict},
-                               {"before", 4.0},
-                               {"after", 4.32},
-                               {"ratio", std::string(verdict) == "slower" ? ratio : same},
-                               {"limit", nullptr},
-                               {"sentence", "vertex_normal on vulkan takes 8% more time"}});
+  record.gates = {example_gate_line("slower", 1)};
+  record.aas = {example_aa("same")};
+  record.verdicts = {example_slower(), example_verdict("same", "ssim", "vertex_normal on vulkan: ssim as before")};
   return record;
 }
 

@@ -60,6 +60,39 @@ test('the pareto chart\'s figures are the record\'s', async () => {
   await page.context().close();
 });
 
+test('the chart names what has no place on it', async () => {
+  const page = await open(browser, 'compare');
+  assert.match(await page.locator('#pareto .caption').textContent(), /Without a place, .* not known: broken on osmesa\.$/);
+  const two = await open(browser, 'two');
+  assert.match(
+      await two.locator('#pareto .caption').textContent(), /not known: A: abc1234, broken on osmesa; B: def5678, broken/);
+  await page.context().close();
+  await two.context().close();
+});
+
+test('a legend holds what its chart shows, in the colours of the chart beside it', async () => {
+  const page = await open(browser, 'compare');
+  const legends = await page.locator('#passes div[class*="swatches"]')
+                      .evaluateAll(
+                          all => all.map(
+                              one => [...one.querySelectorAll('span[class*="swatch"]')].map(
+                                  swatch => [swatch.textContent, swatch.querySelector('svg').getAttribute('fill')])));
+  assert.deepEqual(legends[0], [['composite', 'var(--series-0)'], ['light', 'var(--series-1)']]);
+  assert.deepEqual(legends[2], [...legends[0], ['seeds', 'var(--series-2)']], 'what is done once is in no frame');
+  await page.context().close();
+});
+
+test('a gate\'s answer, what regressed and every check are on the page, with and without a script', async () => {
+  for (const script of [true, false]) {
+    const page = await open(browser, 'compare', {script});
+    assert.match(await page.locator('.verdict').innerText(), /^Gate FAILED: 2 checks: 1 regressed, 1 the same/);
+    assert.match(
+        await page.locator('details.verdicts[open]').innerText(), /slower \(time\) the composite pass takes 10% longer/);
+    assert.equal(await page.locator('details.printed[open] tr.bad').count(), 1);
+    await page.context().close();
+  }
+});
+
 test('a dot leads to its pictures, by mouse and by keyboard', async () => {
   for (const press of [dot => dot.click(), async dot => (await dot.focus(), dot.press('Enter'))]) {
     const page = await open(browser, 'compare');
@@ -140,7 +173,7 @@ test('scrubbing the parameter moves through the pictures', async () => {
   await page.locator('#sweeps input[type=range]').focus();
   for (let i = 0; i < 3; ++i) await page.keyboard.press('ArrowRight');
   assert.match(await picture(), /-0-3\.png$/);
-  assert.match(await page.locator('#sweeps output').textContent(), /thickness 3/);
+  assert.equal(await page.locator('#sweeps output').textContent(), 'objects.heart.thickness 3');
   assert.match(await page.locator('#sweeps').textContent(), /keeps SSIM at least 0.98 up to thickness 4.8 texels/);
   await page.locator('#pictures .scrub input').focus();
   await page.keyboard.press('End');
@@ -189,9 +222,11 @@ test('3,000 cells and 600 pictures open and answer within 3 s, in less than 5 MB
   assert.ok(statSync(join(folder, 'large/index.html')).size < 5e6, `${statSync(join(folder, 'large/index.html')).size} bytes`);
   // Seconds of processor time, which other work on the machine does not lengthen as it does the clock's.
   const session = await browser.newBrowserCDPSession();
-  const renderers = async () => (await session.send('SystemInfo.getProcessInfo')).processInfo.filter(one => one.type === 'renderer');
+  const renderers = async () =>
+      (await session.send('SystemInfo.getProcessInfo')).processInfo.filter(one => one.type === 'renderer');
   const known = (await renderers()).map(one => one.id);
-  const spent_s = async () => (await renderers()).filter(one => !known.includes(one.id)).reduce((sum, one) => sum + one.cpuTime, 0);
+  const spent_s = async () =>
+      (await renderers()).filter(one => !known.includes(one.id)).reduce((sum, one) => sum + one.cpuTime, 0);
   const page = await open(browser, 'large');
   await page.waitForSelector('#samples svg');
   const opened_s = await spent_s();

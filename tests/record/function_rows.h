@@ -33,6 +33,14 @@ inline FunctionRow example_function(FunctionSubject subject, double over, std::s
           .worst_under = {1, 2, 3}};
 }
 
+// The same, claiming to err by up to a quarter, and with a fault.
+inline FunctionRow with_bounds(FunctionRow row) {
+  row.negative = 2;
+  row.first_fault = {3, 2, 1};
+  row.bounds = FunctionBounds{.over = 0.25, .under = -0.25, .eps_kappa = {}};
+  return row;
+}
+
 inline FunctionTimeRow example_time(FunctionSubject subject, double ns) {
   return {.subject = std::move(subject),
           .ns_per_call = Interval{.median = ns, .low = ns * 0.9, .high = ns * 1.1, .rounds = 12, .coverage = 0.96},

@@ -65,6 +65,17 @@ TEST(FunctionToJson, HoldsWhatTheRowHolds) {
   EXPECT_EQ(line["not_zero"], 3);
   EXPECT_EQ(line["worst_over"], Json({0.5, 0.25, 0.125}));
   EXPECT_EQ(line["worst_under"], Json({1, 2, 3}));
+  EXPECT_FALSE(line.contains("first_fault"));
+  EXPECT_FALSE(line.contains("bounds"));
+}
+
+TEST(FunctionToJson, HoldsTheFirstFaultAndTheBoundsWhereThereAreAny) {
+  const Json line = to_json(with_bounds(example_function(example_subject(), 0.5)));
+  EXPECT_EQ(line["first_fault"], Json({3, 2, 1}));
+  EXPECT_EQ(line["bounds"], Json({{"over", 0.25}, {"under", -0.25}, {"eps_kappa", nullptr}}));
+  FunctionRow row = with_bounds(example_function(example_subject(), 0.5));
+  row.bounds->eps_kappa = 4;
+  EXPECT_EQ(to_json(row)["bounds"]["eps_kappa"], 4);
 }
 
 TEST(FunctionToJson, WhatIsNotKnownIsNull) {
@@ -131,6 +142,10 @@ TEST_F(FunctionLines, WithoutAFieldOrWithAWrongOneAreRefusedWithFileAndLine) {
   refused(with(0, "/nonfinite", 1000), "must be null where");
   refused(with(0, "/worst_over", {1, 2}), "'worst_over'");
   refused(with(0, "/worst_under", {1, 2, "x"}), "'worst_under'");
+  refused(with(0, "/first_fault", {1, 2}), "'first_fault'");
+  refused(with(0, "/bounds", 1), "'bounds'");
+  refused(with(0, "/bounds", {{"over", 1}, {"under", -1}}), "'bounds.eps_kappa'");
+  refused(with(0, "/bounds", {{"over", 1}, {"under", "x"}, {"eps_kappa", nullptr}}), "'bounds.under'");
   refused(with(1, "/ns_per_call", 3), "'ns_per_call'");
   refused(with(1, "/ns_per_call/low", nullptr), "'ns_per_call.low'");
   refused(with(2, "/image", 1), "'image'");

@@ -54,33 +54,5 @@ TEST(Frontier, BitsFollowTheOrderOfMetricsReferencesAndCosts) {
   EXPECT_EQ(bits[1], 0b11u | 0b11u << (2 * (5 + 2)));
 }
 
-TEST(Answers, SayWhatIsWorthHavingAndWhatIsDominated) {
-  std::vector<CellRow> cells = example_cells();
-  cells.push_back(example_cell("normal_map_taps", "front", {9, 9, 9, 9, 9, 9}));
-  cells.push_back(example_cell("normal_map_taps", "grazing", {13, 13, 13, 13, 13, 13}));
-  const auto all = answers(summarize(example_record(cells)));
-  ASSERT_EQ(all.size(), 1u);
-  EXPECT_EQ(all[0].variant, "layered_material");
-  EXPECT_EQ(
-      all[0].words,
-      "worth having, by time and SSIM to the baseline: light_map (the baseline) and vertex_normal. Dominated, since another "
-      "is closer and not measurably slower: normal_map_taps (by light_map).");
-}
-
-TEST(Answers, FetchesAreWeighedWhereNothingIsTimed) {
-  const auto all = answers(summarize(example_record(example_cells(), {})));
-  ASSERT_EQ(all.size(), 1u);
-  EXPECT_TRUE(has(all[0].words, "by fetches and SSIM")) << all[0].words;
-  EXPECT_TRUE(has(all[0].words, "not measurably dearer: vertex_normal (by light_map)")) << all[0].words;
-}
-
-TEST(Answers, AVariantThatFailedIsNotKnown) {
-  std::vector<CellRow> cells = example_cells();
-  cells.push_back(example_cell("lost", "front", {}));
-  cells.back().failed = true;
-  EXPECT_TRUE(
-      has(answers(summarize(example_record(cells)))[0].words, "Not known (failed, not timed or without figures): lost."));
-}
-
 }  // namespace
 }  // namespace lamina

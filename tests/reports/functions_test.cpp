@@ -150,7 +150,7 @@ TEST(Functions, TablesShowEachFigure) {
   EXPECT_EQ(cells,
             (std::array<std::string, 9>{"linear_cap", "2 [1.8, 2.2]", "0.050", "0.1", "-0.05", "0.025", "0.033", "0", "0"}));
   EXPECT_EQ(function_set_cells(record.functions[0]).front(), "smoothstep_cap");
-  EXPECT_EQ(function_set_cells(record.functions[0]).back(), "0.5 0.25 0.125");
+  EXPECT_EQ(function_set_cells(record.functions[0])[12], "0.5 0.25 0.125");
   for (const std::string& text : {page_of(record), markdown_summary(record)}) {
     EXPECT_TRUE(has(text, "Functions: the area that two spherical caps share"));
     for (size_t i = 2; i < cells.size(); ++i) EXPECT_TRUE(has(text, cells[i])) << cells[i];
@@ -160,15 +160,76 @@ TEST(Functions, TablesShowEachFigure) {
   }
 }
 
+// Each way to pass and to fail, on paper: errs by 0.1 and -0.05, eps kappa 7.
+nlohmann::json case_of(std::optional<FunctionBounds> bounds, uint64_t negative = 0, uint64_t not_zero = 0) {
+  FunctionRow row = example_function(example_subject(), 0.1, "tiny");
+  row.bounds = bounds, row.negative = negative, row.not_zero = not_zero;
+  if (negative + not_zero > 0) row.first_fault = {3, 2, 1};
+  return to_json(row);
+}
+
+TEST(HardCases, HoldWhereNoErrorIsBeyondItsBoundAndNoValueIsAtFault) {
+  EXPECT_EQ(keeps_bounds(case_of({})), Keeps::claims_none);
+  EXPECT_EQ(keeps_bounds(case_of(FunctionBounds{0.1, -0.05, {}})), Keeps::yes);
+  EXPECT_EQ(keeps_bounds(case_of(FunctionBounds{0.1, -0.05, 7})), Keeps::yes);
+  EXPECT_EQ(keeps_bounds(case_of(FunctionBounds{0.1, -0.05, 6.9})), Keeps::no);
+  EXPECT_EQ(keeps_bounds(case_of(FunctionBounds{0.099, -0.05, {}})), Keeps::no);
+  EXPECT_EQ(keeps_bounds(case_of(FunctionBounds{0.1, -0.049, {}})), Keeps::no);
+  EXPECT_EQ(keeps_bounds(case_of(FunctionBounds{0.1, -0.05, {}}, 1)), Keeps::no);
+  EXPECT_EQ(keeps_bounds(case_of({}, 0, 1)), Keeps::no);
+  nlohmann::json none_finite = case_of({});
+  for (const char* figure : {"max_over", "max_under", "mean_absolute", "rms", "most_eps", "most_eps_kappa"})
+    none_finite[figure] = nullptr;
+  none_finite["nonfinite"] = 1000;
+  EXPECT_EQ(keeps_bounds(none_finite), Keeps::no);
+  EXPECT_EQ(function_set_cells(none_finite)[12], "");
+}
+
+TEST(HardCases, PageAndMarkdownSayWhatPassedWhatFailedAndAtWhichInput) {
+  Record record = example_record({});
+  for (const auto& [set, row] : {std::pair{"box", case_of(FunctionBounds{0.1, -0.05, {}})},
+                                 {"tiny", case_of({}, 41)},
+                                 {"large", case_of(FunctionBounds{0.01, -0.05, {}})},
+                                 {"equal", case_of({})}}) {
+    record.functions.push_back(row);
+    record.functions.back()["set"] = set;
+  }
+  for (const std::string& text : {page_of(record), markdown_summary(record)}) {
+    EXPECT_TRUE(has(text,
+                    "holds its bounds on 1 of 4 sets; claims nothing on 1, where its values are finite and not negative; "
+                    "FAILS on 2: tiny (41 negative of 1000 values, the first at 3 2 1); large (errs by 0.1 at 0.5 0.25 "
+                    "0.125, claims -0.05 to 0.01)."))
+        << text;
+    EXPECT_TRUE(has(text, "Bounds hold where every value is finite"));
+  }
+  EXPECT_TRUE(has(markdown_summary(record), "| tiny | smoothstep_cap | FAIL | - | 0.1 | -0.05 |"));
+  EXPECT_TRUE(has(markdown_summary(record), "| box | smoothstep_cap | hold | -0.05 to 0.1 |"));
+  EXPECT_TRUE(has(page_of(record), "<tr class=\"bad\"><th scope=\"row\">smoothstep_cap</th><td>FAIL</td>"));
+}
+
 TEST(Functions, ThePageHoldsTheChartItsLibraryAndThePictures) {
   const std::string page = html_report({caps()});
   EXPECT_TRUE(has(page, "<title>Lamina: What functions cost and err by</title>"));
   for (const char* part : {"<figure class=\"chart\">", "<noscript>", "Observable, Inc.", "Mike Bostock", "Permission to use",
                            "src=\"./images/slice.png\"", "r1 = 0.5", "r0 right, d up", "class=\"diverging\"", "-0.16 or less",
-                           "<summary>Hard inputs on vulkan: 1 sets</summary>"})
+                           "<h3>Hard cases on vulkan</h3>", "<summary>Every function and set on vulkan</summary>"})
     EXPECT_TRUE(has(page, part)) << part;
   EXPECT_FALSE(has(page, "<h2>All figures and pictures</h2>"));
   EXPECT_FALSE(has(html_report({example_record({})}), "Observable")) << "no chart, no library";
+}
+
+TEST(Functions, AReportOfFunctionsAloneDoesNotExplainFramesAndPictures) {
+  EXPECT_FALSE(has(page_of(caps()), "Worst view: by FLIP"));
+  EXPECT_FALSE(has(markdown_summary(caps()), "Worst view: by FLIP"));
+  EXPECT_TRUE(has(page_of(caps(example_cells())), "Worst view: by FLIP"));
+}
+
+TEST(Functions, OfSeveralRecordsEachChartNamesItsOwn) {
+  std::vector<Record> records = {caps(), caps()};
+  records[1].run["commit"] = "def5678";
+  const std::string page = html_report(records);
+  EXPECT_TRUE(has(page, "\"group\":\"A: abc1234, vulkan\""));
+  EXPECT_TRUE(has(page, "\"group\":\"B: def5678, vulkan\""));
 }
 
 nlohmann::json chart_data(const std::string& chart) {

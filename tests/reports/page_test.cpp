@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page's script is given, records side by side, pictures inside or beside, the gate's lines.
+// What a gate's page says first, and the files of a report: pictures inside or beside, several records in one folder.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
+#include "reports/gate.h"
+#include "reports/gate_reading.h"
 #include "reports/html.h"
-#include "tests/reports/example_record.h"
+#include "tests/reports/example_gate.h"
 
 namespace lamina {
 namespace {
@@ -17,81 +20,76 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-TEST(PageData, HoldsTheRecordsNumbers) {
-  const Json data = page_data({example_record(example_cells())});
-  ASSERT_EQ(data["cells"].size(), 4u);
-  const Json& cell = data["cells"][2];
-  EXPECT_EQ(data["variants"][cell["variant"].get<size_t>()], "vertex_normal");
-  EXPECT_EQ(cell["samples"], Json({4, 4, 4, 4, 4, 4}));
-  EXPECT_EQ(cell["ms"][0], 4);
-  EXPECT_EQ(cell["fetches"], 15);
-  EXPECT_EQ(cell["baseline"], Json({0.9, 30, 0.1, 0.3, 0.02}));  // SSIM, PSNR, FLIP, max, RMSE
-  EXPECT_EQ(data["cells"][0]["baseline"], Json({1, nullptr, 0, 0, 0}));
-  ASSERT_EQ(data["rows"].size(), 2u);
-  EXPECT_EQ(data["rows"][1]["ratio"][0], 0.5);
-  EXPECT_EQ(data["passes"][0]["ns_per_fetch"], 6666.67);  // 20 ms over 3000 fetches
+TEST(Gate, TheAnswerComesFirstThenItsVerdictThenWhatMoved) {
+  Record record = example_failed_gate();
+  record.cells = example_record(example_cells()).cells;
+  record.gates[0]["against"] = "commit 1<2";
+  const std::string page = page_of(record);
+  const size_t answer = page.find("<strong>layered_material</strong>: worth having"),
+               verdict =
+                   page.find("<strong>Gate FAILED: 6 checks: 2 regressed, 1 ambiguous, 1 not compared, 1 better, 1 the same"),
+               conditions =
+                   page.find("against commit 1&lt;2; 60 rounds in 3 processes, 41.2 s; margin 2%, confidence 95% over 12"),
+               headline = page.find("<strong>vertex_normal</strong> is 2.0 times faster"),
+               regressed = page.find("<details class=\"verdicts printed\" open><summary>Regressed: 2</summary>"),
+               ambiguous = page.find("<summary>Ambiguous: 1</summary>"), all = page.find("<summary>All 6 checks</summary>");
+  const std::vector<size_t> order = {answer, verdict, conditions, headline, regressed, ambiguous, all};
+  EXPECT_NE(order.back(), std::string::npos);
+  EXPECT_TRUE(std::ranges::is_sorted(order)) << testing::PrintToString(order);
+  EXPECT_TRUE(has(page, "class=\"verdict unwell\""));
+  EXPECT_TRUE(has(page, "<li><strong>slower</strong> (time) the composite pass takes 10% longer</li>"));
+  EXPECT_TRUE(has(page, "A/A vertex_normal on vulkan: 1.001 [0.997, 1.004], 60 rounds: same"));
+  EXPECT_FALSE(has(page_of(example_passed_gate()), "class=\"verdict unwell\""));
+  EXPECT_TRUE(has(page_of(example_passed_gate()), "<strong>Gate passed: 1 check: 1 the same</strong>"));
+  EXPECT_TRUE(
+      has(page, "<summary>Not compared: 1</summary>\n<ul>\n<li><strong>not_compared</strong> (time) another machine</li>"));
+  EXPECT_FALSE(has(page_of(example_record(example_cells())), "Gate"));
+  Record equal = example_passed_gate();
+  equal.cells.clear();
+  EXPECT_TRUE(has(page_of(equal), "<h1>heart: gate</h1>"));
 }
 
-TEST(PageData, SixDigitsAreEnoughAndNoTagBeginsInIt) {
-  std::vector<CellRow> cells = example_cells();
-  cells[0].passes[0].ms.assign(6, 1.23456789);
-  cells[0].effect = "</script>\xff";
-  const std::string text = for_script(page_data({example_record(cells)}));
-  EXPECT_TRUE(has(text, "[1.23457,1.23457"));
-  EXPECT_EQ(text.find('<'), std::string::npos);
-  EXPECT_TRUE(has(text, "\\u003c/script>"));
+TEST(Gate, PageSummaryAndCommentHoldTheSameRows) {
+  const Record record = example_failed_gate();
+  const std::string page = page_of(record), summary = markdown_summary(record), comment = gate_markdown(record);
+  const std::string row =
+      "| slower | time | layered_material | vertex_normal | vulkan | pass composite | 10.00 -&gt; 11.00 ms | +10.0% \\[+8.0%, "
+      "+12.0%\\] | 96.1% interval, 60 rounds | 0.03 |";
+  EXPECT_TRUE(has(summary, row)) << summary;
+  EXPECT_TRUE(has(comment, row)) << comment;
+  EXPECT_TRUE(has(page,
+                  "<tr class=\"bad\"><th scope=\"row\">slower</th><td>time</td><td>layered_material</td><td>vertex_normal</td>"
+                  "<td>vulkan</td><td class=\"wrap\">pass composite</td><td class=\"num\">10.00 -&gt; 11.00 ms</td>"
+                  "<td class=\"num\">+10.0% [+8.0%, +12.0%]</td>"));
+  EXPECT_GT(page.find("<tr><th scope=\"row\">same</th>"), page.find("<tr class=\"bad\">")) << "what regressed comes first";
+  EXPECT_GT(comment.find("| same |"), comment.find("| slower |"));
+  EXPECT_TRUE(has(summary, "- the composite pass takes 10% longer\n"));
+  EXPECT_TRUE(has(summary, "- gate FAILED: 6 checks: 2 regressed"));
+  EXPECT_TRUE(has(summary, "A/A vertex_normal on vulkan: 1.001"));
 }
 
-Json gate_verdict(const char* verdict) {
-  return {{"backend", "vulkan"},
-          {"effect", "layered_material"},
-          {"variant", "vertex_normal"},
-          {"view", "front"},
-          {"what", "time"},
-          {"pass", "composite"},
-          {"texture", ""},
-          {"verdict", verdict},
-          {"before", 4},
-          {"after", 4.5},
-          {"ratio", nullptr},
-          {"limit", nullptr},
-          {"sentence", "it takes 12% more <time>"}};
+TEST(Gate, ARecordWhoseFiguresContradictItsAnswerIsNoPassOnThePage) {
+  const std::string page = page_of(example_gate("same", 0, {example_slower()}));
+  EXPECT_TRUE(has(page, "Gate FAILED"));
+  EXPECT_TRUE(has(page, "the gate says that all is well, yet figures regressed"));
+  EXPECT_FALSE(has(page, "Gate passed"));
 }
 
-Record gated() {
-  Record record = example_record(example_cells());
-  record.gates.push_back({{"mode", "against"},
-                          {"against", "commit 1<2"},
-                          {"verdict", "slower"},
-                          {"status", 1},
-                          {"processes", 3},
-                          {"rounds", 60},
-                          {"wall_s", 41.2},
-                          {"margin", 0.02},
-                          {"confidence", 0.95},
-                          {"comparisons", 12}});
-  record.aas.push_back({{"backend", "vulkan"},
-                        {"effect", "layered_material"},
-                        {"variant", "light_map"},
-                        {"verdict", "same"},
-                        {"ratio", {{"median", 1.0}, {"low", 0.99}, {"high", 1.01}, {"rounds", 60}, {"coverage", 0.96}}}});
-  record.verdicts = {gate_verdict("slower"), gate_verdict("same")};
-  return record;
+TEST(Gate, CountsHaveAllTheirDigits) {
+  nlohmann::json verdict = example_fetches();
+  verdict["before"] = 10485760, verdict["after"] = 10485761, verdict["limit"] = 10485760;
+  EXPECT_EQ(before_and_after(verdict), "10485760 -> 10485761");
+  EXPECT_EQ(limit_of(verdict), "10485760");
 }
 
-TEST(Gate, ItsVerdictComesFirstAndWhatMovedBeforeWhatDidNot) {
-  const std::string page = page_of(gated());
-  EXPECT_LT(
-      page.find(
-          "The gate says slower: something got slower; against commit 1&lt;2, 12 comparisons in 60 rounds of 3 processes"),
-      page.find("<ul class=\"headlines\">"));
-  EXPECT_TRUE(has(page, "it takes 12% more &lt;time&gt;"));
-  EXPECT_TRUE(has(page, "<summary>As it was: 1 figure</summary>"));
-  EXPECT_TRUE(has(page, "A/A: light_map, layered_material, vulkan against itself: same, ratio 1.000 [0.990, 1.010]"));
-  const std::string markdown = markdown_summary(gated());
-  EXPECT_TRUE(has(markdown,
-                  "| vertex_normal, layered_material, vulkan, view front, pass composite | time | slower | 4 | 4.5 | - | - |"));
-  EXPECT_FALSE(has(page_of(example_record(example_cells())), "gate says"));
+TEST(Gate, WhatIsKnownOfOneSideAloneSaysOfWhich) {
+  nlohmann::json verdict = example_slower();
+  verdict["before"] = nullptr;
+  EXPECT_EQ(before_and_after(verdict), "now 11.00 ms");
+  verdict["before"] = 10, verdict["after"] = nullptr;
+  EXPECT_EQ(before_and_after(verdict), "was 10.00 ms");
+  verdict["before"] = nullptr;
+  EXPECT_EQ(before_and_after(verdict), "");
 }
 
 class Reports : public testing::Test {

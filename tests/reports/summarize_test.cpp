@@ -70,6 +70,23 @@ TEST(Summarize, FewRoundsGiveARangeThatSaysItsCoverage) {
   EXPECT_DOUBLE_EQ(rows[1].ratio->high, 1.5);
 }
 
+TEST(Summarize, FetchesAreKnownWhereThoseOfEveryViewAre) {
+  std::vector<CellRow> cells = example_cells();
+  EXPECT_DOUBLE_EQ(*summarize(example_record(cells))[1].fetches_per_pixel, 15);
+  cells[3].counted = false;
+  EXPECT_FALSE(summarize(example_record(cells))[1].fetches_per_pixel) << "one view's are not all views'";
+  cells[3].counted = true, cells[3].failed = true;
+  EXPECT_DOUBLE_EQ(*summarize(example_record(cells))[1].fetches_per_pixel, 15) << "failed views count in failed_views alone";
+}
+
+TEST(Warnings, AMissingCertificateIsOneWhereSomethingWasTimed) {
+  std::vector<CellRow> cells = example_cells();
+  ASSERT_EQ(warnings_of(example_record(cells, {})).size(), 1u);
+  EXPECT_TRUE(has(warnings_of(example_record(cells, {}))[0], "no timer certificate of vulkan"));
+  for (CellRow& cell : cells) cell.passes[0].ms.clear();
+  EXPECT_TRUE(warnings_of(example_record(cells, {})).empty());
+}
+
 TEST(Summarize, WorkDoneOnceIsNotInTheFrame) {
   std::vector<CellRow> cells = example_cells();
   PassRow bake;

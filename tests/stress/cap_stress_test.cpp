@@ -9,6 +9,7 @@
 #include <map>
 
 #include "harness/caps/cap_area.h"
+#include "harness/stress/cap_bounds.h"
 
 namespace lamina {
 namespace {
@@ -41,6 +42,22 @@ class CapShaders : public ::testing::TestWithParam<std::string_view> {
   }
   std::unique_ptr<Backend> backend_;
 };
+
+TEST_P(CapShaders, EveryFunctionKeepsTheBoundsThatItClaims) {
+  size_t claimed = 0;
+  for (const std::string& variant : cap_variants(shaders))
+    for (const auto& [set, errors] : errors(variant)) {
+      const auto bounds = cap_bounds(variant, set);
+      if (!bounds) continue;
+      SCOPED_TRACE(variant + " " + set);
+      ++claimed;
+      EXPECT_LE(errors.max_over, bounds->over);
+      EXPECT_GE(errors.max_under, bounds->under);
+      EXPECT_LE(errors.most_eps_kappa, bounds->eps_kappa.value_or(std::numeric_limits<double>::infinity()));
+      EXPECT_FALSE(errors.first_fault);
+    }
+  EXPECT_EQ(claimed, 3 * 10 + 5 * 5u);  // three claim something on all sets, five on those of radii up to pi/2
+}
 
 TEST_P(CapShaders, ExactCapKeepsItsBoundsOnEverySet) {
   for (const auto& [set, errors] : errors("exact_cap")) {
@@ -184,6 +201,8 @@ TEST_P(CapShaders, JudgesByTheSmallerCap) {
   EXPECT_EQ(errors.negative, 1u);
   EXPECT_EQ(errors.not_zero, 1u);
   EXPECT_EQ(errors.nonfinite, 1u);
+  ASSERT_TRUE(errors.first_fault);
+  EXPECT_EQ(errors.first_fault->d, 3) << "the one that is negative";
   EXPECT_NEAR(errors.mean_absolute, (0.5 + 0.25 + 0.5 / cap) / 3, 1e-6);
   EXPECT_NEAR(errors.most_eps_kappa, 0.5 * 0x1p23, 2);
 }

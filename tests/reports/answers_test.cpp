@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// The answer that a report begins with: what is worth having, what is dominated and by what, what is not known.
+#include <gtest/gtest.h>
+
+#include "reports/words.h"
+#include "tests/reports/example_record.h"
+
+namespace lamina {
+namespace {
+
+std::vector<Headline> answers_of(const std::vector<CellRow>& cells, const std::vector<TimerRow>& timers) {
+  return answers(summarize(example_record(cells, timers)));
+}
+
+TEST(Answers, SayWhatIsWorthHavingAndWhatIsDominated) {
+  std::vector<CellRow> cells = example_cells();
+  cells.push_back(example_cell("normal_map_taps", "front", {9, 9, 9, 9, 9, 9}));
+  cells.push_back(example_cell("normal_map_taps", "grazing", {13, 13, 13, 13, 13, 13}));
+  const auto all = answers_of(cells, {example_timer("vulkan")});
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].variant, "layered_material");
+  EXPECT_EQ(
+      all[0].words,
+      "worth having, by time and SSIM to the baseline: light_map (the baseline) and vertex_normal. Dominated, since another "
+      "is closer and not measurably slower: normal_map_taps (by light_map).");
+}
+
+TEST(Answers, NameTheBackendsWhereTheyDisagree) {
+  std::vector<CellRow> cells;
+  for (const auto& [backend, fast_ms] : {std::pair{"vulkan", 4.0}, {"osmesa", 9.0}}) {
+    cells.push_back(example_cell("light_map", "front", std::vector<double>(6, 8), backend));
+    cells.push_back(example_cell("vertex_normal", "front", std::vector<double>(6, fast_ms), backend));
+    cells.push_back(example_cell("normal_map_taps", "front", std::vector<double>(6, 20), backend));
+  }
+  const auto all = answers_of(cells, {example_timer("vulkan"), example_timer("osmesa")});
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_TRUE(has(all[0].words, "baseline: light_map (the baseline) and vertex_normal on vulkan. Dominated")) << all[0].words;
+  EXPECT_TRUE(has(all[0].words, "vertex_normal (by light_map on osmesa)")) << all[0].words;
+  EXPECT_TRUE(has(all[0].words, "normal_map_taps (by light_map on both backends)")) << all[0].words;
+}
+
+TEST(Answers, WeighAgainstTheTruthToo) {
+  std::vector<CellRow> cells = example_cells();
+  for (CellRow& cell : cells)
+    cell.error_truth =
+        ErrorFigures{.psnr_db = 20, .ssim = cell.baseline ? 0.7 : 0.8, .flip = 0.25, .rmse_linear = 0.1, .max_linear = 0.5};
+  const auto all = answers_of(cells, {example_timer("vulkan")});
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[1].words,
+            "worth having, by time and SSIM to the truth: vertex_normal. Dominated, since another is closer and not measurably "
+            "slower: light_map (by vertex_normal).");
+}
+
+TEST(Answers, FetchesAreWeighedWhereNothingIsTimed) {
+  const auto all = answers_of(example_cells(), {});
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_TRUE(has(all[0].words, "by fetches and SSIM")) << all[0].words;
+  EXPECT_TRUE(has(all[0].words, "not measurably dearer: vertex_normal (by light_map)")) << all[0].words;
+}
+
+TEST(Answers, AVariantThatFailedIsNotKnown) {
+  std::vector<CellRow> cells = example_cells();
+  cells.push_back(example_cell("lost", "front", {}));
+  cells.back().failed = true;
+  EXPECT_TRUE(
+      has(answers_of(cells, {example_timer("vulkan")})[0].words, "Not known (failed, not timed or without figures): lost."));
+}
+
+TEST(Answers, ABaselineThatFailedInAViewIsNoPerfectPicture) {
+  std::vector<CellRow> cells = example_cells();
+  EXPECT_FALSE(answers_of(cells, {example_timer("vulkan")}).empty());
+  cells[0].failed = true;
+  EXPECT_TRUE(answers_of(cells, {example_timer("vulkan")}).empty()) << "one variant with figures is nothing to weigh";
+}
+
+TEST(Headlines, SayFetchesWhereNothingIsTimed) {
+  const auto all = headlines(summarize(example_record(example_cells(), {})));
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].words,
+            "was not timed; it makes 15.0 fetches a pixel, light_map 15.0, on vulkan, where its SSIM is 0.900 (worst view "
+            "0.900).");
+}
+
+}  // namespace
+}  // namespace lamina

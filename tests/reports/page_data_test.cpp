@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page's script is given.
+#include <gtest/gtest.h>
+
+#include "reports/html.h"
+#include "tests/reports/example_record.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(PageData, HoldsTheRecordsNumbers) {
+  const Json data = page_data({example_record(example_cells())});
+  ASSERT_EQ(data["cells"].size(), 4u);
+  const Json& cell = data["cells"][2];
+  EXPECT_EQ(data["variants"][cell["variant"].get<size_t>()], "vertex_normal");
+  EXPECT_EQ(cell["samples"], Json({4, 4, 4, 4, 4, 4}));
+  EXPECT_EQ(cell["ms"][0], 4);
+  EXPECT_EQ(cell["fetches"], 15);
+  EXPECT_EQ(cell["baseline"], Json({0.9, 30, 0.1, 0.3, 0.02}));  // SSIM, PSNR, FLIP, max, RMSE
+  EXPECT_EQ(data["cells"][0]["baseline"], Json({1, nullptr, 0, 0, 0}));
+  EXPECT_EQ(data["cells"][0]["is_baseline"], true);
+  EXPECT_EQ(cell["is_baseline"], false);
+  ASSERT_EQ(data["rows"].size(), 2u);
+  EXPECT_EQ(data["rows"][1]["ratio"][0], 0.5);
+  EXPECT_EQ(data["records"][0]["gain"], "8");
+  EXPECT_EQ(data["passes"][0]["ns_per_fetch"], 6666.67);  // 20 ms over 3000 fetches
+  ASSERT_EQ(data["passes"][0]["shares"].size(), 2u);
+  EXPECT_EQ(data["passes"][0]["shares"][0]["texture"], "light_map_texture");
+  EXPECT_EQ(data["passes"][0]["shares"][0]["per_pixel"], 13);
+}
+
+// On paper: against the baseline light_map is closest and as cheap in fetches, so worth having by all ten choices;
+// vertex_normal is faster, so worth having by the five of time, which are the even bits.
+TEST(PageData, SaysByWhichAxesEachIsWorthHaving) {
+  const Json data = page_data({example_record(example_cells())});
+  for (const char* list : {"rows", "cells"})
+    for (const Json& one : data[list]) {
+      const bool baseline = one["is_baseline"];
+      EXPECT_EQ(one["frontier"], baseline ? 0b1111111111 : 0b0101010101) << list << " " << one.dump();
+    }
+}
+
+TEST(PageData, ACellHasItsPicturesItsWorstTileItsPointItsTruthAndWhyItFailed) {
+  std::vector<CellRow> cells = example_cells();
+  cells[2].worst_tile = WorstTile{.x = 32, .y = 16, .flip = 0.25};
+  cells[2].params["scene.time"] = 1.5;
+  cells[2].error_truth = ErrorFigures{.psnr_db = 20, .ssim = 0.75, .flip = 0.25, .rmse_linear = 0.125, .max_linear = 0.5};
+  cells[2].truth_image = "images/truth.png";
+  cells[3].failed = true;
+  cells[3].reason = "it does not compile";
+  const Json data = page_data({example_record(cells)});
+  const Json& cell = data["cells"][2];
+  EXPECT_EQ(cell["image"], "images/vertex_normal-front.png");
+  EXPECT_EQ(cell["difference"], "images/vertex_normal-front-difference.png");
+  EXPECT_EQ(cell["flip"], "images/vertex_normal-front-flip.png");
+  EXPECT_EQ(cell["truth_image"], "images/truth.png");
+  EXPECT_EQ(cell["truth"], Json({0.75, 20, 0.25, 0.5, 0.125}));
+  EXPECT_EQ(cell["worst_tile"]["x"], 32);
+  EXPECT_EQ(cell["worst_tile"]["flip"], 0.25);
+  EXPECT_EQ(cell["size"], Json({64, 32}));
+  EXPECT_FALSE(cell.contains("failed"));
+  EXPECT_EQ(data["points"][cell["point"].get<size_t>()]["scene.time"], 1.5);
+  EXPECT_EQ(data["points"][data["cells"][0]["point"].get<size_t>()]["scene.time"], 0.5);
+  EXPECT_EQ(data["cells"][3]["failed"], "it does not compile");
+  EXPECT_TRUE(data["cells"][3]["ms"].is_null());
+  EXPECT_FALSE(data["cells"][0].contains("difference"));
+  EXPECT_FALSE(data["cells"][0].contains("truth"));
+}
+
+TEST(PageData, EachOfSeveralRecordsHasItsNumber) {
+  Record record = example_record(example_cells());
+  record.sweeps = {{{"parameters", {{{"path", "scene.time"}, {"unit", "s"}, {"values", {0, 1}}}}}}};
+  record.crossovers = {{{"parameter", "scene.time"}, {"sentence", "they meet"}}};
+  const Json data = page_data({record, record});
+  for (const char* list : {"rows", "cells", "passes", "sweeps", "crossovers"}) {
+    const Json& all = data[list];
+    ASSERT_FALSE(all.empty()) << list;
+    EXPECT_EQ(all.front()["record"], 0) << list;
+    EXPECT_EQ(all.back()["record"], 1) << list;
+  }
+  EXPECT_EQ(data["records"][1]["name"], "B: abc1234");
+}
+
+TEST(PageData, WithoutACertificateThereIsNoTimeAndNoRatio) {
+  std::vector<CellRow> cells = example_cells();
+  cells[2].ratio_to_baseline = Interval{.median = 0.5, .low = 0.4, .high = 0.6, .rounds = 6, .coverage = 0.97};
+  EXPECT_EQ(page_data({example_record(cells)})["cells"][2]["ratio"][0], 0.5);
+  const Json data = page_data({example_record(cells, {example_timer("vulkan", false)})});
+  EXPECT_TRUE(data["cells"][2]["ratio"].is_null());
+  EXPECT_TRUE(data["cells"][2]["ms"].is_null());
+  EXPECT_TRUE(data["cells"][2]["samples"].empty());
+  EXPECT_TRUE(data["rows"][1]["ratio"].is_null());
+}
+
+TEST(PageData, SixDigitsAreEnoughAndNoTagBeginsInIt) {
+  std::vector<CellRow> cells = example_cells();
+  cells[0].passes[0].ms.assign(6, 1.23456789);
+  cells[0].effect = "</script>\xff";
+  const std::string text = for_script(page_data({example_record(cells)}));
+  EXPECT_TRUE(has(text, "[1.23457,1.23457"));
+  EXPECT_EQ(text.find('<'), std::string::npos);
+  EXPECT_TRUE(has(text, "\\u003c/script>"));
+}
+
+}  // namespace
+}  // namespace lamina
