@@ -13,7 +13,7 @@ BackendRun::BackendRun(Backend& backend, SceneResources& resources, const Plan& 
       shaders_(shaders),
       options_(options),
       images_(images),
-      truth_(resources, plan, effect, shaders, bakes, options) {
+      truth_(resources, plan, effect, shaders, bakes, options_) {
   for (const VariantManifest& manifest : effect.variants) {
     if (!is_compared(manifest, options)) continue;
     Variant& variant = variants_.emplace_back();

@@ -13,7 +13,8 @@ namespace lamina {
 
 class BackendRun {
  public:
-  // Everything must outlive this. `images` is the folder of the pictures within options.out; their paths in rows begin with it.
+  // Everything but the options must outlive this. `images` is the folder of the pictures within options.out; their paths in
+  // rows begin with it.
   BackendRun(Backend& backend, SceneResources& resources, const Plan& plan, const EffectManifest& effect, ShaderCache& shaders,
              Bakes& bakes, const CompareOptions& options, const std::string& images);
 
@@ -47,7 +48,7 @@ class BackendRun {
   SceneResources& resources_;
   const Plan& plan_;
   ShaderCache& shaders_;
-  const CompareOptions& options_;
+  const CompareOptions options_;
   const std::string images_;
   TruthRun truth_;
   std::vector<Variant> variants_;  // the baseline first
