@@ -23,9 +23,8 @@ namespace fs = std::filesystem;
 
 constexpr size_t gates_a_set = 40;  // over equal trees; their share of those with a slower pass goes along
 constexpr std::array<double, 5> slow_downs = {0.01, 0.02, 0.03, 0.05, 0.10};
-constexpr std::array<uint32_t, 5> tried_taps = {8, 16, 32, 64, 128};
-constexpr double full_dose_wanted = 0.25;    // extra taps in every block make the pass slower by at least this
-constexpr double most_cost_of_code = 0.008;  // of taps that no pixel takes: less than the least slow-down
+constexpr std::array<uint32_t, 6> tried_taps = {4, 8, 16, 32, 64, 128};
+constexpr double most_dear_tap = 0.01;  // a tap costs less of the pass than this, or the least slow-down cannot be made
 
 const EffectManifest& effect_with_variants(const Plan& plan, const Scene& scene) {
   for (const EffectPlan& entry : plan.effects)
@@ -50,11 +49,11 @@ class Bench {
 
   const VariantManifest& baseline_of(const Tree& of) const { return of.library.effect(effect.name).baseline(); }
   fs::path slower_home(size_t dose) const { return folder_ / std::to_string(dose); }
-  // Puts a tree for each dose into `slower`.
-  void make_slower(const std::string& pass, const std::vector<ExtraTaps>& doses) {
+  // Puts a tree for each number of extra taps into `slower`.
+  void make_slower(const std::string& pass, const std::vector<uint32_t>& taps) {
     slower.clear();
-    for (size_t i = 0; i < doses.size(); ++i) {
-      write_slower_tree(home_folder(), slower_home(i), effect.baseline(), pass, doses[i]);
+    for (size_t i = 0; i < taps.size(); ++i) {
+      write_slower_tree(home_folder(), slower_home(i), effect.baseline(), pass, taps[i]);
       slower.push_back(std::make_unique<Tree>(load_tree(load_library(slower_home(i)), scene, options.compare.backends)));
     }
   }
@@ -170,26 +169,25 @@ std::vector<double> costs_of_slower(Bench& bench, const std::string& pass) {
   return costs;
 }
 
-// Extra taps in a share of the blocks for each of slow_downs. None where a pass is slower merely for having the code of extra
-// taps, which then is no known slow-down, or does not get slow enough.
-std::vector<ExtraTaps> find_doses(Bench& bench, const std::string& pass) {
-  std::vector<ExtraTaps> full{{tried_taps[0], 0}};
-  for (const uint32_t taps : tried_taps) full.push_back({taps, 1024});
-  bench.make_slower(pass, full);
+// The extra taps for each of slow_downs, by interpolation between those that are tried. None where a pass is much slower for
+// the first few, or not slow enough with the most.
+std::vector<uint32_t> find_taps(Bench& bench, const std::string& pass) {
+  bench.make_slower(pass, {tried_taps.begin(), tried_taps.end()});
   const std::vector<double> costs = costs_of_slower(bench, pass);
-  fmt::print("pass {} of {}: extra taps in no pixel cost {:+.1f}%", pass, bench.effect.baseline().name, costs[0] * 100);
-  for (size_t i = 0; i < tried_taps.size(); ++i) fmt::print(", {} in each {:+.1f}%", tried_taps[i], costs[i + 1] * 100);
+  fmt::print("pass {} of {}: extra taps in each pixel", pass, bench.effect.baseline().name);
+  for (size_t i = 0; i < tried_taps.size(); ++i) fmt::print(", {} cost {:+.1f}%", tried_taps[i], costs[i] * 100);
   fmt::print("\n");
-  if (std::abs(costs[0]) > most_cost_of_code) return {};
-  std::vector<ExtraTaps> doses;
-  for (size_t i = 0; i < tried_taps.size(); ++i) {
-    if (costs[i + 1] < full_dose_wanted) continue;
-    for (const double slow_down : slow_downs)
-      doses.push_back(
-          {tried_taps[i], static_cast<uint32_t>(std::lround(1024 * (slow_down - costs[0]) / (costs[i + 1] - costs[0])))});
-    break;
+  if (costs[0] / tried_taps[0] > most_dear_tap) return {};
+  std::vector<uint32_t> taps;
+  for (const double wanted : slow_downs) {
+    size_t above = 0;
+    while (above < costs.size() && costs[above] < wanted) ++above;
+    if (above == costs.size()) return {};
+    const double low_taps = above == 0 ? 0 : tried_taps[above - 1], low = above == 0 ? 0 : costs[above - 1];
+    const double part = (wanted - low) / (costs[above] - low);
+    taps.push_back(std::max(1u, static_cast<uint32_t>(std::lround(low_taps + part * (tried_taps[above] - low_taps)))));
   }
-  return doses;
+  return taps;
 }
 
 // The seconds that a process has for rounds in a gate within the budget, by one real gate on a variant that changed.
@@ -299,13 +297,13 @@ int run_calibration(const GateOptions& options) {
   make_run_folder("gate", options.compare.out);
   Bench bench(options, scene);
   std::string pass;
-  std::vector<ExtraTaps> doses;
+  std::vector<uint32_t> taps;
   for (const std::string& candidate : passes_by_length(bench))
-    if (doses.empty()) pass = candidate, doses = find_doses(bench, pass);
-  if (doses.empty())
+    if (taps.empty()) pass = candidate, taps = find_taps(bench, pass);
+  if (taps.empty())
     throw Error(ErrorKind::failed, "gate", bench.effect.baseline().name,
                 "extra taps make none of its passes slower by a known share; calibrate at a larger --size");
-  bench.make_slower(pass, doses);
+  bench.make_slower(pass, taps);
   const double round_s = round_seconds(bench);
 
   std::string where;

@@ -61,7 +61,7 @@ void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements
   for (const nlohmann::json& line : child.lines) {
     if (line.contains("timer")) measured.timers.push_back(line["timer"]);
     if (line.contains("cell"))
-      (line["side"] == "before" ? measured.cells_before : measured.cells_after).push_back(line["cell"]);
+      (line.value("side", "after") == "before" ? measured.cells_before : measured.cells_after).push_back(line["cell"]);
     if (line.contains("pairs")) measured.pairs.push_back(pairs_from_json(line["pairs"]));
     if (line.contains("facts")) {
       const nlohmann::json& from = line["facts"];

@@ -50,14 +50,10 @@ std::string slower(std::string text, const std::string& sampler, const std::stri
 #ifdef EXTRA_TAPS
 void main() {{
   main_before();
-  uvec2 block = uvec2(gl_FragCoord.xy) / 8u;
-  uint hash = (block.x * 1597334677u) ^ (block.y * 3812015801u);
-  hash = (hash ^ (hash >> 16)) * 2246822519u;
-  if (((hash >> 13) & 1023u) < EXTRA_TAPS_BLOCKS) {{
-    vec4 sum = vec4(0.0);
-    for (int i = 0; i < EXTRA_TAPS; ++i) sum += textureLod({0}, gl_FragCoord.xy * 0.00137 + float(i) * 0.0171, 0.0);
-    if (sum.x < -1.0) {1} += sum;  // never, which no compiler knows
-  }}
+  ivec2 at = ivec2(gl_FragCoord.xy), last = min(textureSize({0}, 0) - 1, ivec2(7));  // few, so that they stay in caches
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < EXTRA_TAPS; ++i) sum += texelFetch({0}, (at * (2 * i + 1)) & last, 0);
+  if (sum.x < -1.0) {1} += sum;  // never, which no compiler knows
 }}
 #endif
 )",
@@ -69,7 +65,7 @@ void write(const fs::path& file, const std::string& text) { write_file_atomicall
 }  // namespace
 
 void write_slower_tree(const fs::path& home, const fs::path& folder, const VariantManifest& variant, const std::string& pass,
-                       const ExtraTaps& extra) {
+                       uint32_t taps) {
   fs::remove_all(folder);
   fs::create_directories(folder);
   for (const char* part : {"variants", "shaders"}) fs::copy(home / part, folder / part, fs::copy_options::recursive);
@@ -92,7 +88,7 @@ void write_slower_tree(const fs::path& home, const fs::path& folder, const Varia
   const size_t name = toml.find(fmt::format("name = \"{}\"", pass), toml.find("[[pass]]"));
   if (name == std::string::npos) refuse(manifest, fmt::format("does not spell pass '{}' as name = \"{}\"", pass, pass));
   const size_t next = std::min(toml.find("[[pass]]", name), toml.size());
-  const std::string defines = fmt::format("EXTRA_TAPS = \"{}\", EXTRA_TAPS_BLOCKS = \"{}u\"", extra.taps, extra.blocks_of_1024);
+  const std::string defines = fmt::format("EXTRA_TAPS = \"{}\"", taps);
   const size_t define = toml.find("define = {", name);
   if (define < next)
     toml.insert(define + std::string_view("define = {").size(), " " + defines + ",");
