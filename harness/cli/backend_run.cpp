@@ -25,17 +25,8 @@ BackendRun::BackendRun(Backend& backend, SceneResources& resources, const Plan& 
   }
 }
 
-// The one place where a variant's failure is caught.
-template <class Work>
-void BackendRun::attempt(Variant& variant, Work&& work) {
-  if (!variant.failure.empty()) return;
-  try {
-    work();
-  } catch (const std::exception& error) {
-    variant.failure = error.what();
-    variant.ready.reset();
-    for (CellRow& row : variant.rows) fail(row, variant.failure);
-  }
+void BackendRun::attempt(Variant& variant, const std::function<void()>& work) {
+  if (!lamina::attempt(variant.failure, variant.rows, work)) variant.ready.reset();
 }
 
 void BackendRun::prepare(Progress& progress) {

@@ -41,8 +41,7 @@ class BackendRun {
     std::vector<CellRow> rows;                 // [view]
     std::vector<Mask> covered;                 // [view]
   };
-  template <class Work>
-  void attempt(Variant& variant, Work&& work);
+  void attempt(Variant& variant, const std::function<void()>& work);
   void score_view(Variant& variant, size_t view, const Image& picture, const Image* baseline, Progress& progress);
 
   SceneResources& resources_;

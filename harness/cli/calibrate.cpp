@@ -3,8 +3,9 @@
 // nothing, and over trees in which one pass is slower by a known share. Each gate has rounds of its own in several processes on
 // every backend, for as long as a gate within the budget has, and is judged as a gate is. What is dear is shared: gates come in
 // sets whose processes are the same, prepared once. Counts and pictures are left out, and an ambiguous gate gets no further
-// processes, though one on its own would.
+// processes, though one on its own would. calibration.jsonl holds every gate, and the same command goes on after the last.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -14,14 +15,16 @@
 #include "harness/cli/gate_process.h"
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
+#include "harness/gate/calibration.h"
 #include "harness/gate/slowdown.h"
+#include "harness/record/record.h"
 
 namespace lamina {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t gates_a_set = 40;  // over equal trees; their share of those with a slower pass goes along
+constexpr size_t gates_a_set = 20;  // over equal trees; their share of those with a slower pass goes along
 constexpr std::array<double, 5> slow_downs = {0.01, 0.02, 0.03, 0.05, 0.10};
 constexpr std::array<uint32_t, 6> tried_taps = {4, 8, 16, 32, 64, 128};
 constexpr double most_dear_tap = 0.01;  // a tap costs less of the pass than this, or the least slow-down cannot be made
@@ -205,71 +208,74 @@ double round_seconds(Bench& bench) {
   return seconds;
 }
 
-// Wilson's interval of a share (E. B. Wilson, "Probable inference, the law of succession, and statistical inference", Journal
-// of the American Statistical Association 22, 1927), 95%.
-std::pair<double, double> share_interval(size_t hits, size_t of) {
-  constexpr double z = 1.959964;
-  const double n = static_cast<double>(of), p = static_cast<double>(hits) / n, scale = 1 / (1 + z * z / n);
-  const double center = (p + z * z / (2 * n)) * scale;
-  const double half = z * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n)) * scale;
-  return {std::max(0.0, center - half), std::min(1.0, center + half)};
-}
+// What is calibrated, where, and what was found before the first gate; the first line of the calibration's file.
+struct Setup {
+  nlohmann::ordered_json asked;  // what must be the same for gates to be counted together
+  std::string pass;
+  std::vector<uint32_t> taps;
+  double round_s = 0;
 
-// How gates over one kind of trees ended.
-struct Tally {
-  double slow_down = 0;  // 0: equal trees
-  size_t gates = 0, failed = 0, faster = 0, ambiguous = 0, passed = 0;
-  std::vector<double> ratios;
-
-  void add(const std::vector<PairsRow>& pairs, double family_error, const std::string& pass) {
-    const TimeReport report = judge_pairs(pairs, {}, family_error);
-    const GateOutcome outcome = outcome_of(report.rows);
-    ++gates;
-    if (outcome.status == 1)
-      ++failed;
-    else if (outcome.status == 3)
-      ++ambiguous;
-    else
-      ++(outcome.verdict == Verdict::faster ? faster : passed);
-    for (const VerdictRow& row : report.rows)
-      if (row.pass == pass) ratios.push_back(row.ratio->median);
+  nlohmann::ordered_json line() const {
+    nlohmann::ordered_json line = asked;
+    line["pass"] = pass, line["taps"] = taps, line["round_s"] = round_s;
+    return line;
   }
 };
 
-std::string table(const std::vector<Tally>& tallies) {
-  std::string text =
-      "| slow-down of one pass | gates | found slower (95% interval) | ambiguous | the same | ratio measured |\n"
-      "|---|---:|---:|---:|---:|---:|\n";
-  for (const Tally& tally : tallies) {
-    if (tally.gates == 0) continue;
-    const size_t found = tally.slow_down == 0 ? tally.failed + tally.faster : tally.failed;
-    const auto [low, high] = share_interval(found, tally.gates);
-    const double gates = static_cast<double>(tally.gates);
-    text += fmt::format("| {} | {} | {:.1f}% ({:.1f} to {:.1f}) | {:.1f}% | {:.1f}% | {:.4f} |\n",
-                        tally.slow_down == 0 ? "none: false alarms" : fmt::format("{:.0f}%", tally.slow_down * 100),
-                        tally.gates, 100 * static_cast<double>(found) / gates, low * 100, high * 100,
-                        100 * static_cast<double>(tally.ambiguous) / gates, 100 * static_cast<double>(tally.passed) / gates,
-                        mean(tally.ratios));
-  }
-  return text;
+Setup ask(const GateOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices) {
+  nlohmann::ordered_json on = nlohmann::ordered_json::array();
+  for (const DeviceInfo& device : devices)
+    on.push_back(fmt::format("{}: {}, {}", device.backend, device.device, device.driver));
+  return {{{"kind", "calibration"},
+           {"scene", scene.name},
+           {"size", fmt::format("{}x{}", options.compare.width_px, options.compare.height_px)},
+           {"machine", fmt::format("{}, {} threads", cpu_model(), std::thread::hardware_concurrency())},
+           {"devices", on},
+           {"margin", Limits().max_slowdown},
+           {"processes", options.processes},
+           {"budget_s", options.budget_s}},
+          "",
+          {},
+          0};
 }
 
-// Times `gates` gates over equal trees, and their share of those with a slower pass, in processes of one set.
-void run_set(Bench& bench, size_t set, size_t gates, size_t slower_gates, double round_s, const std::string& pass,
-             std::vector<Tally>& tallies) {
-  std::vector<std::vector<std::vector<PairsRow>>> rows(tallies.size());  // [kind][gate]
-  rows[0].resize(gates);
-  for (size_t kind = 1; kind < tallies.size(); ++kind) rows[kind].resize(slower_gates);
+void find(Setup& setup, Bench& bench) {
+  for (const std::string& candidate : passes_by_length(bench))
+    if (setup.taps.empty()) setup.pass = candidate, setup.taps = find_taps(bench, candidate);
+  if (setup.taps.empty())
+    throw Error(ErrorKind::failed, "gate", bench.effect.baseline().name,
+                "extra taps make none of its passes slower by a known share; calibrate at a larger --size");
+  bench.make_slower(setup.pass, setup.taps);
+  setup.round_s = round_seconds(bench);
+}
+
+// Takes what an earlier call found. Throws where that was another calibration.
+void go_on(Setup& setup, const nlohmann::json& line, Bench& bench, const fs::path& file) {
+  for (const auto& [key, value] : setup.asked.items())
+    if (!line.contains(key) || line.at(key) != nlohmann::json(value))
+      throw Error(
+          ErrorKind::bad_input, "gate", file.string(),
+          fmt::format("holds a calibration with another {} ({}, now {}); remove it, or choose another folder with --out", key,
+                      line.value(key, nlohmann::json()).dump(), value.dump()));
+  setup.pass = line.at("pass"), setup.taps = line.at("taps").get<std::vector<uint32_t>>(), setup.round_s = line.at("round_s");
+  bench.make_slower(setup.pass, setup.taps);
+}
+
+// Times as many gates of each kind (equal trees, then slow_downs) as `counts` says, in processes of one set.
+std::vector<CalibratedGate> run_set(Bench& bench, const Setup& setup, size_t set, const std::vector<size_t>& counts) {
+  const size_t most = *std::max_element(counts.begin(), counts.end());
+  std::vector<std::vector<std::vector<PairsRow>>> rows;  // [kind][gate]
+  for (const size_t count : counts) rows.emplace_back(count);
   const auto work = [&](GateProcess& process, BenchFrames& frames, const EmitLine& emit) {
-    std::vector<std::vector<TimedFrames>> kinds(tallies.size());
+    std::vector<std::vector<TimedFrames>> kinds(counts.size());
     for (const VariantManifest& variant : bench.effect.variants) kinds[0].push_back(frames.equal(variant));
     for (size_t kind = 1; kind < kinds.size(); ++kind) kinds[kind].push_back(frames.slower(kind - 1));
     std::mt19937_64 random = random_of(process);
-    for (size_t gate = 0; gate < std::max(gates, slower_gates); ++gate)
+    for (size_t turn = 0; turn < most; ++turn)
       for (size_t kind = 0; kind < kinds.size(); ++kind) {
         // Spread evenly over the set, so that a change of the machine's mood meets all kinds alike.
-        const size_t of_kind = rows[kind].size(), most = std::max(gates, slower_gates);
-        if ((gate + 1) * of_kind / most == gate * of_kind / most) continue;
+        const size_t gate = turn * counts[kind] / most;
+        if ((turn + 1) * counts[kind] / most == gate) continue;
         const Stopwatch watch;
         const auto measured = [&] {
           std::vector<PairsRow> all;
@@ -277,16 +283,34 @@ void run_set(Bench& bench, size_t set, size_t gates, size_t slower_gates, double
           return all;
         };
         time_rounds(process, kinds[kind], random,
-                    [&] { return watch.elapsed_s() >= round_s || precise_enough(measured(), {}); });
-        for (const PairsRow& row : measured()) emit({{"kind", kind}, {"gate", gate * of_kind / most}, {"pairs", to_json(row)}});
+                    [&] { return watch.elapsed_s() >= setup.round_s || precise_enough(measured(), {}); });
+        for (const PairsRow& row : measured()) emit({{"kind", kind}, {"gate", gate}, {"pairs", to_json(row)}});
       }
   };
   for (size_t process = 0; process < bench.options.processes; ++process)
     for (const std::string& backend : bench.options.compare.backends)
       for (const nlohmann::json& line : run_process(bench, backend, set * bench.options.processes + process, work))
         rows[line.at("kind")][line.at("gate")].push_back(pairs_from_json(line.at("pairs")));
+  std::vector<CalibratedGate> gates;
   for (size_t kind = 0; kind < rows.size(); ++kind)
-    for (const std::vector<PairsRow>& gate : rows[kind]) tallies[kind].add(gate, bench.options.family_error, pass);
+    for (const std::vector<PairsRow>& gate : rows[kind])
+      gates.push_back(judge_calibrated(kind == 0 ? 0 : slow_downs[kind - 1], gate, bench.options.family_error, setup.pass));
+  return gates;
+}
+
+// How many gates of each kind are still to be run in the next set; all 0: none.
+std::vector<size_t> next_counts(const std::vector<CalibratedGate>& done, const GateOptions& options) {
+  std::vector<size_t> counts;
+  const size_t most = std::max(options.equal_gates, options.slower_gates);
+  for (size_t kind = 0; kind <= slow_downs.size(); ++kind) {
+    const double slow_down = kind == 0 ? 0 : slow_downs[kind - 1];
+    const auto have = static_cast<size_t>(
+        std::ranges::count_if(done, [&](const CalibratedGate& gate) { return gate.slow_down == slow_down; }));
+    const size_t wanted = kind == 0 ? options.equal_gates : options.slower_gates;
+    const size_t share = (gates_a_set * wanted + most - 1) / most;
+    counts.push_back(std::min(share, wanted - std::min(have, wanted)));
+  }
+  return counts;
 }
 
 }  // namespace
@@ -295,37 +319,40 @@ int run_calibration(const GateOptions& options) {
   const Scene scene = load_scene_for(options.compare.scene);
   const std::vector<DeviceInfo> devices = probe_devices(options);
   make_run_folder("gate", options.compare.out);
+  const fs::path file = options.compare.out / "calibration.jsonl";
   Bench bench(options, scene);
-  std::string pass;
-  std::vector<uint32_t> taps;
-  for (const std::string& candidate : passes_by_length(bench))
-    if (taps.empty()) pass = candidate, taps = find_taps(bench, pass);
-  if (taps.empty())
-    throw Error(ErrorKind::failed, "gate", bench.effect.baseline().name,
-                "extra taps make none of its passes slower by a known share; calibrate at a larger --size");
-  bench.make_slower(pass, taps);
-  const double round_s = round_seconds(bench);
-
-  std::string where;
-  for (const DeviceInfo& device : devices)
-    where += fmt::format("{}{}: {}, {}", where.empty() ? "" : "; ", device.backend, device.device, device.driver);
-  const std::string head = fmt::format(
-      "Command: {}\nMachine: {}, {} threads; {}\nMargin {:.1f}%, pass {} of {}, {}x{}, {} processes on each backend, {:.1f} s "
-      "of "
-      "rounds in each\n\n",
-      options.compare.command, cpu_model(), std::thread::hardware_concurrency(), where, Limits().max_slowdown * 100, pass,
-      bench.effect.baseline().name, options.compare.width_px, options.compare.height_px, options.processes, round_s);
-  std::vector<Tally> tallies(1 + slow_downs.size());
-  for (size_t i = 0; i < slow_downs.size(); ++i) tallies[i + 1].slow_down = slow_downs[i];
-  const size_t gates = std::max(options.equal_gates, options.slower_gates), sets = (gates + gates_a_set - 1) / gates_a_set;
-  Progress progress("calibrating");
-  for (size_t set = 0; set < sets; ++set) {
-    progress.show(static_cast<double>(set) / static_cast<double>(sets), "");
-    const auto share = [&](size_t all) { return (set + 1) * all / sets - set * all / sets; };
-    run_set(bench, set, share(options.equal_gates), share(options.slower_gates), round_s, pass, tallies);
-    write_file_atomically(options.compare.out / "calibration.md", head + table(tallies));
+  Setup setup = ask(options, scene, devices);
+  std::vector<CalibratedGate> gates;
+  if (const std::vector<nlohmann::json> lines = read_calibration(file); lines.empty()) {
+    find(setup, bench);
+  } else {
+    go_on(setup, lines.front(), bench, file);
+    for (size_t i = 1; i < lines.size(); ++i) gates.push_back(calibrated_from_json(lines[i]));
+    fmt::print("goes on after the {} gates in {}\n", gates.size(), file.string());
   }
-  fmt::print("{}{}", head, table(tallies));
+  std::string whole = setup.line().dump() + "\n";  // without a line that was cut short
+  for (const CalibratedGate& gate : gates) whole += to_json(gate).dump() + "\n";
+  write_file_atomically(file, whole);
+  RecordWriter log(file, true);
+
+  const std::string head = fmt::format(
+      "Command: {}\nMachine: {}; {}\nMargin {:.1f}%, pass {} of {}, {}, {} processes on each backend, {:.1f} s of "
+      "rounds in each\n\n",
+      options.compare.command, setup.asked["machine"].get<std::string>(),
+      fmt::join(setup.asked["devices"].get<std::vector<std::string>>(), "; "), Limits().max_slowdown * 100, setup.pass,
+      bench.effect.baseline().name, setup.asked["size"].get<std::string>(), options.processes, setup.round_s);
+  const size_t all = options.equal_gates + slow_downs.size() * options.slower_gates;
+  Progress progress("calibrating");
+  for (std::vector<size_t> counts = next_counts(gates, options); *std::ranges::max_element(counts) > 0;
+       counts = next_counts(gates, options)) {
+    progress.show(static_cast<double>(gates.size()) / static_cast<double>(all), "");
+    for (const CalibratedGate& gate : run_set(bench, setup, gates.size(), counts)) {
+      log.append(to_json(gate));
+      gates.push_back(gate);
+    }
+    write_file_atomically(options.compare.out / "calibration.md", head + calibration_table(gates));
+  }
+  fmt::print("{}{}", head, calibration_table(gates));
   return 0;
 }
 

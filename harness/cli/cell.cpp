@@ -86,6 +86,17 @@ void fail(CellRow& row, const std::string& reason) {
   row.reason = reason;
 }
 
+bool attempt(std::string& failure, std::vector<CellRow>& rows, const std::function<void()>& work) {
+  if (!failure.empty()) return false;
+  try {
+    work();
+  } catch (const std::exception& error) {
+    failure = error.what();
+    for (CellRow& row : rows) fail(row, failure);
+  }
+  return failure.empty();
+}
+
 void append_row(RecordWriter& record, const CellRow& row) {
   nlohmann::ordered_json line;
   try {

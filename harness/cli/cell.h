@@ -17,6 +17,9 @@ namespace lamina {
 CellRow blank_row(const std::string& backend, const std::string& device, const Scene& scene, const View& view,
                   const VariantManifest& variant, const CompareOptions& options);
 void fail(CellRow& row, const std::string& reason);
+// Does a variant's work unless it has failed before; what the work throws becomes its failure, and that of its rows. The one
+// place where a variant's failure is caught: the others go on. Returns whether the variant is still well.
+bool attempt(std::string& failure, std::vector<CellRow>& rows, const std::function<void()>& work);
 // A row that cannot be written as measured (a number that is none) becomes a failed one; the others go on.
 void append_row(RecordWriter& record, const CellRow& row);
 

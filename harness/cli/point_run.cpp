@@ -65,18 +65,6 @@ PointRun::~PointRun() {
   variants_.clear();
 }
 
-// The one place where a variant's failure is caught.
-template <class Work>
-void PointRun::attempt(Variant& variant, Work&& work) {
-  if (!variant.failure.empty()) return;
-  try {
-    work();
-  } catch (const std::exception& error) {
-    variant.failure = error.what();
-    for (CellRow& row : variant.rows) fail(row, variant.failure);
-  }
-}
-
 void PointRun::go_to(size_t point) {
   Scene next = scenes_.at(point);
   const std::string resources = resources_key(next), meshes = meshes_hash(next);
@@ -197,7 +185,7 @@ void PointRun::time(Progress& progress) {
   const Clock clock(spent_.device);
   std::vector<TimedCell> cells;
   for (Variant& variant : variants_) {
-    attempt(variant, [&] { variant.once_ms = time_once(*variant.prepared.front().frame); });
+    attempt(variant.failure, variant.rows, [&] { variant.once_ms = time_once(*variant.prepared.front().frame); });
     if (!variant.failure.empty()) continue;
     for (size_t view = 0; view < variant.rows.size(); ++view) {
       TimedCell& cell =
@@ -221,7 +209,7 @@ Image PointRun::render(Variant& variant, size_t view) {
 CellRow PointRun::score(Variant& variant, size_t view, const Image* baseline, bool keep_pictures,
                         std::vector<Picture>& pictures, Progress& progress) {
   CellRow& row = variant.rows[view];
-  attempt(variant, [&] {
+  attempt(variant.failure, variant.rows, [&] {
     if (row.failed) return;
     const Image picture = variant.manifest->baseline ? *baseline : render(variant, view);
     KeepPicture keep;
@@ -254,7 +242,7 @@ bool PointRun::run(size_t point, const std::function<bool(const std::string&, co
   }
   for (Variant& variant : variants_) {
     start_rows(variant, point);
-    attempt(variant, [&] {
+    attempt(variant.failure, variant.rows, [&] {
       if (!failure.empty()) throw std::runtime_error(failure);
       prepare(variant, point);
       count(variant, variant.rows.front().counted);
@@ -267,7 +255,7 @@ bool PointRun::run(size_t point, const std::function<bool(const std::string&, co
     const auto is_wanted = [&](const Variant& variant) { return wanted(variant.manifest->name, name); };
     if (std::none_of(variants_.begin(), variants_.end(), is_wanted)) continue;
     std::optional<Image> baseline;
-    attempt(first, [&] { baseline = render(first, view); });
+    attempt(first.failure, first.rows, [&] { baseline = render(first, view); });
     for (Variant& variant : variants_) {
       if (!is_wanted(variant)) continue;
       std::vector<Picture> pictures;

@@ -59,8 +59,6 @@ class PointRun {
     std::string failure;        // at the point
   };
 
-  template <class Work>
-  void attempt(Variant& variant, Work&& work);
   void go_to(size_t point);
   void start_rows(Variant& variant, size_t point);
   void prepare(Variant& variant, size_t point);
