@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "reports/words.h"
@@ -90,6 +91,8 @@ GateReading reading_of(const Record& record) {
                  : gate.at("verdict") == "ambiguous" && reading.regressed.empty() ? "AMBIGUOUS"
                                                                                   : "FAILED";
   reading.conditions = conditions_of(gate);
+  if (std::ranges::any_of(reading.ambiguous, [](const Json* row) { return row->at("what") == "time"; }))
+    reading.conditions += "; ambiguous times want more --budget, a quieter machine or a wider max_slowdown";
   return reading;
 }
 

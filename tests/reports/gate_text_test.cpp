@@ -21,6 +21,16 @@ TEST(GateTable, AnswersInItsFirstLine) {
             "gate AMBIGUOUS: 1 check: 1 ambiguous");
 }
 
+TEST(GateTable, AnAmbiguousTimeSaysWhatSettlesIt) {
+  const auto says = [](const char* verdict, int status, const char* what) {
+    return gate_table(example_gate(verdict, status, {example_verdict(verdict, what, "s")}), false).find("want more --budget") !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(says("ambiguous", 3, "time"));
+  EXPECT_FALSE(says("ambiguous", 3, "timer"));
+  EXPECT_FALSE(says("slower", 1, "time"));
+}
+
 TEST(GateTable, SaysWhatRegressedWhereByHowMuchAndHowSure) {
   const std::string table = gate_table(example_failed_gate(), false);
   for (const char* part :
