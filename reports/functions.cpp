@@ -63,10 +63,6 @@ std::string words_for_ns(const Interval& ns) {
   return fmt::format("{:.3g} [{:.3g}, {:.3g}]{}", ns.median, ns.low, ns.high, ns.coverage < report_confidence ? "*" : "");
 }
 
-std::string words_for(const Json& figure, int digits) {
-  return figure.is_null() ? "-" : fmt::format("{:.{}g}", figure.get<double>(), digits);
-}
-
 uint64_t sum_of(const FunctionSummary& row, const char* count) {
   uint64_t sum = 0;
   for (const Json* set : row.sets) sum += set->at(count).get<uint64_t>();
@@ -96,6 +92,10 @@ std::string verdict(const FunctionSummary& row, const FunctionBackend& backend) 
 }
 
 }  // namespace
+
+std::string words_for_error(const Json& figure, int digits) {
+  return figure.is_null() ? "-" : fmt::format("{:.{}g}", figure.get<double>(), digits);
+}
 
 std::vector<FunctionReport> summarize_functions(const Record& record) {
   std::vector<FunctionReport> reports;
@@ -154,7 +154,7 @@ std::array<std::string, function_columns.size()> function_cells(const FunctionSu
   if (!row.main_set) return cells;
   constexpr std::pair<const char*, int> figures[] = {{"max_over", 3}, {"max_under", 3}, {"mean_absolute", 2}, {"rms", 2}};
   for (size_t i = 0; i < std::size(figures); ++i)
-    cells[3 + i] = words_for(row.main_set->at(figures[i].first), figures[i].second);
+    cells[3 + i] = words_for_error(row.main_set->at(figures[i].first), figures[i].second);
   cells[7] = row.main_set->at("negative").dump();
   cells[8] = row.main_set->at("nonfinite").dump();
   return cells;

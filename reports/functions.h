@@ -49,6 +49,9 @@ inline constexpr std::array<const char*, 9> function_columns = {
 std::array<std::string, function_columns.size()> function_cells(const FunctionSummary& row);
 // "100000 points of 'overlaps': ...", and what the columns are of.
 std::string function_caption(const FunctionReport& report, const FunctionBackend& backend);
+// A figure of a function's row, to so many digits; "-" for null.
+std::string words_for_error(const nlohmann::json& figure, int digits);
+
 // Columns of the table of one set: three of words, figures, and two inputs.
 inline constexpr std::array<const char*, 14> function_set_columns = {
     "variant", "bounds",    "claims",   "max over",   "max under", "mean",     "rms",

@@ -13,10 +13,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string number(const Json& figure, int digits) {
-  return figure.is_null() ? "-" : fmt::format("{:.{}g}", figure.get<double>(), digits);
-}
-
 // "1.5 0.25 1.2", nothing for null. Nine digits tell binary32 numbers apart.
 std::string input_words(const Json& input) {
   if (!input.is_array()) return "";
@@ -36,8 +32,8 @@ Json bounds_of(const Json& row) { return row.value("bounds", Json(nullptr)); }
 std::string claim_words(const Json& row) {
   const Json bounds = bounds_of(row);
   if (bounds.is_null()) return "-";
-  std::string words = fmt::format("{} to {}", number(bounds.at("under"), 3), number(bounds.at("over"), 3));
-  if (!bounds.at("eps_kappa").is_null()) words += fmt::format(", eps kappa {}", number(bounds.at("eps_kappa"), 3));
+  std::string words = fmt::format("{} to {}", words_for_error(bounds.at("under"), 3), words_for_error(bounds.at("over"), 3));
+  if (!bounds.at("eps_kappa").is_null()) words += fmt::format(", eps kappa {}", words_for_error(bounds.at("eps_kappa"), 3));
   return words;
 }
 
@@ -62,7 +58,8 @@ std::string failure_words(const Json& row) {
       parts.back() += ", the first at " + at;
   }
   if (!within_bounds(row))
-    parts.push_back(fmt::format("errs by {} at {}, claims {}", number(row.at(worst_is_over(row) ? "max_over" : "max_under"), 3),
+    parts.push_back(fmt::format("errs by {} at {}, claims {}",
+                                words_for_error(row.at(worst_is_over(row) ? "max_over" : "max_under"), 3),
                                 input_words(worst_input(row)), claim_words(row)));
   return fmt::format("{} ({})", text_at(row, "/set"), fmt::join(parts, "; "));
 }
@@ -121,12 +118,12 @@ std::array<std::string, function_set_columns.size()> function_set_cells(const Js
           : keeps == Keeps::no ? "FAIL"
                                : "-",
           claim_words(row),
-          number(row.at("max_over"), 3),
-          number(row.at("max_under"), 3),
-          number(row.at("mean_absolute"), 2),
-          number(row.at("rms"), 2),
-          number(row.at("most_eps"), 3),
-          number(row.at("most_eps_kappa"), 3),
+          words_for_error(row.at("max_over"), 3),
+          words_for_error(row.at("max_under"), 3),
+          words_for_error(row.at("mean_absolute"), 2),
+          words_for_error(row.at("rms"), 2),
+          words_for_error(row.at("most_eps"), 3),
+          words_for_error(row.at("most_eps_kappa"), 3),
           row.at("negative").dump(),
           row.at("nonfinite").dump(),
           row.at("not_zero").dump(),

@@ -71,42 +71,34 @@ class Bench {
   fs::path folder_;
 };
 
-// Frames of the bench in one process, each made when it is first asked for.
+// What is timed against what in one process.
 class BenchFrames {
  public:
-  BenchFrames(GateProcess& process, Bench& bench) : process_(process), bench_(bench) {}
+  BenchFrames(GateProcess& process, Bench& bench) : frames_(process), bench_(bench) {}
 
-  Frame& get(Tree& tree, const VariantManifest& variant, size_t copy = 0) {
-    auto& ready = made_[{&variant, copy}];
-    if (!ready)
-      ready =
-          std::make_unique<ReadyFrame>(process_.resources, tree.plan, variant, tree.shaders.at(process_.backend->info().api));
-    return ready->frame;
-  }
   // The baseline against itself made slower, and against itself.
   TimedFrames slower(size_t dose) {
     TimedFrames timed = of(bench_.effect.baseline());
-    timed.add(frame_after, get(*bench_.slower[dose], bench_.baseline_of(*bench_.slower[dose])));
-    timed.add(frame_again, get(bench_.tree, bench_.effect.baseline(), 2));
+    timed.add(frame_after, frames_.get(*bench_.slower[dose], bench_.baseline_of(*bench_.slower[dose])));
+    timed.add(frame_again, frames_.get(bench_.tree, bench_.effect.baseline(), 2));
     return timed;
   }
   // A variant against itself, as a gate does where its code is not known to be the same.
   TimedFrames equal(const VariantManifest& variant) {
     TimedFrames timed = of(variant);
-    timed.add(frame_after, get(bench_.tree, variant, 1));
-    if (variant.baseline) timed.add(frame_again, get(bench_.tree, variant, 2));
+    timed.add(frame_after, frames_.get(bench_.tree, variant, 1));
+    if (variant.baseline) timed.add(frame_again, frames_.get(bench_.tree, variant, 2));
     return timed;
   }
 
  private:
   TimedFrames of(const VariantManifest& variant) {
     TimedFrames timed{bench_.effect.name, variant.name, {}, {}, nullptr};
-    timed.add(frame_before, get(bench_.tree, variant));
+    timed.add(frame_before, frames_.get(bench_.tree, variant));
     return timed;
   }
-  GateProcess& process_;
+  ProcessFrames frames_;
   Bench& bench_;
-  std::map<std::pair<const VariantManifest*, size_t>, std::unique_ptr<ReadyFrame>> made_;
 };
 
 using Work = std::function<void(GateProcess&, BenchFrames&, const EmitLine&)>;
@@ -128,8 +120,7 @@ std::vector<std::string> passes_by_length(Bench& bench) {
                                  [&](GateProcess& process, BenchFrames& frames, const EmitLine& emit) {
                                    std::vector<TimedFrames> all;
                                    all.push_back(frames.equal(bench.effect.baseline()));
-                                   std::mt19937_64 random = random_of(process);
-                                   time_rounds(process, all, random, [] { return true; });
+                                   time_rounds(process, all, [] { return true; });
                                    emit(to_json(all.front().row(process)));
                                  });
   std::vector<std::pair<double, std::string>> passes;
@@ -156,9 +147,8 @@ std::vector<double> costs_of_slower(Bench& bench, const std::string& pass) {
     const auto lines = run_process(bench, backend, 0, [&](GateProcess& process, BenchFrames& frames, const EmitLine& emit) {
       std::vector<TimedFrames> all;
       for (size_t dose = 0; dose < bench.slower.size(); ++dose) all.push_back(frames.slower(dose));
-      std::mt19937_64 random = random_of(process);
-      time_rounds(process, all, random, [] { return true; });
-      for (const TimedFrames& timed : all) emit(to_json(timed.row(process)));
+      time_rounds(process, all, [] { return true; });
+      for (const PairsRow& row : rows_of(all, process)) emit(to_json(row));
     });
     for (size_t dose = 0; dose < bench.slower.size(); ++dose) {
       const PairsRow row = pairs_from_json(lines.at(dose));
@@ -270,21 +260,16 @@ std::vector<CalibratedGate> run_set(Bench& bench, const Setup& setup, size_t set
     std::vector<std::vector<TimedFrames>> kinds(counts.size());
     for (const VariantManifest& variant : bench.effect.variants) kinds[0].push_back(frames.equal(variant));
     for (size_t kind = 1; kind < kinds.size(); ++kind) kinds[kind].push_back(frames.slower(kind - 1));
-    std::mt19937_64 random = random_of(process);
     for (size_t turn = 0; turn < most; ++turn)
       for (size_t kind = 0; kind < kinds.size(); ++kind) {
         // Spread evenly over the set, so that a change of the machine's mood meets all kinds alike.
         const size_t gate = turn * counts[kind] / most;
         if ((turn + 1) * counts[kind] / most == gate) continue;
         const Stopwatch watch;
-        const auto measured = [&] {
-          std::vector<PairsRow> all;
-          for (const TimedFrames& timed : kinds[kind]) all.push_back(timed.row(process));
-          return all;
-        };
-        time_rounds(process, kinds[kind], random,
-                    [&] { return watch.elapsed_s() >= setup.round_s || precise_enough(measured(), {}); });
-        for (const PairsRow& row : measured()) emit({{"kind", kind}, {"gate", gate}, {"pairs", to_json(row)}});
+        time_rounds(process, kinds[kind],
+                    [&] { return watch.elapsed_s() >= setup.round_s || precise_enough(rows_of(kinds[kind], process), {}); });
+        for (const PairsRow& row : rows_of(kinds[kind], process))
+          emit({{"kind", kind}, {"gate", gate}, {"pairs", to_json(row)}});
       }
   };
   for (size_t process = 0; process < bench.options.processes; ++process)

@@ -62,6 +62,7 @@ struct GateMeasurements {
 
   // The backend's certificate, the last one: an earlier one that failed was asked again. Null: none.
   const nlohmann::json* timer(const std::string& backend) const;
+  bool certified(const std::string& backend) const;  // by that one
 };
 
 // Runs processes on every backend until `options.processes` have run on each and times are precise, or the budget is spent.

@@ -15,33 +15,9 @@ using Json = nlohmann::ordered_json;
 // confidence of many comparisons, it then is about half of it.
 constexpr double enough_of_margin = 0.6;
 
-// The frames of a process by tree and variant, each made once: by the exact comparison, or when it is first asked for.
-class Frames {
- public:
-  explicit Frames(GateProcess& process) : process_(process) {}
-
-  // A second one ("again") of the same tree and variant is another frame.
-  Frame& get(Tree& tree, const VariantManifest& variant, size_t copy = 0) {
-    if (copy == 0)
-      for (const auto& [of_tree, run] : runs_)
-        if (Frame* frame = of_tree == &tree ? run->frame(variant.name) : nullptr) return *frame;
-    std::unique_ptr<ReadyFrame>& ready = made_[{&tree, &variant, copy}];
-    if (!ready)
-      ready =
-          std::make_unique<ReadyFrame>(process_.resources, tree.plan, variant, tree.shaders.at(process_.backend->info().api));
-    return ready->frame;
-  }
-  void keep(const Tree& tree, std::unique_ptr<BackendRun> run) { runs_.emplace_back(&tree, std::move(run)); }
-
- private:
-  GateProcess& process_;
-  std::vector<std::pair<const Tree*, std::unique_ptr<BackendRun>>> runs_;
-  std::map<std::tuple<const Tree*, const VariantManifest*, size_t>, std::unique_ptr<ReadyFrame>> made_;
-};
-
 // Every pair of one effect whose code changed; its baselines are always compared.
-void compare_exactly(GateProcess& process, TreePair& trees, const std::string& effect, Frames& frames, Progress& progress,
-                     const EmitLine& emit) {
+void compare_exactly(GateProcess& process, TreePair& trees, const std::string& effect, ProcessFrames& frames,
+                     Progress& progress, const EmitLine& emit) {
   CompareOptions only = process.options.compare;
   only.variants.clear();
   for (const VariantPair& pair : trees.variants)
@@ -72,7 +48,7 @@ void compare_exactly(GateProcess& process, TreePair& trees, const std::string& e
   });
 }
 
-void time_pairs(GateProcess& process, TreePair& trees, Frames& frames, const LimitsFile& limits, const EmitLine& emit) {
+void time_pairs(GateProcess& process, TreePair& trees, ProcessFrames& frames, const LimitsFile& limits, const EmitLine& emit) {
   std::vector<TimedFrames> all;
   bool changes = false;
   for (const VariantPair& pair : trees.variants) {
@@ -86,15 +62,10 @@ void time_pairs(GateProcess& process, TreePair& trees, Frames& frames, const Lim
     changes = changes || changed;
   }
   if (all.empty()) return;
-  std::mt19937_64 random = random_of(process);
-  const auto rows = [&] {
-    std::vector<PairsRow> measured;
-    for (const TimedFrames& timed : all) measured.push_back(timed.row(process));
-    return measured;
-  };
-  time_rounds(process, all, random,
-              [&] { return !changes || process.watch.elapsed_s() >= process.task.until_s || precise_enough(rows(), limits); });
-  for (const PairsRow& row : rows()) emit({{"pairs", to_json(row)}});
+  time_rounds(process, all, [&] {
+    return !changes || process.watch.elapsed_s() >= process.task.until_s || precise_enough(rows_of(all, process), limits);
+  });
+  for (const PairsRow& row : rows_of(all, process)) emit({{"pairs", to_json(row)}});
 }
 
 }  // namespace
@@ -114,7 +85,7 @@ bool precise_enough(const std::vector<PairsRow>& rows, const LimitsFile& limits)
 void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOptions& options, const LimitsFile& limits,
                             const EmitLine& emit) {
   GateProcess process(task, trees.scene, trees.after.library.shaders, options, emit);
-  Frames frames(process);
+  ProcessFrames frames(process);
   if (task.exact) {
     std::set<std::string> effects;
     for (const VariantPair& pair : trees.variants)

@@ -21,7 +21,8 @@ GateProcess::GateProcess(const GateTask& of_task, const Scene& scene, const std:
       backend(open_backend(task.backend, {options.compare.device, options.compare.validation})),
       certified(!task.certify || certify(*backend, shaders, emit)),
       bakes(scene, DiskCache(options.compare.cache)),
-      resources(*backend, scene, options.compare.width_px, options.compare.height_px, &bakes) {}
+      resources(*backend, scene, options.compare.width_px, options.compare.height_px, &bakes),
+      random(options.compare.seed + 7919 * task.process) {}
 
 bool GateProcess::certify(Backend& backend, const std::filesystem::path& shaders, const EmitLine& emit) {
   const TimerRow timer = certify_timer(backend, shaders);
@@ -30,6 +31,16 @@ bool GateProcess::certify(Backend& backend, const std::filesystem::path& shaders
 }
 
 void GateProcess::end(const EmitLine& emit) { emit({{"messages", backend->take_messages()}, {"rounds_s", rounds_s}}); }
+
+Frame& ProcessFrames::get(Tree& tree, const VariantManifest& variant, size_t copy) {
+  if (copy == 0)
+    for (const auto& [of_tree, run] : runs_)
+      if (Frame* frame = of_tree == &tree ? run->frame(variant.name) : nullptr) return *frame;
+  std::unique_ptr<ReadyFrame>& ready = made_[{&tree, &variant, copy}];
+  if (!ready)
+    ready = std::make_unique<ReadyFrame>(process_.resources, tree.plan, variant, tree.shaders.at(process_.backend->info().api));
+  return ready->frame;
+}
 
 void TimedFrames::add(std::string_view name, Frame& frame) {
   names.emplace_back(name);
@@ -41,12 +52,13 @@ PairsRow TimedFrames::row(const GateProcess& process) const {
           paired->passes()};
 }
 
-std::mt19937_64 random_of(const GateProcess& process) {
-  return std::mt19937_64(process.options.compare.seed + 7919 * process.task.process);
+std::vector<PairsRow> rows_of(const std::vector<TimedFrames>& all, const GateProcess& process) {
+  std::vector<PairsRow> rows;
+  for (const TimedFrames& timed : all) rows.push_back(timed.row(process));
+  return rows;
 }
 
-void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, std::mt19937_64& random,
-                 const std::function<bool()>& enough) {
+void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const std::function<bool()>& enough) {
   const Stopwatch watch;
   for (TimedFrames& each : all)
     if (each.paired)
@@ -56,8 +68,8 @@ void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, std::mt199
   std::vector<size_t> order(all.size());
   for (size_t i = 0; i < order.size(); ++i) order[i] = i;
   for (size_t round = 0; round < least_rounds || round % rounds_a_frame != 0 || !enough(); ++round) {
-    std::shuffle(order.begin(), order.end(), random);
-    for (const size_t i : order) all[i].paired->run_round(random);
+    std::shuffle(order.begin(), order.end(), process.random);
+    for (const size_t i : order) all[i].paired->run_round(process.random);
   }
   process.rounds_s += watch.elapsed_s();
 }
@@ -66,20 +78,18 @@ GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatc
                                       const std::function<void(const GateTask&, const EmitLine&)>& work,
                                       const std::function<std::set<std::string>(const std::vector<PairsRow>&)>& undecided) {
   GateMeasurements measured;
-  std::set<std::string> certified, broken;
+  std::set<std::string> broken;
   // On each of these backends, with an equal share of the time left for this and `rounds` - 1 more of the same.
   const auto run_on = [&](const std::vector<std::string>& backends, size_t rounds) {
     for (size_t i = 0; i < backends.size(); ++i) {
       if (broken.contains(backends[i])) continue;
       const double share = (options.budget_s - watch.elapsed_s()) / static_cast<double>(rounds * backends.size() - i);
       const bool first = measured.processes == 0;
-      const GateTask task{backends[i], measured.processes, options.certify && options.times && !certified.contains(backends[i]),
+      const GateTask task{backends[i], measured.processes, options.certify && options.times && !measured.certified(backends[i]),
                           options.exact && first, share};
       const ChildResult child = run_in_child([&](const EmitLine& emit) { work(task, emit); });
       take_lines(child, task, measured);
       if (!child.failure.empty()) broken.insert(backends[i]);
-      for (const nlohmann::json& timer : measured.timers)
-        if (timer.at("backend") == backends[i] && timer.at("ok")) certified.insert(backends[i]);
     }
     ++measured.processes;
   };

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "harness/backend/backend.h"
+#include "harness/cli/backend_run.h"
 #include "harness/cli/gate.h"
-#include "harness/cli/ready_frame.h"
 
 namespace lamina {
 
@@ -29,10 +29,26 @@ class GateProcess {
   bool certified = true;
   Bakes bakes;
   SceneResources resources;
+  std::mt19937_64 random;  // of the orders: another seed in each process
   double rounds_s = 0;
 
  private:
   static bool certify(Backend& backend, const std::filesystem::path& shaders, const EmitLine& emit);
+};
+
+// The frames of a process by tree and variant, each made once: by a run that is kept, or when it is first asked for.
+class ProcessFrames {
+ public:
+  explicit ProcessFrames(GateProcess& process) : process_(process) {}
+
+  // Another `copy` of the same tree and variant is another frame.
+  Frame& get(Tree& tree, const VariantManifest& variant, size_t copy = 0);
+  void keep(const Tree& tree, std::unique_ptr<BackendRun> run) { runs_.emplace_back(&tree, std::move(run)); }
+
+ private:
+  GateProcess& process_;
+  std::vector<std::pair<const Tree*, std::unique_ptr<BackendRun>>> runs_;
+  std::map<std::tuple<const Tree*, const VariantManifest*, size_t>, std::unique_ptr<ReadyFrame>> made_;
 };
 
 // Frames of one effect or variant that are timed against the first of them.
@@ -46,15 +62,13 @@ struct TimedFrames {
   PairsRow row(const GateProcess& process) const;
 };
 
+std::vector<PairsRow> rows_of(const std::vector<TimedFrames>& all, const GateProcess& process);
+
 inline constexpr size_t least_rounds = 2 * rounds_a_frame;
 
 // Times rounds of all of them in shuffled order until `enough` says so, asked after every whole frame, and at least
 // least_rounds. Cuts the frames on the first call; later ones begin anew.
-void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, std::mt19937_64& random,
-                 const std::function<bool()>& enough);
-
-// The seed of a process's orders: another one in each.
-std::mt19937_64 random_of(const GateProcess& process);
+void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const std::function<bool()>& enough);
 
 // Runs `work` in children: options.processes on every backend, each with its share of the budget; then, while `undecided` names
 // backends and there is time, more of them there. A backend on which one fails is left alone after it.

@@ -40,9 +40,8 @@ void measure_state(const Scene& scene, Tree& tree, const std::vector<const Effec
       if (Frame* frame = runs[i]->frame(variant.name)) timed.add(variant.name, *frame);
     if (!timed.frames.empty()) all.push_back(std::move(timed));
   }
-  std::mt19937_64 random = random_of(process);
-  if (!all.empty()) time_rounds(process, all, random, [&] { return process.watch.elapsed_s() >= task.until_s; });
-  for (const TimedFrames& timed : all) emit({{"pairs", to_json(timed.row(process))}});
+  if (!all.empty()) time_rounds(process, all, [&] { return process.watch.elapsed_s() >= task.until_s; });
+  for (const PairsRow& row : rows_of(all, process)) emit({{"pairs", to_json(row)}});
   process.end(emit);
 }
 
@@ -180,10 +179,8 @@ int run_against_record(const GateOptions& options, const Stopwatch& watch) {
   GateMeasurements measured = measure_in_processes(
       options, watch,
       [&](const GateTask& task, const EmitLine& emit) { measure_state(scene, tree, effects, task, options, emit); }, {});
-  for (const std::string& backend : options.compare.backends) {
-    const Json* timer = measured.timer(backend);
-    add_times(measured.cells_after, measured.pairs, timer && timer->at("ok"), backend);
-  }
+  for (const std::string& backend : options.compare.backends)
+    add_times(measured.cells_after, measured.pairs, measured.certified(backend), backend);
   for (const Json& timer : measured.timers) record.append(nlohmann::ordered_json(timer));
   for (const Json& cell : measured.cells_after) record.append(nlohmann::ordered_json(cell));
   Record present;

@@ -57,6 +57,11 @@ const nlohmann::json* GateMeasurements::timer(const std::string& backend) const 
   return last;
 }
 
+bool GateMeasurements::certified(const std::string& backend) const {
+  const nlohmann::json* last = timer(backend);
+  return last && last->at("ok");
+}
+
 void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements& measured) {
   for (const nlohmann::json& line : child.lines) {
     if (line.contains("timer")) measured.timers.push_back(line["timer"]);

@@ -4,7 +4,6 @@
 #include <cstring>
 
 #include "harness/quality/quality.h"
-#include "harness/record/record.h"
 #include "harness/scene/textures.h"
 #include "tests/cli/program.h"
 
@@ -15,11 +14,9 @@ using Json = nlohmann::json;
 
 class Compare : public ProgramTest {
  protected:
-  std::filesystem::path out() const { return folder_ / "out"; }
   Outcome compare(const std::string& arguments) {
     return lamina_program("compare " + arguments + " --size 96x96 --quick --budget 0.1 --out " + out().string());
   }
-  Record record() const { return read_record(out() / "record.jsonl"); }
   static std::vector<Json> cells(const Record& record, const std::string& variant) {
     std::vector<Json> found;
     std::copy_if(record.cells.begin(), record.cells.end(), std::back_inserter(found),

@@ -3,7 +3,6 @@
 // Times are left out: they belong to --calibrate.
 #include <algorithm>
 
-#include "harness/record/record.h"
 #include "tests/cli/program.h"
 
 namespace lamina {
@@ -13,7 +12,6 @@ using Json = nlohmann::json;
 
 class Gate : public ProgramTest {
  protected:
-  std::filesystem::path out() const { return folder_ / "out"; }
   std::filesystem::path tree() const { return folder_ / "tree"; }
   // A copy of the product's variants and shaders.
   void copy_tree() {
@@ -42,7 +40,6 @@ class Gate : public ProgramTest {
     return lamina_program("gate " + square_model() + " --baseline " + record +
                           " --size 48x48 --no-time --cache \"\" --backend osmesa --out " + out().string() + " " + more);
   }
-  Record record() const { return read_record(out() / "record.jsonl"); }
 };
 
 struct Mutation {

@@ -12,6 +12,8 @@
 #include <fstream>
 #include <string>
 
+#include "harness/record/record.h"
+
 namespace lamina {
 
 struct Outcome {
@@ -37,6 +39,9 @@ class ProgramTest : public testing::Test {
     std::filesystem::create_directories(folder_);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
+  // A run's folder, and the record there.
+  std::filesystem::path out() const { return folder_ / "out"; }
+  Record record() const { return read_record(out() / "record.jsonl"); }
   std::filesystem::path write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;
     return folder_ / name;
