@@ -147,7 +147,7 @@ std::string change_of(const Json& verdict) {
 
 std::string certainty_of(const Json& verdict) {
   if (const auto ratio = interval_of(verdict.at("ratio")))
-    return fmt::format("{:.1f}% interval, {} rounds", 100 * ratio->coverage, ratio->rounds);
+    return fmt::format("{:.1f}% interval, {} samples", 100 * ratio->coverage, ratio->rounds);
   return verdict.at("before").is_null() || verdict.at("after").is_null() ? "" : "exact";
 }
 
@@ -163,7 +163,7 @@ std::array<std::string, gate_columns.size()> gate_cells(const Json& verdict) {
 
 std::string words_for_aa(const Json& aa) {
   const Interval ratio = *interval_of(aa.at("ratio"));
-  return fmt::format("A/A {} on {}: {}, {} rounds: {}", text_at(aa, "/variant"), text_at(aa, "/backend"),
+  return fmt::format("A/A {} on {}: {}, {} samples: {}", text_at(aa, "/variant"), text_at(aa, "/backend"),
                      words_for_ratio(ratio), ratio.rounds, text_at(aa, "/verdict"));
 }
 

@@ -27,6 +27,7 @@ namespace fs = std::filesystem;
 constexpr size_t gates_a_set = 20;  // over equal trees; their share of those with a slower pass goes along
 constexpr std::array<double, 5> slow_downs = {0.01, 0.02, 0.03, 0.05, 0.10};
 constexpr std::array<uint32_t, 6> tried_taps = {4, 8, 16, 32, 64, 128};
+constexpr size_t whole_rounds = 24;     // to tell what taps cost
 constexpr double most_dear_tap = 0.01;  // a tap costs less of the pass than this, or the least slow-down cannot be made
 
 const EffectManifest& effect_with_variants(const Plan& plan, const Scene& scene) {
@@ -61,6 +62,12 @@ class Bench {
     }
   }
 
+  // A tree in which the code of this pass has changed in every variant.
+  fs::path changed_home(const std::string& pass) const {
+    write_changed_tree(home_folder(), folder_ / "changed", effect, pass);
+    return folder_ / "changed";
+  }
+
   const GateOptions& options;
   const Scene& scene;
   Tree tree;
@@ -76,10 +83,15 @@ class BenchFrames {
  public:
   BenchFrames(GateProcess& process, Bench& bench) : frames_(process), bench_(bench) {}
 
-  // The baseline against itself made slower, and against itself.
-  TimedFrames slower(size_t dose) {
+  // The baseline against itself made slower.
+  TimedFrames pair(size_t dose) {
     TimedFrames timed = of(bench_.effect.baseline());
     timed.add(frame_after, frames_.get(*bench_.slower[dose], bench_.baseline_of(*bench_.slower[dose])));
+    return timed;
+  }
+  // And against itself, as a gate does.
+  TimedFrames slower(size_t dose) {
+    TimedFrames timed = pair(dose);
     timed.add(frame_again, frames_.get(bench_.tree, bench_.effect.baseline(), 2));
     return timed;
   }
@@ -102,27 +114,39 @@ class BenchFrames {
 };
 
 using Work = std::function<void(GateProcess&, BenchFrames&, const EmitLine&)>;
-// Runs `work` in a process on this backend and returns its lines.
-std::vector<nlohmann::json> run_process(Bench& bench, const std::string& backend, size_t process, const Work& work) {
-  const GateTask task{backend, process, false, false, 0};
-  const ChildResult child = run_in_child([&](const EmitLine& emit) {
-    GateProcess opened(task, bench.scene, bench.tree.library.shaders, bench.options, emit);
-    BenchFrames frames(opened, bench);
-    work(opened, frames, emit);
-  });
-  if (!child.failure.empty()) throw Error(ErrorKind::failed, "gate", backend, child.failure);
-  return child.lines;
+// Runs `work` in a process on each of these backends and returns the lines of all.
+std::vector<nlohmann::json> run_processes(Bench& bench, const std::vector<std::string>& backends, size_t process,
+                                          const Work& work) {
+  std::vector<std::function<void(const EmitLine&)>> works;
+  for (const std::string& backend : backends)
+    works.push_back([&, backend](const EmitLine& emit) {
+      const GateTask task{backend, process, false, false, 0};
+      GateProcess opened(task, bench.scene, bench.tree.library.shaders, bench.options, emit);
+      BenchFrames frames(opened, bench);
+      work(opened, frames, emit);
+    });
+  std::vector<ChildResult> children;
+  if (bench.options.side_by_side)
+    children = run_in_children(works);
+  else
+    for (const auto& each : works) children.push_back(run_in_child(each));
+  std::vector<nlohmann::json> lines;
+  for (size_t i = 0; i < children.size(); ++i) {
+    if (!children[i].failure.empty()) throw Error(ErrorKind::failed, "gate", backends[i], children[i].failure);
+    for (nlohmann::json& line : children[i].lines) lines.push_back(std::move(line));
+  }
+  return lines;
 }
 
 // The passes of the baseline with fragment shaders, the longest on the first backend first.
 std::vector<std::string> passes_by_length(Bench& bench) {
-  const auto lines = run_process(bench, bench.options.compare.backends.front(), 0,
-                                 [&](GateProcess& process, BenchFrames& frames, const EmitLine& emit) {
-                                   std::vector<TimedFrames> all;
-                                   all.push_back(frames.equal(bench.effect.baseline()));
-                                   time_rounds(process, all, [] { return true; });
-                                   emit(to_json(all.front().row(process)));
-                                 });
+  const auto lines = run_processes(bench, {bench.options.compare.backends.front()}, 0,
+                                   [&](GateProcess& process, BenchFrames& frames, const EmitLine& emit) {
+                                     std::vector<TimedFrames> all;
+                                     all.push_back(frames.equal(bench.effect.baseline()));
+                                     time_rounds(process, all, [](const TimedFrames&) { return true; });
+                                     emit(to_json(all.front().row(process)));
+                                   });
   std::vector<std::pair<double, std::string>> passes;
   for (const PairedPass& pass : pairs_from_json(lines.front()).passes)
     for (const PassManifest& manifest : bench.effect.baseline().passes)
@@ -140,22 +164,24 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? std::nan("") : sum / static_cast<double>(values.size());
 }
 
-// How much slower the pass is in each of the slower trees, over all backends: 0.25 is 25%.
+// How much slower the whole pass is in each of the slower trees, over all backends: 0.25 is 25%. Not cut into strips, which
+// would make it look smaller than it is.
 std::vector<double> costs_of_slower(Bench& bench, const std::string& pass) {
+  const PieceOptions whole{.piece_ms = 1e9, .most_repeats = 1};
+  const auto lines = run_processes(
+      bench, bench.options.compare.backends, 0, [&](GateProcess& process, BenchFrames& frames, const EmitLine& emit) {
+        std::vector<TimedFrames> all;
+        for (size_t dose = 0; dose < bench.slower.size(); ++dose) all.push_back(frames.pair(dose));
+        time_rounds(
+            process, all, [](const TimedFrames& timed) { return timed.paired->rounds() >= whole_rounds; }, whole);
+        for (const PairsRow& row : rows_of(all, process)) emit(to_json(row));
+      });
   std::vector<std::vector<double>> ratios(bench.slower.size());
-  for (const std::string& backend : bench.options.compare.backends) {
-    const auto lines = run_process(bench, backend, 0, [&](GateProcess& process, BenchFrames& frames, const EmitLine& emit) {
-      std::vector<TimedFrames> all;
-      for (size_t dose = 0; dose < bench.slower.size(); ++dose) all.push_back(frames.slower(dose));
-      time_rounds(process, all, [] { return true; });
-      for (const PairsRow& row : rows_of(all, process)) emit(to_json(row));
-    });
-    for (size_t dose = 0; dose < bench.slower.size(); ++dose) {
-      const PairsRow row = pairs_from_json(lines.at(dose));
-      for (size_t i = 0; i < row.passes.size(); ++i)
-        if (row.passes[i].name == pass)
-          ratios[dose].push_back(median(ratios_of(row, frame_after, static_cast<std::ptrdiff_t>(i))));
-    }
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const PairsRow row = pairs_from_json(lines[i]);
+    for (size_t k = 0; k < row.passes.size(); ++k)
+      if (row.passes[k].name == pass)
+        ratios[i % bench.slower.size()].push_back(std::exp(estimate_of(row, frame_after, k).log_ratio));
   }
   std::vector<double> costs;
   for (const std::vector<double>& of_dose : ratios) costs.push_back(mean(of_dose) - 1);
@@ -183,17 +209,20 @@ std::vector<uint32_t> find_taps(Bench& bench, const std::string& pass) {
   return taps;
 }
 
-// The seconds that a process has for rounds in a gate within the budget, by one real gate on a variant that changed.
-double round_seconds(Bench& bench) {
+// The seconds that a process has for rounds in a gate within the budget, by one real gate in which every variant with this
+// pass has changed.
+double round_seconds(Bench& bench, const std::string& pass) {
+  const fs::path changed = bench.changed_home(pass);
   const Stopwatch watch;
-  TreePair trees = pair_trees(bench.scene, load_library(home_folder()), load_library(bench.slower_home(0)), bench.options);
+  TreePair trees = pair_trees(bench.scene, load_library(home_folder()), load_library(changed), bench.options);
   const GateMeasurements measured = measure_trees(trees, bench.options, {}, watch);
   if (!measured.failures.empty()) throw Error(ErrorKind::failed, "gate", "calibration", measured.failures.front().sentence);
-  const double processes = static_cast<double>(bench.options.processes * bench.options.compare.backends.size());
-  const double beside = watch.elapsed_s() - measured.rounds_s;
-  const double seconds = std::max(0.0, bench.options.budget_s - beside) / processes;
-  fmt::print("a gate on one variant takes {:.1f} s beside its rounds, so each of its {} processes has {:.1f} s for them\n",
-             beside, processes, seconds);
+  const double backends = static_cast<double>(bench.options.compare.backends.size());
+  const double turns = static_cast<double>(bench.options.processes) * (bench.options.side_by_side ? 1 : backends);
+  const double beside = watch.elapsed_s() - measured.rounds_s / (bench.options.side_by_side ? backends : 1);
+  const double seconds = std::max(0.0, bench.options.budget_s - beside) / turns;
+  fmt::print("a gate on all variants takes {:.1f} s beside its rounds, so each process has {:.1f} s for them\n", beside,
+             seconds);
   std::fflush(stdout);
   return seconds;
 }
@@ -236,7 +265,7 @@ void find(Setup& setup, Bench& bench) {
     throw Error(ErrorKind::failed, "gate", bench.effect.baseline().name,
                 "extra taps make none of its passes slower by a known share; calibrate at a larger --size");
   bench.make_slower(setup.pass, setup.taps);
-  setup.round_s = round_seconds(bench);
+  setup.round_s = round_seconds(bench, setup.pass);
 }
 
 // Takes what an earlier call found. Throws where that was another calibration.
@@ -266,16 +295,17 @@ std::vector<CalibratedGate> run_set(Bench& bench, const Setup& setup, size_t set
         const size_t gate = turn * counts[kind] / most;
         if ((turn + 1) * counts[kind] / most == gate) continue;
         const Stopwatch watch;
-        time_rounds(process, kinds[kind],
-                    [&] { return watch.elapsed_s() >= setup.round_s || precise_enough(rows_of(kinds[kind], process), {}); });
+        time_rounds(process, kinds[kind], [&](const TimedFrames& timed) {
+          return watch.elapsed_s() >= setup.round_s || precise_enough(timed, process, {});
+        });
         for (const PairsRow& row : rows_of(kinds[kind], process))
           emit({{"kind", kind}, {"gate", gate}, {"pairs", to_json(row)}});
       }
   };
   for (size_t process = 0; process < bench.options.processes; ++process)
-    for (const std::string& backend : bench.options.compare.backends)
-      for (const nlohmann::json& line : run_process(bench, backend, set * bench.options.processes + process, work))
-        rows[line.at("kind")][line.at("gate")].push_back(pairs_from_json(line.at("pairs")));
+    for (const nlohmann::json& line :
+         run_processes(bench, bench.options.compare.backends, set * bench.options.processes + process, work))
+      rows[line.at("kind")][line.at("gate")].push_back(pairs_from_json(line.at("pairs")));
   std::vector<CalibratedGate> gates;
   for (size_t kind = 0; kind < rows.size(); ++kind)
     for (const std::vector<PairsRow>& gate : rows[kind])
@@ -300,9 +330,10 @@ std::vector<size_t> next_counts(const std::vector<CalibratedGate>& done, const G
 
 }  // namespace
 
-int run_calibration(const GateOptions& options) {
+int run_calibration(GateOptions options) {
   const Scene scene = load_scene_for(options.compare.scene);
   const std::vector<DeviceInfo> devices = probe_devices(options);
+  options.side_by_side = can_run_side_by_side(devices);
   make_run_folder("gate", options.compare.out);
   const fs::path file = options.compare.out / "calibration.jsonl";
   Bench bench(options, scene);

@@ -5,6 +5,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdlib>
+#include <thread>
+
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
 #include "harness/record/record.h"
@@ -25,11 +29,12 @@ GateNames names_in(const TreePair& trees, const GateOptions& options) {
   return names;
 }
 
-int run_against(const GateOptions& options, const Stopwatch& watch) {
+int run_against(GateOptions options, const Stopwatch& watch) {
   const Scene scene = load_scene_for(options.compare.scene);
   TreePair trees = pair_trees(scene, load_library(options.against, {}), load_library_for(options.compare.scene), options);
   const LimitsFile limits = options.limits.empty() ? LimitsFile() : LimitsFile(options.limits, names_in(trees, options));
   const std::vector<DeviceInfo> devices = probe_devices(options);
+  options.side_by_side = can_run_side_by_side(devices);
 
   std::error_code not_there;
   std::filesystem::remove_all(options.compare.out / "images", not_there);  // an earlier run's
@@ -84,6 +89,12 @@ std::vector<DeviceInfo> probe_devices(const GateOptions& options) {
         "a backend that was asked for does not open here (see above), and a cell that is not run is never a pass; choose "
         "those that do with --backend");
   return devices;
+}
+
+bool can_run_side_by_side(const std::vector<DeviceInfo>& devices) {
+  const char* threads = ::getenv("LP_NUM_THREADS");
+  return threads && std::string_view(threads) == "0" && std::thread::hardware_concurrency() >= devices.size() &&
+         std::ranges::all_of(devices, [](const DeviceInfo& device) { return device.software; });
 }
 
 int finish_gate(const std::filesystem::path& out) {

@@ -38,9 +38,9 @@ struct TreePair {
 // What one process does on one backend.
 struct GateTask {
   std::string backend;
-  size_t process = 0;
-  bool certify = false;  // the timer
-  bool exact = false;    // counts, pictures and errors
+  size_t process = 0;    // among those that time
+  bool exact = false;    // counts, pictures and errors; else times
+  bool certify = false;  // the timer first
   double until_s = 0;    // seconds of this process's own clock, for everything; its least rounds are run in any case
 };
 
@@ -48,8 +48,6 @@ struct GateTask {
 // "rounds_s":..} objects.
 void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOptions& options, const LimitsFile& limits,
                             const EmitLine& emit);
-// Whether the ratios of these frames of one process are so precise that, pooled over processes, they can be judged.
-bool precise_enough(const std::vector<PairsRow>& rows, const LimitsFile& limits);
 
 // What the processes of a gate have handed over, in record form.
 struct GateMeasurements {
@@ -89,8 +87,12 @@ VerdictRow judge_timer(const nlohmann::json& timer);
 // Error(no_device) where one of the backends does not open.
 std::vector<DeviceInfo> probe_devices(const GateOptions& options);
 
+// Whether backends can be measured at the same time and judged by ratios: software rasterizers without threads of their own,
+// and a core for each.
+bool can_run_side_by_side(const std::vector<DeviceInfo>& devices);
+
 // Each is a whole gate, or many, and returns the exit status.
-int run_calibration(const GateOptions& options);
+int run_calibration(GateOptions options);
 int run_against_record(const GateOptions& options, const Stopwatch& watch);
 
 // Reports from the record in `out`; prints the table. Returns the exit status that the record holds.

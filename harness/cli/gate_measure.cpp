@@ -11,13 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A process stops when its own interval of every ratio is this share of the margin: pooled over processes, and at the higher
-// confidence of many comparisons, it then is about half of it.
-constexpr double enough_of_margin = 0.6;
-
 // Every pair of one effect whose code changed; its baselines are always compared.
-void compare_exactly(GateProcess& process, TreePair& trees, const std::string& effect, ProcessFrames& frames,
-                     Progress& progress, const EmitLine& emit) {
+void compare_exactly(GateProcess& process, TreePair& trees, const std::string& effect, Progress& progress,
+                     const EmitLine& emit) {
   CompareOptions only = process.options.compare;
   only.variants.clear();
   for (const VariantPair& pair : trees.variants)
@@ -27,11 +23,10 @@ void compare_exactly(GateProcess& process, TreePair& trees, const std::string& e
   const auto run_tree = [&](Tree& tree, const char* side, const BackendRun::Taken& taken) {
     const std::string images = fmt::format("images/{}", side);
     std::filesystem::create_directories(only.out / images);
-    auto run = std::make_unique<BackendRun>(*process.backend, process.resources, tree.plan, tree.library.effect(effect),
-                                            tree.shaders.at(process.backend->info().api), process.bakes, only, images);
-    run->prepare(progress), run->count(progress), run->score(progress, taken);
-    for (const CellRow& row : run->rows()) emit({{"cell", to_json(row)}, {"side", side}});
-    frames.keep(tree, std::move(run));
+    BackendRun run(*process.backend, process.resources, tree.plan, tree.library.effect(effect),
+                   tree.shaders.at(process.backend->info().api), process.bakes, only, images);
+    run.prepare(progress), run.count(progress), run.score(progress, taken);
+    for (const CellRow& row : run.rows()) emit({{"cell", to_json(row)}, {"side", side}});
   };
   std::map<std::pair<std::string, size_t>, Image> before;
   run_tree(trees.before, "before", [&](const std::string& variant, size_t view, const Image& picture) {
@@ -48,7 +43,8 @@ void compare_exactly(GateProcess& process, TreePair& trees, const std::string& e
   });
 }
 
-void time_pairs(GateProcess& process, TreePair& trees, ProcessFrames& frames, const LimitsFile& limits, const EmitLine& emit) {
+void time_pairs(GateProcess& process, TreePair& trees, const LimitsFile& limits, const EmitLine& emit) {
+  ProcessFrames frames(process);
   std::vector<TimedFrames> all;
   bool changes = false;
   for (const VariantPair& pair : trees.variants) {
@@ -62,38 +58,26 @@ void time_pairs(GateProcess& process, TreePair& trees, ProcessFrames& frames, co
     changes = changes || changed;
   }
   if (all.empty()) return;
-  time_rounds(process, all, [&] {
-    return !changes || process.watch.elapsed_s() >= process.task.until_s || precise_enough(rows_of(all, process), limits);
+  time_rounds(process, all, [&](const TimedFrames& timed) {
+    return !changes || process.watch.elapsed_s() >= process.task.until_s || precise_enough(timed, process, limits);
   });
   for (const PairsRow& row : rows_of(all, process)) emit({{"pairs", to_json(row)}});
 }
 
 }  // namespace
 
-bool precise_enough(const std::vector<PairsRow>& rows, const LimitsFile& limits) {
-  for (const PairsRow& row : rows) {
-    const double margin = limits.of(row.effect, row.variant, row.backend).max_slowdown;
-    for (const std::string& frame : row.frames) {
-      if (frame == frame_before) continue;
-      const Interval interval = median_interval(ratios_of(row, frame, -1));
-      if ((interval.high - interval.low) / 2 > enough_of_margin * margin) return false;
-    }
-  }
-  return true;
-}
-
 void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOptions& options, const LimitsFile& limits,
                             const EmitLine& emit) {
   GateProcess process(task, trees.scene, trees.after.library.shaders, options, emit);
-  ProcessFrames frames(process);
   if (task.exact) {
     std::set<std::string> effects;
     for (const VariantPair& pair : trees.variants)
       if (pair.before && pair.after && !pair.same_code) effects.insert(pair.after->effect);
     Progress progress(task.backend + ", counts and pictures");
-    for (const std::string& effect : effects) compare_exactly(process, trees, effect, frames, progress, emit);
+    for (const std::string& effect : effects) compare_exactly(process, trees, effect, progress, emit);
+  } else if (process.certified) {
+    time_pairs(process, trees, limits, emit);
   }
-  if (options.times && process.certified) time_pairs(process, trees, frames, limits, emit);
   process.end(emit);
 }
 

@@ -11,6 +11,7 @@ namespace {
 
 // A further process is not begun for less: most of it would be preparation.
 constexpr double least_process_s = 4;
+constexpr double enough_of_margin = 0.3;
 
 }  // namespace
 
@@ -33,9 +34,6 @@ bool GateProcess::certify(Backend& backend, const std::filesystem::path& shaders
 void GateProcess::end(const EmitLine& emit) { emit({{"messages", backend->take_messages()}, {"rounds_s", rounds_s}}); }
 
 Frame& ProcessFrames::get(Tree& tree, const VariantManifest& variant, size_t copy) {
-  if (copy == 0)
-    for (const auto& [of_tree, run] : runs_)
-      if (Frame* frame = of_tree == &tree ? run->frame(variant.name) : nullptr) return *frame;
   std::unique_ptr<ReadyFrame>& ready = made_[{&tree, &variant, copy}];
   if (!ready)
     ready = std::make_unique<ReadyFrame>(process_.resources, tree.plan, variant, tree.shaders.at(process_.backend->info().api));
@@ -58,20 +56,28 @@ std::vector<PairsRow> rows_of(const std::vector<TimedFrames>& all, const GatePro
   return rows;
 }
 
-void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const std::function<bool()>& enough) {
+void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const std::function<bool(const TimedFrames&)>& enough,
+                 const PieceOptions& pieces) {
   const Stopwatch watch;
   for (TimedFrames& each : all)
     if (each.paired)
       each.paired->start_again();
     else
-      each.paired = std::make_unique<PairedFrames>(*process.backend, each.frames, 0);
-  std::vector<size_t> order(all.size());
-  for (size_t i = 0; i < order.size(); ++i) order[i] = i;
-  for (size_t round = 0; round < least_rounds || round % rounds_a_frame != 0 || !enough(); ++round) {
-    std::shuffle(order.begin(), order.end(), process.random);
-    for (const size_t i : order) all[i].paired->run_round(process.random);
+      each.paired = std::make_unique<PairedFrames>(*process.backend, each.frames, 0, pieces);
+  std::vector<TimedFrames*> unsure;
+  for (TimedFrames& each : all) unsure.push_back(&each);
+  while (!unsure.empty()) {
+    for (size_t round = 0; round < rounds_a_frame; ++round) {
+      std::shuffle(unsure.begin(), unsure.end(), process.random);
+      for (TimedFrames* timed : unsure) timed->paired->run_round(process.random);
+    }
+    std::erase_if(unsure, [&](const TimedFrames* timed) { return enough(*timed); });
   }
   process.rounds_s += watch.elapsed_s();
+}
+
+bool precise_enough(const TimedFrames& timed, const GateProcess& process, const LimitsFile& limits) {
+  return worst_error(timed.row(process), limits) < enough_of_margin;
 }
 
 GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatch& watch,
@@ -79,28 +85,38 @@ GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatc
                                       const std::function<std::set<std::string>(const std::vector<PairsRow>&)>& undecided) {
   GateMeasurements measured;
   std::set<std::string> broken;
-  // On each of these backends, with an equal share of the time left for this and `rounds` - 1 more of the same.
-  const auto run_on = [&](const std::vector<std::string>& backends, size_t rounds) {
-    for (size_t i = 0; i < backends.size(); ++i) {
-      if (broken.contains(backends[i])) continue;
-      const double share = (options.budget_s - watch.elapsed_s()) / static_cast<double>(rounds * backends.size() - i);
-      const bool first = measured.processes == 0;
-      const GateTask task{backends[i], measured.processes, options.certify && options.times && !measured.certified(backends[i]),
-                          options.exact && first, share};
-      const ChildResult child = run_in_child([&](const EmitLine& emit) { work(task, emit); });
-      take_lines(child, task, measured);
-      if (!child.failure.empty()) broken.insert(backends[i]);
+  // Tasks that run at the same time, and what they gave.
+  const auto run_beside = [&](const std::vector<GateTask>& tasks) {
+    std::vector<std::function<void(const EmitLine&)>> works;
+    for (const GateTask& task : tasks) works.push_back([&](const EmitLine& emit) { work(task, emit); });
+    const std::vector<ChildResult> children = run_in_children(works);
+    for (size_t i = 0; i < tasks.size(); ++i) {
+      take_lines(children[i], tasks[i], measured);
+      if (!children[i].failure.empty()) broken.insert(tasks[i].backend);
     }
-    ++measured.processes;
   };
-  for (size_t left = options.times ? options.processes : 1; left > 0; --left) run_on(options.compare.backends, left);
+  // A process on each of these backends, with an equal share of the time left for this and `rounds` - 1 more of the same.
+  const auto run_on = [&](std::vector<std::string> backends, bool exact, size_t rounds) {
+    std::erase_if(backends, [&](const std::string& backend) { return broken.contains(backend); });
+    std::vector<GateTask> tasks;
+    for (size_t i = 0; i < backends.size(); ++i) {
+      const double turns = static_cast<double>(options.side_by_side ? rounds : rounds * backends.size() - i);
+      tasks.push_back({backends[i], measured.processes, exact, !exact && options.certify && !measured.certified(backends[i]),
+                       (options.budget_s - watch.elapsed_s()) / turns});
+      if (!options.side_by_side || i + 1 == backends.size()) run_beside(tasks), tasks.clear();
+    }
+  };
+  if (options.exact) run_on(options.compare.backends, true, 1);
+  for (; options.times && measured.processes < options.processes; ++measured.processes)
+    run_on(options.compare.backends, false, options.processes - measured.processes);
   while (options.times && undecided && !measured.pairs.empty()) {
     std::vector<std::string> backends;
     for (const std::string& backend : undecided(measured.pairs))
       if (!broken.contains(backend)) backends.push_back(backend);
-    if (backends.empty() || options.budget_s - watch.elapsed_s() < least_process_s * static_cast<double>(backends.size()))
-      break;
-    run_on(backends, 1);
+    const double turns = static_cast<double>(options.side_by_side ? 1 : backends.size());
+    if (backends.empty() || options.budget_s - watch.elapsed_s() < least_process_s * turns) break;
+    run_on(backends, false, 1);
+    ++measured.processes;
   }
   return measured;
 }

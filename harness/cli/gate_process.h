@@ -36,18 +36,16 @@ class GateProcess {
   static bool certify(Backend& backend, const std::filesystem::path& shaders, const EmitLine& emit);
 };
 
-// The frames of a process by tree and variant, each made once: by a run that is kept, or when it is first asked for.
+// The frames of a process by tree and variant, each made when it is first asked for.
 class ProcessFrames {
  public:
   explicit ProcessFrames(GateProcess& process) : process_(process) {}
 
   // Another `copy` of the same tree and variant is another frame.
   Frame& get(Tree& tree, const VariantManifest& variant, size_t copy = 0);
-  void keep(const Tree& tree, std::unique_ptr<BackendRun> run) { runs_.emplace_back(&tree, std::move(run)); }
 
  private:
   GateProcess& process_;
-  std::vector<std::pair<const Tree*, std::unique_ptr<BackendRun>>> runs_;
   std::map<std::tuple<const Tree*, const VariantManifest*, size_t>, std::unique_ptr<ReadyFrame>> made_;
 };
 
@@ -64,14 +62,18 @@ struct TimedFrames {
 
 std::vector<PairsRow> rows_of(const std::vector<TimedFrames>& all, const GateProcess& process);
 
-inline constexpr size_t least_rounds = 2 * rounds_a_frame;
+// Times rounds of all of them in shuffled order, of each until `enough` says so of it, asked after every whole frame. Cuts the
+// frames on the first call; later ones begin anew.
+void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const std::function<bool(const TimedFrames&)>& enough,
+                 const PieceOptions& pieces = {});
 
-// Times rounds of all of them in shuffled order until `enough` says so, asked after every whole frame, and at least
-// least_rounds. Cuts the frames on the first call; later ones begin anew.
-void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const std::function<bool()>& enough);
+// Whether these may stop: the error of each of their ratios is less than a third of its margin, so that those of three
+// processes, pooled and at the higher confidence of many comparisons, tell which side of the margin they lie on.
+bool precise_enough(const TimedFrames& timed, const GateProcess& process, const LimitsFile& limits);
 
-// Runs `work` in children: options.processes on every backend, each with its share of the budget; then, while `undecided` names
-// backends and there is time, more of them there. A backend on which one fails is left alone after it.
+// Runs `work` in children: one on every backend for counts and pictures, if options.exact; if options.times, options.processes
+// that time, each with its share of the budget; then, while `undecided` names backends and there is time, more of them there.
+// Backends take turns, or run side by side where the options say so. One on which a process fails is left alone after it.
 GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatch& watch,
                                       const std::function<void(const GateTask&, const EmitLine&)>& work,
                                       const std::function<std::set<std::string>(const std::vector<PairsRow>&)>& undecided);

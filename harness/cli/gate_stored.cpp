@@ -9,6 +9,7 @@
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
 #include "harness/gate/stored.h"
+#include "harness/gate/time_verdicts.h"
 #include "harness/record/record.h"
 
 namespace lamina {
@@ -33,14 +34,15 @@ void measure_state(const Scene& scene, Tree& tree, const std::vector<const Effec
     run.count(progress), run.score(progress);
     for (const CellRow& row : run.rows()) emit({{"cell", to_json(row)}});
   }
+  if (task.exact) return process.end(emit);
   std::vector<TimedFrames> all;
-  for (size_t i = 0; i < effects.size() && options.times && process.certified; ++i) {
+  for (size_t i = 0; i < effects.size() && process.certified; ++i) {
     TimedFrames timed{effects[i]->name, "", {}, {}, nullptr};
     for (const VariantManifest& variant : effects[i]->variants)
       if (Frame* frame = runs[i]->frame(variant.name)) timed.add(variant.name, *frame);
     if (!timed.frames.empty()) all.push_back(std::move(timed));
   }
-  if (!all.empty()) time_rounds(process, all, [&] { return process.watch.elapsed_s() >= task.until_s; });
+  if (!all.empty()) time_rounds(process, all, [&](const TimedFrames&) { return process.watch.elapsed_s() >= task.until_s; });
   for (const PairsRow& row : rows_of(all, process)) emit({{"pairs", to_json(row)}});
   process.end(emit);
 }
@@ -63,7 +65,7 @@ void add_times(std::vector<Json>& cells, const std::vector<PairsRow>& pairs, boo
     cell["timed"] = certified;
     if (!certified || cell.at("status") == "failed") continue;
     const std::string variant = cell.at("variant");
-    std::vector<double> ratios;
+    std::vector<RatioEstimate> ratios;
     std::map<std::string, size_t> seen;
     for (const PairsRow& row : pairs) {
       const auto at = std::find(row.frames.begin(), row.frames.end(), variant);
@@ -79,15 +81,15 @@ void add_times(std::vector<Json>& cells, const std::vector<PairsRow>& pairs, boo
           if (paired.name == name && occurrence-- == 0)
             for (const double ms : frame_samples(paired, frame)) pass["ms"].push_back(ms);
       }
-      if (frame > 0)
-        for (const double ratio : ratios_of(row, variant, -1)) ratios.push_back(ratio);
+      if (frame > 0) ratios.push_back(estimate_of(row, variant));
     }
     for (Json& pass : cell["passes"])
       if (!pass.at("ms").empty()) pass["median_ms"] = median(pass.at("ms").get<std::vector<double>>());
     const std::vector<double> whole = frame_samples_ms(passes_of(cell));
     if (!whole.empty()) cell["median_ms"] = median(whole);
-    if (ratios.size() < min_rounds_for_95 || cell.at("baseline").get<bool>()) continue;
-    cell["ratio_to_baseline"] = interval_to_json(median_interval(ratios), variant, "ratio_to_baseline");
+    if (ratios.empty() || cell.at("baseline").get<bool>()) continue;
+    cell["ratio_to_baseline"] =
+        interval_to_json(ratio_interval(pool(ratios), ratios.size(), 0.95), variant, "ratio_to_baseline");
   }
 }
 
@@ -201,9 +203,8 @@ int run_against_record(const GateOptions& options, const Stopwatch& watch) {
   const GateOutcome outcome = outcome_of(rows);
   for (const VerdictRow& row : rows) record.append(to_json(row));
   record.append(to_json(GateRow{"baseline", fmt::format("the record {}", file.string()), outcome.verdict, outcome.status,
-                                measured.processes, judge_pairs(measured.pairs, limits, options.family_error).rounds,
-                                static_cast<size_t>(comparisons), watch.elapsed_s(), limits.of("", "", "").max_drift,
-                                1 - options.family_error}));
+                                measured.processes, rounds_in(measured.pairs), static_cast<size_t>(comparisons),
+                                watch.elapsed_s(), limits.of("", "", "").max_drift, 1 - options.family_error}));
   return finish_gate(options.compare.out);
 }
 

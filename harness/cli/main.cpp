@@ -41,10 +41,10 @@ class PrivateShaderCache {
 };
 
 // Software rasterizers take a thread a core of the affinity mask whatever else limits them; pinned, the record can say what
-// ran.
-void pin_rasterizer_threads() {
-  const std::string threads = fmt::format("{}", std::min(std::max(std::thread::hardware_concurrency(), 1u), 32u));
-  ::setenv("LP_NUM_THREADS", threads.c_str(), 0);
+// ran. `ratios_alone`: no thread beside the caller's, see side_by_side in GateOptions.
+void pin_rasterizer_threads(bool ratios_alone) {
+  const uint32_t cores = std::min(std::max(std::thread::hardware_concurrency(), 1u), 32u);
+  ::setenv("LP_NUM_THREADS", std::to_string(ratios_alone ? 0 : cores).c_str(), 0);
 }
 
 std::pair<uint32_t, uint32_t> parse_size(const std::string& text) {
@@ -253,6 +253,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : usage_status;
   }
+  pin_rasterizer_threads(gate.calibrate || !gate.against.empty());
   compare.command = gate.compare.command = sweep.compare.command = stress.command =
       fmt::format("lamina {}", fmt::join(argv + 1, argv + argc, " "));
   if (compare_command.parsed()) {
@@ -285,7 +286,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  pin_rasterizer_threads();
   const PrivateShaderCache cache;
   try {
     return run(argc, argv);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/gate/child.h"
 
+#include <fcntl.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -42,42 +44,63 @@ bool write_line(int to, const nlohmann::ordered_json& line) {
   ::_exit(status);  // what the parent would tear down is not the child's to tear down
 }
 
-std::string read_all(int from) {
+struct Child {
+  pid_t id = 0;
+  int from = -1;  // its lines; -1: it has closed them
   std::string text;
-  char buffer[1 << 16];
-  for (;;) {
-    const ssize_t count = ::read(from, buffer, sizeof buffer);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return text;
-    text.append(buffer, static_cast<size_t>(count));
-  }
-}
+};
 
-}  // namespace
-
-ChildResult run_in_child(const std::function<void(const EmitLine&)>& work) {
+Child fork_child(const std::function<void(const EmitLine&)>& work) {
   int ends[2];
-  if (::pipe(ends) != 0) throw_errno("pipe");
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw_errno("pipe");
   std::fflush(nullptr);
-  const pid_t child = ::fork();
-  if (child < 0) throw_errno("fork");
-  if (child == 0) {
+  const pid_t id = ::fork();
+  if (id < 0) throw_errno("fork");
+  if (id == 0) {
     ::close(ends[0]);
     be_child(ends[1], work);
   }
   ::close(ends[1]);
-  const std::string text = read_all(ends[0]);
-  ::close(ends[0]);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) throw_errno("waitpid");
+  return {id, ends[0], ""};
+}
 
+// From all at once: a child whose pipe is full waits.
+void read_all(std::vector<Child>& children) {
+  char buffer[1 << 16];
+  for (;;) {
+    std::vector<pollfd> open;
+    std::vector<Child*> whose;
+    for (Child& child : children)
+      if (child.from >= 0) open.push_back({child.from, POLLIN, 0}), whose.push_back(&child);
+    if (open.empty()) return;
+    if (::poll(open.data(), open.size(), -1) < 0) {
+      if (errno == EINTR) continue;
+      throw_errno("poll");
+    }
+    for (size_t i = 0; i < open.size(); ++i) {
+      if (open[i].revents == 0) continue;
+      const ssize_t count = ::read(open[i].fd, buffer, sizeof buffer);
+      if (count < 0 && errno == EINTR) continue;
+      if (count > 0) {
+        whose[i]->text.append(buffer, static_cast<size_t>(count));
+        continue;
+      }
+      ::close(open[i].fd);
+      whose[i]->from = -1;
+    }
+  }
+}
+
+ChildResult result_of(const Child& child) {
+  int status = 0;
+  while (::waitpid(child.id, &status, 0) < 0)
+    if (errno != EINTR) throw_errno("waitpid");
   ChildResult result;
-  for (size_t begin = 0; begin < text.size();) {
-    const size_t newline = text.find('\n', begin);
+  for (size_t begin = 0; begin < child.text.size();) {
+    const size_t newline = child.text.find('\n', begin);
     if (newline == std::string::npos) break;
-    nlohmann::json line = nlohmann::json::parse(text.begin() + static_cast<std::ptrdiff_t>(begin),
-                                                text.begin() + static_cast<std::ptrdiff_t>(newline));
+    nlohmann::json line = nlohmann::json::parse(child.text.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                child.text.begin() + static_cast<std::ptrdiff_t>(newline));
     begin = newline + 1;
     if (line.contains(failure_key))
       result.failure = line[failure_key];
@@ -90,5 +113,18 @@ ChildResult run_in_child(const std::function<void(const EmitLine&)>& work) {
     result.failure = fmt::format("its process ended with status {}", WEXITSTATUS(status));
   return result;
 }
+
+}  // namespace
+
+std::vector<ChildResult> run_in_children(const std::vector<std::function<void(const EmitLine&)>>& works) {
+  std::vector<Child> children;
+  for (const auto& work : works) children.push_back(fork_child(work));
+  read_all(children);
+  std::vector<ChildResult> results;
+  for (const Child& child : children) results.push_back(result_of(child));
+  return results;
+}
+
+ChildResult run_in_child(const std::function<void(const EmitLine&)>& work) { return run_in_children({work}).front(); }
 
 }  // namespace lamina

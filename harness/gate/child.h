@@ -16,8 +16,10 @@ struct ChildResult {
   std::string failure;  // "" where it ended well: an error's words, or the signal that ended it
 };
 
-// Forks; `work` runs in the child and hands its lines over one by one; what it throws becomes the failure. The parent must have
-// no threads and no open backend. Throws Error(failed) where no process can be made.
+// Forks a child for each; it hands its lines over one by one; what it throws becomes the failure. All run at the same time.
+// The parent must have no threads and no open backend. Throws Error(failed) where no process can be made.
+std::vector<ChildResult> run_in_children(const std::vector<std::function<void(const EmitLine&)>>& works);
+// The same for one.
 ChildResult run_in_child(const std::function<void(const EmitLine&)>& work);
 
 }  // namespace lamina

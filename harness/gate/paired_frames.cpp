@@ -2,7 +2,6 @@
 #include "harness/gate/paired_frames.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "harness/measure/statistics.h"
@@ -37,7 +36,7 @@ size_t PairedFrames::pass_named(const std::string& name, size_t occurrence) {
   for (size_t i = 0; i < passes_.size(); ++i)
     if (passes_[i].name == name && cuts_[i].occurrence == occurrence) return i;
   passes_.push_back(
-      {name, false, std::vector<std::vector<double>>(frames_.size()), std::vector<std::vector<double>>(frames_.size())});
+      {name, false, std::vector<std::vector<double>>(frames_.size()), std::vector<std::vector<StripPair>>(frames_.size())});
   cuts_.push_back({occurrence, 0, 1, std::vector<std::vector<Pass>>(frames_.size())});
   return passes_.size() - 1;
 }
@@ -65,15 +64,16 @@ void PairedFrames::cut(size_t frame, size_t view, const PieceOptions& options) {
 }
 
 void PairedFrames::start_again() {
-  for (PairedPass& pass : passes_)
-    for (auto* samples : {&pass.ms, &pass.ratio})
-      for (std::vector<double>& of_frame : *samples) of_frame.clear();
+  for (PairedPass& pass : passes_) {
+    for (std::vector<double>& of_frame : pass.ms) of_frame.clear();
+    for (std::vector<StripPair>& of_frame : pass.strips) of_frame.clear();
+  }
   rounds_ = 0;
 }
 
 void PairedFrames::run_round(std::mt19937_64& random) {
   struct Owner {
-    size_t pass, frame;
+    size_t pass, frame, turn;
   };
   std::vector<Pass> pieces;
   std::vector<Owner> owners;
@@ -87,79 +87,42 @@ void PairedFrames::run_round(std::mt19937_64& random) {
     for (uint32_t repeat = 0; repeat < how.repeats; ++repeat)
       for (size_t piece = begin; piece < end; piece += step) {
         for (size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);  // Fisher and Yates
-        for (const size_t frame : order) {
+        for (size_t turn = 0; turn < order.size(); ++turn) {
+          const size_t frame = order[turn];
           if (piece >= how.pieces[frame].size()) continue;
           pieces.push_back(how.pieces[frame][piece]);
-          owners.push_back({pass, frame});
+          owners.push_back({pass, frame, turn});
         }
       }
   }
   const RunTimes times = backend_.run(pieces, Timing::bracketed);
-  std::vector<std::vector<std::vector<double>>> strips(passes_.size(), std::vector<std::vector<double>>(frames_.size()));
-  for (size_t i = 0; i < owners.size(); ++i) strips[owners[i].pass][owners[i].frame].push_back(times.pass_ms[i]);
+  std::vector<std::vector<std::vector<Timed>>> strips(passes_.size(), std::vector<std::vector<Timed>>(frames_.size()));
+  for (size_t i = 0; i < owners.size(); ++i) {
+    if (!(times.pass_ms[i] > 0))
+      throw Error(ErrorKind::failed, "gate", passes_[owners[i].pass].name,
+                  fmt::format("a strip took {} ms: the timer does not tell time", times.pass_ms[i]));
+    strips[owners[i].pass][owners[i].frame].push_back({times.pass_ms[i], owners[i].turn});
+  }
   for (size_t pass = 0; pass < passes_.size(); ++pass) add_round(passes_[pass], strips[pass], cuts_[pass].repeats);
   ++rounds_;
 }
 
 // Frames are paired strip by strip; where one has more pieces than the other (a pass that is run twice) by their sums.
-void PairedFrames::add_round(PairedPass& pass, const std::vector<std::vector<double>>& strips, uint32_t repeats) {
-  const auto sum = [](const std::vector<double>& ms) { return std::accumulate(ms.begin(), ms.end(), 0.0); };
+void PairedFrames::add_round(PairedPass& pass, const std::vector<std::vector<Timed>>& strips, uint32_t repeats) {
+  const auto sum = [](const std::vector<Timed>& timed) {
+    return std::accumulate(timed.begin(), timed.end(), 0.0, [](double ms, const Timed& each) { return ms + each.ms; });
+  };
   for (size_t frame = 0; frame < strips.size(); ++frame) {
     if (strips[frame].empty()) continue;
     pass.ms[frame].push_back(sum(strips[frame]) / repeats);
     if (frame == 0 || strips[0].empty()) continue;
-    std::vector<StripPair> pairs;
-    if (strips[frame].size() == strips[0].size())
-      for (size_t i = 0; i < strips[0].size(); ++i) pairs.push_back({strips[0][i], strips[frame][i]});
+    const std::vector<Timed>&before = strips[0], &after = strips[frame];
+    if (after.size() == before.size())
+      for (size_t i = 0; i < before.size(); ++i)
+        pass.strips[frame].push_back({before[i].ms, after[i].ms, after[i].turn < before[i].turn});
     else
-      pairs.push_back({sum(strips[0]), sum(strips[frame])});
-    pass.ratio[frame].push_back(trimmed_ratio(pairs));
+      pass.strips[frame].push_back({sum(before), sum(after), false});
   }
-}
-
-double trimmed_ratio(const std::vector<StripPair>& strips) {
-  struct Weighted {
-    double log_ratio, weight;
-  };
-  std::vector<Weighted> ratios;
-  double whole = 0;
-  for (const auto& [before, after] : strips) {
-    if (!(before > 0) || !(after > 0))
-      throw Error(ErrorKind::failed, "gate", "time",
-                  fmt::format("a strip took {} ms and {} ms: the timer does not tell time", before, after));
-    ratios.push_back({std::log(after / before), std::sqrt(before * after)});
-    whole += ratios.back().weight;
-  }
-  if (ratios.empty()) throw Error(ErrorKind::failed, "gate", "time", "there are no strips");
-  std::sort(ratios.begin(), ratios.end(), [](const Weighted& a, const Weighted& b) { return a.log_ratio < b.log_ratio; });
-  double sum = 0, kept = 0, done = 0;
-  for (const auto& [log_ratio, weight] : ratios) {
-    const double low = std::max(done, trimmed_share * whole), high = std::min(done + weight, (1 - trimmed_share) * whole);
-    if (high > low) sum += log_ratio * (high - low), kept += high - low;
-    done += weight;
-  }
-  return std::exp(sum / kept);
-}
-
-std::vector<double> frame_ratios(const std::vector<PairedPass>& passes, size_t frame) {
-  std::vector<double> before, after;
-  const auto add = [](std::vector<double>& to, size_t round, double ms) {
-    if (to.size() <= round) to.resize(round + 1, 0);
-    to[round] += ms;
-  };
-  for (const PairedPass& pass : passes) {
-    const double share = pass.cut ? 1 : 1.0 / rounds_a_frame;
-    for (size_t round = 0; round < pass.ms[0].size(); ++round) {
-      add(before, round, share * pass.ms[0][round]);
-      if (round < pass.ratio[frame].size()) add(after, round, share * pass.ms[0][round] * pass.ratio[frame][round]);
-    }
-    if (pass.ms[0].empty())
-      for (size_t round = 0; round < pass.ms[frame].size(); ++round) add(after, round, share * pass.ms[frame][round]);
-  }
-  std::vector<double> ratios;
-  for (size_t round = 0; frame > 0 && round < std::min(before.size(), after.size()); ++round)
-    ratios.push_back(after[round] / before[round]);
-  return ratios;
 }
 
 std::optional<double> whole_ms(const PairedPass& pass, size_t frame) {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frames that should cost the same, or not, timed against each other piece by piece. Every pass is cut into strips that last a
 // few milliseconds, and a strip of one frame is timed right beside the same strip of the others, in shuffled order: the speed
-// of a shared machine wanders by tens of percent within a second, but hardly within a strip. A round's ratio is the trimmed
-// mean of its strips' ratios, weighted by what they last, so that strips during which something else ran do not count: half a
-// second of the heart's composite tells the ratio of two frames to 0.3 to 0.6% where the ratio of sums tells it to 1 to 2%.
-// Trimmed means: Tukey and McLaughlin, "Less vulnerable confidence and significance procedures for location based on a single
-// sample", Sankhya A 25, 1963.
+// of a shared machine wanders by tens of percent within a second, but hardly within a strip. What the strips say of a ratio:
+// ratio_estimate.h. A strip runs the pass's vertices again, so that a change of its fragments reads somewhat smaller than it is
+// of the whole pass: by a sixth on the heart at 512x512.
 #pragma once
 
 #include <optional>
@@ -13,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/gate/ratio_estimate.h"
 #include "harness/graph/frame.h"
 
 namespace lamina {
@@ -25,8 +24,8 @@ struct PairedPass {
   bool cut = false;  // else every round takes all of it
   // [frame][round]: the sum over the strips of this round; empty for a frame that has no such pass.
   std::vector<std::vector<double>> ms;
-  // [frame][round]: what it took over what frame 0 took; empty for frame 0, and where either has no such pass.
-  std::vector<std::vector<double>> ratio;
+  // [frame]: its strips in all rounds, beside those of frame 0; empty for frame 0, and where either has no such pass.
+  std::vector<std::vector<StripPair>> strips;
 };
 
 struct PieceOptions {
@@ -58,7 +57,11 @@ class PairedFrames {
   };
   size_t pass_named(const std::string& name, size_t occurrence);
   void cut(size_t frame, size_t view, const PieceOptions& options);
-  static void add_round(PairedPass& pass, const std::vector<std::vector<double>>& strips, uint32_t repeats);
+  struct Timed {
+    double ms = 0;
+    size_t turn = 0;  // among the frames of its strip
+  };
+  static void add_round(PairedPass& pass, const std::vector<std::vector<Timed>>& strips, uint32_t repeats);
 
   Backend& backend_;
   std::vector<Frame*> frames_;
@@ -67,19 +70,6 @@ class PairedFrames {
   size_t rounds_ = 0;
 };
 
-// A strip of two frames, ms.
-struct StripPair {
-  double before = 0, after = 0;
-};
-// Share of the weight that is left out at either end: a change of more than a fifth of the picture still shows.
-inline constexpr double trimmed_share = 0.2;
-// The weighted trimmed geometric mean of after / before. Throws Error(failed) where there is no strip, or a time is not
-// positive.
-double trimmed_ratio(const std::vector<StripPair>& strips);
-
-// The ratio of whole frames by round, from those of passes weighted by their times; passes of one frame alone count with
-// theirs. Empty for frame 0.
-std::vector<double> frame_ratios(const std::vector<PairedPass>& passes, size_t frame);
 // What a pass of a frame lasts as a whole: for one that is cut, the sum of the medians of the kinds of rounds. Absent where the
 // frame has no such pass, or fewer rounds than make a frame.
 std::optional<double> whole_ms(const PairedPass& pass, size_t frame);

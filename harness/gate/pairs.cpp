@@ -2,6 +2,7 @@
 #include "harness/gate/pairs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -12,7 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::ptrdiff_t whole_frame = -1;
+using Part = std::optional<size_t>;  // a pass by its place, or the whole frame
+constexpr Part whole_frame = std::nullopt;
 
 std::optional<size_t> index_of(const PairsRow& row, std::string_view frame) {
   const auto found = std::find(row.frames.begin(), row.frames.end(), frame);
@@ -20,10 +22,10 @@ std::optional<size_t> index_of(const PairsRow& row, std::string_view frame) {
   return static_cast<size_t>(found - row.frames.begin());
 }
 
-double sum_ms(const PairsRow& row, size_t frame, std::ptrdiff_t only) {
+double sum_ms(const PairsRow& row, size_t frame, Part part) {
   double sum = 0;
   for (size_t pass = 0; pass < row.passes.size(); ++pass)
-    if (only == whole_frame || static_cast<size_t>(only) == pass) sum += whole_ms(row.passes[pass], frame).value_or(0);
+    if (!part || *part == pass) sum += whole_ms(row.passes[pass], frame).value_or(0);
   return sum;
 }
 
@@ -33,18 +35,30 @@ struct Key {
 };
 
 // The passes that are judged by themselves: those of the frame before and after that take enough of it.
-std::vector<std::ptrdiff_t> judged_parts(const PairsRow& row) {
+std::vector<Part> judged_parts(const PairsRow& row) {
   const size_t before = *index_of(row, frame_before), after = *index_of(row, frame_after);
   const double whole = sum_ms(row, before, whole_frame);
-  std::vector<std::ptrdiff_t> parts;
+  std::vector<Part> parts;
   for (size_t pass = 0; pass < row.passes.size(); ++pass) {
-    const auto part = static_cast<std::ptrdiff_t>(pass);
     if (row.passes[pass].ms[before].empty() || row.passes[pass].ms[after].empty()) continue;
-    if (std::max(sum_ms(row, before, part), sum_ms(row, after, part)) >= least_judged_share * whole) parts.push_back(part);
+    if (std::max(sum_ms(row, before, pass), sum_ms(row, after, pass)) >= least_judged_share * whole) parts.push_back(pass);
   }
   // A frame of one pass is that pass.
   if (row.passes.size() > 1) parts.insert(parts.begin(), whole_frame);
   return parts;
+}
+
+// A time with its error, ms.
+struct TimeEstimate {
+  double ms = 0, error = 0;
+};
+
+// A pass that only one of the frames has: by the rounds' spread.
+TimeEstimate time_alone(const PairedPass& pass, size_t frame) {
+  std::vector<StripPair> rounds;
+  for (const double ms : pass.ms[frame]) rounds.push_back({1, ms});
+  const double ms = whole_ms(pass, frame).value_or(0);
+  return {ms, ms * estimate_ratio(rounds).error};
 }
 
 std::string percent(double ratio) { return fmt::format("{:+.1f}%", (ratio - 1) * 100); }
@@ -61,27 +75,63 @@ std::string sentence_of(const VerdictRow& row) {
 
 }  // namespace
 
-std::vector<double> ratios_of(const PairsRow& row, std::string_view frame, std::ptrdiff_t pass) {
+RatioEstimate estimate_of(const PairsRow& row, std::string_view frame, Part pass) {
   const std::optional<size_t> at = index_of(row, frame);
-  if (!at || *at == 0) return {};
-  return pass == whole_frame ? frame_ratios(row.passes, *at) : row.passes[static_cast<size_t>(pass)].ratio[*at];
+  if (!at || *at == 0)
+    throw Error(ErrorKind::failed, "gate", row.variant, fmt::format("has no times of frame '{}' beside another", frame));
+  if (pass) return estimate_ratio(row.passes.at(*pass).strips[*at]);
+  double before = 0, after = 0, square = 0;
+  size_t strips = 0;
+  for (const PairedPass& each : row.passes) {
+    const bool in_before = !each.ms[0].empty(), in_after = !each.ms[*at].empty();
+    TimeEstimate here;
+    if (in_before && in_after) {
+      const RatioEstimate ratio = estimate_ratio(each.strips[*at]);
+      here.ms = whole_ms(each, 0).value_or(0) * std::exp(ratio.log_ratio);
+      here.error = here.ms * ratio.error;
+      strips += ratio.strips;
+    } else if (in_before || in_after) {
+      here = time_alone(each, in_after ? *at : 0);
+    }
+    if (in_before) before += whole_ms(each, 0).value_or(0);
+    if (in_after) after += here.ms;
+    square += here.error * here.error;
+  }
+  if (!(before > 0) || !(after > 0))
+    throw Error(ErrorKind::failed, "gate", row.variant, "has too few rounds to tell the time of a frame");
+  return {std::log(after / before), std::sqrt(square) / after, strips};
+}
+
+double worst_error(const PairsRow& row, const LimitsFile& limits) {
+  double worst = 0;
+  if (index_of(row, frame_again)) worst = estimate_of(row, frame_again).error;
+  if (index_of(row, frame_after))
+    for (const Part part : judged_parts(row)) worst = std::max(worst, estimate_of(row, frame_after, part).error);
+  return worst / limits.of(row.effect, row.variant, row.backend).max_slowdown;
+}
+
+size_t rounds_in(const std::vector<PairsRow>& pairs) {
+  size_t all = 0;
+  for (const PairsRow& row : pairs) {
+    size_t rounds = 0;  // of the first frame, any of whose passes is in each of them
+    for (const PairedPass& pass : row.passes) rounds = std::max(rounds, pass.ms.front().size());
+    all += rounds;
+  }
+  return all;
 }
 
 TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& limits, double family_error) {
   std::map<Key, std::vector<const PairsRow*>> by_cell;
   TimeReport report;
-  for (const PairsRow& row : pairs) {
-    by_cell[{row.backend, row.effect, row.variant, row.view}].push_back(&row);
-    size_t rounds = 0;  // of the first frame, any of whose passes is in each of them
-    for (const PairedPass& pass : row.passes) rounds = std::max(rounds, pass.ms.front().size());
-    report.rounds += rounds;
-  }
+  report.rounds = rounds_in(pairs);
+  for (const PairsRow& row : pairs) by_cell[{row.backend, row.effect, row.variant, row.view}].push_back(&row);
+
   std::vector<TimeComparison> comparisons, same_comparisons;
   const auto add_comparison = [](std::vector<TimeComparison>& to, const std::vector<const PairsRow*>& processes, double margin,
-                                 std::string_view frame, std::ptrdiff_t part) {
+                                 std::string_view frame, Part part) {
     TimeComparison& comparison = to.emplace_back();
     comparison.margin = margin;
-    for (const PairsRow* process : processes) comparison.ratios.push_back(ratios_of(*process, frame, part));
+    for (const PairsRow* process : processes) comparison.processes.push_back(estimate_of(*process, frame, part));
   };
   for (const auto& [key, processes] : by_cell) {
     const PairsRow& first = *processes.front();
@@ -91,10 +141,10 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
       add_comparison(same_comparisons, processes, margin, frame_again, whole_frame);
     }
     if (!index_of(first, frame_after)) continue;
-    for (const std::ptrdiff_t part : judged_parts(first)) {
+    for (const Part part : judged_parts(first)) {
       VerdictRow& row = report.rows.emplace_back();
       row.backend = key.backend, row.effect = key.effect, row.variant = key.variant, row.view = key.view, row.what = "time";
-      if (part != whole_frame) row.pass = first.passes[static_cast<size_t>(part)].name;
+      if (part) row.pass = first.passes[*part].name;
       row.before = sum_ms(first, *index_of(first, frame_before), part);
       row.after = sum_ms(first, *index_of(first, frame_after), part);
       row.limit = margin;
@@ -119,14 +169,21 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
     if (row.verdict == Verdict::ambiguous) report.undecided.insert(row.backend);
   }
   report.comparisons = comparisons.size();
-  report.precision = worst_precision(comparisons, verdicts);
   return report;
 }
 
 Json to_json(const PairsRow& row) {
+  const auto rounded = [](double ms) { return std::round(ms * 1e6) / 1e6; };  // to the nanosecond
   Json passes = Json::array();
-  for (const PairedPass& pass : row.passes)
-    passes.push_back({{"name", pass.name}, {"cut", pass.cut}, {"ms", pass.ms}, {"ratio", pass.ratio}});
+  for (const PairedPass& pass : row.passes) {
+    Json strips = Json::array();
+    for (const std::vector<StripPair>& of_frame : pass.strips) {
+      Json& pairs = strips.emplace_back(Json::array());
+      for (const StripPair& pair : of_frame)
+        pairs.push_back({rounded(pair.before), rounded(pair.after), pair.after_first ? 1 : 0});
+    }
+    passes.push_back({{"name", pass.name}, {"cut", pass.cut}, {"ms", pass.ms}, {"strips", strips}});
+  }
   return {{"kind", "pairs"},        {"process", row.process}, {"backend", row.backend}, {"effect", row.effect},
           {"variant", row.variant}, {"view", row.view},       {"frames", row.frames},   {"passes", passes}};
 }
@@ -137,9 +194,14 @@ PairsRow pairs_from_json(const nlohmann::json& line) {
   row.backend = line.at("backend"), row.effect = line.at("effect"), row.variant = line.at("variant"),
   row.view = line.at("view");
   row.frames = line.at("frames").get<std::vector<std::string>>();
-  for (const nlohmann::json& pass : line.at("passes"))
-    row.passes.push_back({pass.at("name"), pass.at("cut"), pass.at("ms").get<std::vector<std::vector<double>>>(),
-                          pass.at("ratio").get<std::vector<std::vector<double>>>()});
+  for (const nlohmann::json& pass : line.at("passes")) {
+    PairedPass& paired = row.passes.emplace_back(
+        PairedPass{pass.at("name"), pass.at("cut"), pass.at("ms").get<std::vector<std::vector<double>>>(), {}});
+    for (const nlohmann::json& of_frame : pass.at("strips")) {
+      std::vector<StripPair>& pairs = paired.strips.emplace_back();
+      for (const nlohmann::json& pair : of_frame) pairs.push_back({pair.at(0), pair.at(1), pair.at(2) == 1});
+    }
+  }
   return row;
 }
 

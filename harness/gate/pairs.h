@@ -25,21 +25,27 @@ struct PairsRow {
 nlohmann::ordered_json to_json(const PairsRow& row);
 PairsRow pairs_from_json(const nlohmann::json& line);
 
-// A pass is judged by itself from this share of its frame on; a smaller one within the frame.
+// A pass is judged by itself from this share of its frame on; a smaller one only within the frame.
 inline constexpr double least_judged_share = 0.05;
 
 struct TimeReport {
   std::vector<VerdictRow> rows;  // of frames (pass "") and of passes
   std::vector<SameArmRow> same_arms;
   size_t rounds = 0, comparisons = 0;
-  double precision = 0;             // see worst_precision()
   std::set<std::string> undecided;  // backends with an ambiguous row
 };
 // All rows belong to one gate. `family_error` as for judge_times(). Where frames that are the same read as slower or faster, no
 // time can be believed, and every row that is not the same becomes ambiguous and says so.
 TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& limits, double family_error);
 
-// The ratio of a frame's (pass < 0) or pass's times to those of the row's first frame, by round; empty where there is none.
-std::vector<double> ratios_of(const PairsRow& row, std::string_view frame, std::ptrdiff_t pass);
+// The ratio of a frame's times to those of the row's first frame: of one pass, or of the whole, where passes count by their
+// times and those of one frame alone with theirs. Throws as estimate_ratio() does, and where either lacks the pass.
+RatioEstimate estimate_of(const PairsRow& row, std::string_view frame, std::optional<size_t> pass = std::nullopt);
+
+// The rounds that the rows hold, all together.
+size_t rounds_in(const std::vector<PairsRow>& pairs);
+
+// The greatest error of the ratios in this row that judge_pairs() would judge, over the margin.
+double worst_error(const PairsRow& row, const LimitsFile& limits);
 
 }  // namespace lamina

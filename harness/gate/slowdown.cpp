@@ -2,6 +2,7 @@
 #include "harness/gate/slowdown.h"
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 
 #include "harness/core/text.h"
@@ -60,15 +61,17 @@ void main() {{
                             sampler, output);
 }
 
-void write(const fs::path& file, const std::string& text) { write_file_atomically(file, text); }
+void copy_tree(const fs::path& home, const fs::path& folder) {
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  for (const char* part : {"variants", "shaders"}) fs::copy(home / part, folder / part, fs::copy_options::recursive);
+}
 
 }  // namespace
 
 void write_slower_tree(const fs::path& home, const fs::path& folder, const VariantManifest& variant, const std::string& pass,
                        uint32_t taps) {
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  for (const char* part : {"variants", "shaders"}) fs::copy(home / part, folder / part, fs::copy_options::recursive);
+  copy_tree(home, folder);
   const auto found = std::find_if(variant.passes.begin(), variant.passes.end(), [&](const PassManifest& candidate) {
     return candidate.name == pass && !candidate.fragment.empty();
   });
@@ -80,7 +83,7 @@ void write_slower_tree(const fs::path& home, const fs::path& folder, const Varia
   std::string text = read_file(fragment, "gate");
   if (output.empty() || sampler.empty() || text.find(main_line) == std::string::npos)
     refuse(fragment, "needs a vec4 output at location 0, a sampler2D and 'void main() {' to be given extra taps");
-  write(fragment, slower(std::move(text), sampler, output));
+  write_file_atomically(fragment, slower(std::move(text), sampler, output));
 
   // Only this pass asks for them: others may share the shader.
   const fs::path manifest = folder / fs::relative(variant.file, home);
@@ -94,7 +97,21 @@ void write_slower_tree(const fs::path& home, const fs::path& folder, const Varia
     toml.insert(define + std::string_view("define = {").size(), " " + defines + ",");
   else
     toml.insert(toml.find('\n', name) + 1, fmt::format("define = {{ {} }}\n", defines));
-  write(manifest, toml);
+  write_file_atomically(manifest, toml);
+}
+
+void write_changed_tree(const fs::path& home, const fs::path& folder, const EffectManifest& effect, const std::string& pass) {
+  copy_tree(home, folder);
+  std::set<fs::path> fragments;
+  for (const VariantManifest& variant : effect.variants)
+    for (const PassManifest& each : variant.passes)
+      if (each.name == pass && !each.fragment.empty()) fragments.insert(folder / fs::relative(each.fragment, home));
+  for (const fs::path& fragment : fragments) {
+    std::string text = read_file(fragment, "gate");
+    if (const size_t at = text.find(main_line); at != std::string::npos)
+      text.insert(at + std::string_view(main_line).size(), "\n  float not_used = 1.0;");
+    write_file_atomically(fragment, text);
+  }
 }
 
 }  // namespace lamina

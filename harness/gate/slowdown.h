@@ -17,4 +17,8 @@ namespace lamina {
 void write_slower_tree(const std::filesystem::path& home, const std::filesystem::path& folder, const VariantManifest& variant,
                        const std::string& pass, uint32_t taps);
 
+// Copies likewise, with a variable that nothing uses in `pass` of every variant of the effect: other code that costs as much.
+void write_changed_tree(const std::filesystem::path& home, const std::filesystem::path& folder, const EffectManifest& effect,
+                        const std::string& pass);
+
 }  // namespace lamina

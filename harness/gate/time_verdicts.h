@@ -1,35 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verdicts on times, for all comparisons of a gate at once. A ratio is slower where its interval lies wholly above the margin,
-// faster where wholly below, the same where wholly inside, else ambiguous. Intervals are those of the median by order
-// statistics (see measure/statistics.h), which is a sign test turned round; their confidence is raised so that over all
-// comparisons together a wrong verdict has at most the stated chance (Holm, "A simple sequentially rejective multiple test
-// procedure", Scandinavian Journal of Statistics 6, 1979). Rounds of one process share its memory layout and are not
-// independent of each other, so the median of every process must agree with the verdict too.
+// Same, faster, slower or ambiguous: verdicts on ratios of times, with one error rate over all of them. Holm's method (S. Holm,
+// "A simple sequentially rejective multiple test procedure", Scandinavian Journal of Statistics 6, 1979) over t tests against
+// the margin: slower and faster one side each, same by both (D. J. Schuirmann, "A comparison of the two one-sided tests
+// procedure and the power approach for assessing the equivalence of average bioavailability", Journal of Pharmacokinetics and
+// Biopharmaceutics 15, 1987).
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "harness/gate/ratio_estimate.h"
 #include "harness/gate/verdict.h"
 
 namespace lamina {
 
 struct TimeComparison {
-  std::vector<std::vector<double>> ratios;  // [process][round], after over before; positive
-  double margin = 0;                        // as a share, above 0
+  std::vector<RatioEstimate> processes;
+  double margin = 0;  // as a share, above 0
 };
 
 struct TimeVerdict {
   Verdict verdict = Verdict::ambiguous;  // same, faster, slower or ambiguous
-  Interval ratio;                        // over the rounds of all processes
+  Interval ratio;                        // pooled; `rounds` counts strips
 };
 
-// `family_error`, between 0 and 1: the chance of any wrong verdict, over all of them. Throws Error(failed) for a ratio that is
-// not positive and finite, or a comparison without rounds.
+// `family_error`, between 0 and 1: the chance of any wrong verdict, over all of them. Throws as pool() does.
 std::vector<TimeVerdict> judge_times(std::span<const TimeComparison> comparisons, double family_error);
 
-// Greatest half width of the intervals, over their margins: at most 1/2 means that more rounds would decide little that these
-// do not, whatever the verdicts are.
-double worst_precision(std::span<const TimeComparison> comparisons, std::span<const TimeVerdict> verdicts);
+// The interval of a ratio that was pooled over as many processes, by Student's t; `confidence` between 0 and 1.
+Interval ratio_interval(const RatioEstimate& pooled, size_t processes, double confidence);
 
 }  // namespace lamina

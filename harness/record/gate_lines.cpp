@@ -87,15 +87,18 @@ void check_pairs(const Json& line, const std::string& where) {
          {"passes", array}},
         where);
   for (const Json& pass : line["passes"]) {
-    check(pass, {{"name", text}, {"cut", boolean}, {"ms", array}, {"ratio", array}}, where, "passes.");
-    for (const char* field : {"ms", "ratio"}) {
+    check(pass, {{"name", text}, {"cut", boolean}, {"ms", array}, {"strips", array}}, where, "passes.");
+    for (const char* field : {"ms", "strips"}) {
       if (pass[field].size() != line["frames"].size())
         refuse(where, fmt::format("pass '{}' has '{}' of {} frames, the line names {}", pass["name"].get<std::string>(), field,
                                   pass[field].size(), line["frames"].size()));
-      for (const Json& samples : pass[field])
-        if (!numbers.fits(samples))
-          refuse(where, fmt::format("the field 'passes.{}' holds what is not {}", field, numbers.words));
     }
+    for (const Json& samples : pass["ms"])
+      if (!numbers.fits(samples)) refuse(where, fmt::format("the field 'passes.ms' holds what is not {}", numbers.words));
+    for (const Json& pairs : pass["strips"])
+      for (const Json& pair : pairs)
+        if (!numbers.fits(pair) || pair.size() != 3)
+          refuse(where, "the field 'passes.strips' holds what is not a pair of times and their order");
   }
 }
 

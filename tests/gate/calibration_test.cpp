@@ -33,7 +33,8 @@ std::vector<PairsRow> pairs_with(double ratio) {
     PairedPass pass{"composite", true, {{}, {}}, {{}, {}}};
     for (int round = 0; round < 16; ++round) {
       const double here = ratio * (round % 2 == 0 ? 1.001 : 0.999);
-      pass.ms[0].push_back(10), pass.ms[1].push_back(10 * here), pass.ratio[1].push_back(here);
+      pass.ms[0].push_back(10), pass.ms[1].push_back(10 * here);
+      pass.strips[1].push_back({10, 10 * here, round % 4 < 2});
     }
     rows.push_back({process, "vulkan", "layered_material", "light_map", "front", {"before", "after"}, {pass}});
   }

@@ -2,6 +2,7 @@
 #include "harness/gate/child.h"
 
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -36,6 +37,34 @@ TEST(Child, ErrorsAndSignalsBecomeWordsAndWhatCameBeforeIsKept) {
   EXPECT_EQ(killed.lines.size(), 1u);
   EXPECT_NE(killed.failure.find("signal 9"), std::string::npos);
   EXPECT_NE(run_in_child([](const EmitLine&) { ::_exit(7); }).failure.find("status 7"), std::string::npos);
+}
+
+// Each waits for the other's byte, which would never come if they ran one after the other; both hand over more than a pipe
+// holds.
+TEST(Child, SeveralRunAtTheSameTime) {
+  const std::string long_text(300000, 'x');
+  int to_first[2], to_second[2];
+  ASSERT_EQ(::pipe(to_first), 0);
+  ASSERT_EQ(::pipe(to_second), 0);
+  const auto meet = [&](int send, int receive) {
+    return [&long_text, send, receive](const EmitLine& emit) {
+      pollfd other{receive, POLLIN, 0};
+      const bool sent = ::write(send, "x", 1) == 1;
+      emit({{"met", sent && ::poll(&other, 1, 20000) == 1}, {"text", long_text}});
+    };
+  };
+  const std::vector<ChildResult> results =
+      run_in_children({meet(to_second[1], to_first[0]), meet(to_first[1], to_second[0]),
+                       [](const EmitLine&) { throw Error(ErrorKind::failed, "a", "b", "c"); }});
+  ASSERT_EQ(results.size(), 3u);
+  for (const size_t i : {0u, 1u}) {
+    ASSERT_EQ(results[i].lines.size(), 1u);
+    EXPECT_TRUE(results[i].lines[0]["met"]) << i;
+    EXPECT_EQ(results[i].lines[0]["text"], long_text);
+    EXPECT_EQ(results[i].failure, "");
+  }
+  EXPECT_NE(results[2].failure.find('c'), std::string::npos) << "in the order of the works";
+  for (const int end : {to_first[0], to_first[1], to_second[0], to_second[1]}) ::close(end);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Frames in pieces, on every backend: the pieces make the frame's picture, and paired rounds hold every piece of every frame.
 #include "harness/gate/paired_frames.h"
 
+#include <numeric>
 #include <set>
 
 #include "harness/gate/slowdown.h"
@@ -109,13 +110,25 @@ TEST_P(Pieces, RoundsHoldASampleOfEveryPassOfEveryFrame) {
       for (const double sample : ms) EXPECT_GT(sample, 0) << pass.name;
     }
   }
-  EXPECT_EQ(frame_ratios(paired.passes(), 1).size(), 8u);
+  for (const PairedPass& pass : paired.passes()) {
+    EXPECT_TRUE(pass.strips[0].empty()) << pass.name;
+    EXPECT_EQ(pass.strips[1].size(), pass.cut ? 16u : 8u) << pass.name << ": two strips of eight a round, or all of it";
+    double before = 0, after = 0;
+    size_t first = 0;
+    for (const StripPair& strip : pass.strips[1]) before += strip.before, after += strip.after, first += strip.after_first;
+    const auto sum = [](const std::vector<double>& ms) { return std::accumulate(ms.begin(), ms.end(), 0.0); };
+    EXPECT_NEAR(before, sum(pass.ms[0]), 1e-9 * before) << "no strip is left out";
+    EXPECT_NEAR(after, sum(pass.ms[1]), 1e-9 * after);
+    if (pass.cut) EXPECT_TRUE(first > 0 && first < pass.strips[1].size()) << "orders are shuffled";
+  }
   EXPECT_GT(*whole_ms(paired.passes().front(), 0), 0);
   paired.start_again();
   EXPECT_EQ(paired.rounds(), 0u);
   for (int round = 0; round < 4; ++round) paired.run_round(random);
-  for (const PairedPass& pass : paired.passes())
+  for (const PairedPass& pass : paired.passes()) {
     for (const std::vector<double>& ms : pass.ms) EXPECT_EQ(ms.size(), 4u) << pass.name << ": the rounds before are forgotten";
+    EXPECT_EQ(pass.strips[1].size(), pass.cut ? 8u : 4u) << pass.name;
+  }
 }
 
 TEST_P(Pieces, FramesOfDifferentPassesArePairedByName) {

@@ -11,19 +11,29 @@
 namespace lamina {
 namespace {
 
-// Twelve rounds in each of three processes: pass "small" takes 1 ms (not cut), "large" 10 ms a round (cut, 40 ms a frame).
+// A pass that took these times in each of twelve rounds: before, after and before again, a strip a round.
+PairedPass pass_of(const char* name, bool cut, double before, double after, double again) {
+  PairedPass pass{name, cut, {}, std::vector<std::vector<StripPair>>(3)};
+  for (const double ms : {before, after, again}) pass.ms.emplace_back(12, ms);
+  for (int round = 0; round < 12; ++round) {
+    pass.strips[1].push_back({before, after, round % 2 == 0});
+    pass.strips[2].push_back({before, again, round % 3 == 0});
+  }
+  return pass;
+}
+
+// In each of three processes: pass "small" takes 1 ms (not cut), "large" 10 ms a round (cut, 40 ms a frame).
 std::vector<PairsRow> pairs(double small_ratio, double large_ratio, double again_ratio = 1) {
   std::vector<PairsRow> rows;
-  for (size_t process = 0; process < 3; ++process) {
-    PairsRow row{process, "vulkan", "layered_material", "light_map", "front", {"before", "after", "again"}, {}};
-    const auto rounds = [](double ms) { return std::vector<double>(12, ms); };
-    row.passes.push_back({"small", false, {rounds(1), rounds(small_ratio), rounds(1)}, {{}, rounds(small_ratio), rounds(1)}});
-    row.passes.push_back({"large",
-                          true,
-                          {rounds(10), rounds(10 * large_ratio), rounds(10 * again_ratio)},
-                          {{}, rounds(large_ratio), rounds(again_ratio)}});
-    rows.push_back(row);
-  }
+  for (size_t process = 0; process < 3; ++process)
+    rows.push_back(
+        {process,
+         "vulkan",
+         "layered_material",
+         "light_map",
+         "front",
+         {"before", "after", "again"},
+         {pass_of("small", false, 1, small_ratio, 1), pass_of("large", true, 10, 10 * large_ratio, 10 * again_ratio)}});
   return rows;
 }
 
@@ -40,8 +50,7 @@ TEST(Pairs, FrameAndLargePassesAreJudgedSmallOnesWithinTheFrame) {
   EXPECT_FALSE(find(report, "small")) << "1 of 41 ms";
   EXPECT_EQ(find(report, "large")->verdict, Verdict::slower);
   EXPECT_NEAR(find(report, "large")->ratio->median, 1.1, 1e-12);
-  // A round of the frame: 10 ms of strips and a fourth of the 1 ms that is run whole.
-  EXPECT_NEAR(find(report, "")->ratio->median, (11 + 0.25) / (10 + 0.25), 1e-12);
+  EXPECT_NEAR(find(report, "")->ratio->median, 45.0 / 41, 1e-12) << "passes count by what they last as a whole";
   EXPECT_NEAR(*find(report, "large")->before, 40, 1e-12) << "the whole pass";
   EXPECT_NEAR(*find(report, "")->before, 41, 1e-12);
   EXPECT_EQ(report.comparisons, 2u);
@@ -65,11 +74,8 @@ TEST(Pairs, EqualFramesThatDifferTakeTheTrustAway) {
 
 TEST(Pairs, TimesOfZeroAreRefused) {
   std::vector<PairsRow> rows = pairs(1, 1);
-  rows[1].passes[1].ratio[1][3] = 0;
+  rows[1].passes[1].strips[1][3].after = 0;
   EXPECT_THROW(judge_pairs(rows, {}, 0.05), Error);
-  EXPECT_THROW(trimmed_ratio({{1, 1}, {0, 1}}), Error);
-  EXPECT_THROW(trimmed_ratio({{1, 0}}), Error);
-  EXPECT_THROW(trimmed_ratio({}), Error);
 }
 
 TEST(Pairs, AFrameOfOnePassIsJudgedOnce) {
@@ -82,7 +88,7 @@ TEST(Pairs, OnlyEqualFramesGiveNoVerdictButTheirOwn) {
   std::vector<PairsRow> rows = pairs(1, 1);
   for (PairsRow& row : rows) {
     row.frames = {"before", "again"};
-    for (PairedPass& pass : row.passes) pass.ms.erase(pass.ms.begin() + 1), pass.ratio.erase(pass.ratio.begin() + 1);
+    for (PairedPass& pass : row.passes) pass.ms.erase(pass.ms.begin() + 1), pass.strips.erase(pass.strips.begin() + 1);
   }
   const TimeReport report = judge_pairs(rows, {}, 0.05);
   EXPECT_TRUE(report.rows.empty());
@@ -94,45 +100,49 @@ TEST(Pairs, ComeBackFromTheirLine) {
   const PairsRow back = pairs_from_json(nlohmann::json::parse(to_json(row).dump()));
   EXPECT_EQ(back.frames, row.frames);
   EXPECT_EQ(back.passes[1].ms, row.passes[1].ms);
-  EXPECT_EQ(back.passes[1].ratio, row.passes[1].ratio);
+  ASSERT_EQ(back.passes[1].strips.size(), 3u);
+  ASSERT_EQ(back.passes[1].strips[1].size(), 12u);
+  for (size_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(back.passes[1].strips[1][i].before, 10);
+    EXPECT_EQ(back.passes[1].strips[1][i].after, 15);
+    EXPECT_EQ(back.passes[1].strips[1][i].after_first, i % 2 == 0);
+  }
   EXPECT_TRUE(back.passes[1].cut);
   EXPECT_EQ(back.variant, "light_map");
 }
 
-TEST(TrimmedRatio, IsTheRatioOfEqualStripsAndOfTheirTimesTurnedRound) {
-  EXPECT_NEAR(trimmed_ratio({{2, 3}, {4, 6}, {1, 1.5}}), 1.5, 1e-12);
-  const std::vector<StripPair> strips = {{2, 3}, {4, 5}, {1, 1.2}, {7, 7.1}}, turned = {{3, 2}, {5, 4}, {1.2, 1}, {7.1, 7}};
-  EXPECT_NEAR(trimmed_ratio(strips) * trimmed_ratio(turned), 1, 1e-12);
+TEST(Estimates, ThoseOfPassesAreJoinedByTheirTimes) {
+  PairsRow row = pairs(2, 1.1).front();
+  EXPECT_NEAR(std::exp(estimate_of(row, "after", 1).log_ratio), 1.1, 1e-12);
+  EXPECT_NEAR(std::exp(estimate_of(row, "after").log_ratio), (2 + 44) / 41.0, 1e-12);
+  EXPECT_NEAR(std::exp(estimate_of(row, "again").log_ratio), 1, 1e-12);
+  // An error of the large pass is one of the frame in the share of its time.
+  for (size_t i = 0; i < 12; ++i) row.passes[1].strips[1][i].after *= i % 3 == 0 ? 1.05 : i % 3 == 1 ? 1 : 0.95;
+  const double of_pass = estimate_of(row, "after", 1).error;
+  EXPECT_GT(of_pass, 0.005);
+  const double share = 40 * std::exp(estimate_of(row, "after", 1).log_ratio);
+  EXPECT_NEAR(estimate_of(row, "after").error, of_pass * share / (2 + share), 1e-6);
+  EXPECT_THROW(estimate_of(row, "before"), Error);
+  EXPECT_THROW(estimate_of(row, "none"), Error);
 }
 
-// One strip in ten met something else that ran: its ratio does not count.
-TEST(TrimmedRatio, StripsThatMetAnotherProcessDoNotCount) {
-  std::vector<StripPair> strips(10, {2, 2.2});
-  strips[4].after = 3.0;
-  EXPECT_NEAR(trimmed_ratio(strips), 1.1, 1e-12);
-  strips[4] = {2.6, 2.2};
-  EXPECT_NEAR(trimmed_ratio(strips), 1.1, 1e-12);
+TEST(Estimates, PassesOfOneFrameAloneCountWithTheirTimes) {
+  PairsRow row = pairs(1, 1.1).front();
+  row.passes[0].ms[0].clear(), row.passes[0].strips[1].clear();  // a pass that is new, of 1 ms
+  EXPECT_NEAR(std::exp(estimate_of(row, "after").log_ratio), (44 + 1) / 40.0, 1e-12);
+  row = pairs(1, 1.1).front();
+  row.passes[0].ms[1].clear(), row.passes[0].strips[1].clear();  // one that is gone
+  EXPECT_NEAR(std::exp(estimate_of(row, "after").log_ratio), 44 / 41.0, 1e-12);
 }
 
-// Half of the weight is slower by 1.5: half of the middle 60% is, which gives the geometric mean of 1 and 1.5. A tenth does not
-// show.
-TEST(TrimmedRatio, AChangeOfPartOfThePictureShowsInPart) {
-  std::vector<StripPair> strips(10, {1, 1});
-  for (size_t i = 0; i < 5; ++i) strips[i] = {1 / std::sqrt(1.5), std::sqrt(1.5)};  // a weight of 1
-  EXPECT_NEAR(trimmed_ratio(strips), std::sqrt(1.5), 1e-12);
-  for (size_t i = 1; i < 5; ++i) strips[i] = {1, 1};
-  EXPECT_NEAR(trimmed_ratio(strips), 1, 1e-12);
-}
-
-TEST(FrameRatios, PassesCountByTheirTimesAndNewOnesWithTheirs) {
-  const PairedPass both{"both", true, {{10, 10}, {11, 12}}, {{}, {1.1, 1.2}}};
-  const PairedPass fresh{"fresh", false, {{}, {4, 4}}, {{}, {}}};
-  const std::vector<double> ratios = frame_ratios({both, fresh}, 1);
-  ASSERT_EQ(ratios.size(), 2u);
-  EXPECT_NEAR(ratios[0], (11 + 1.0) / 10, 1e-12) << "4 ms run whole in each of four rounds";
-  EXPECT_NEAR(ratios[1], (12 + 1.0) / 10, 1e-12);
-  const PairedPass gone{"gone", true, {{10, 10}, {}}, {{}, {}}};
-  EXPECT_NEAR(frame_ratios({both, gone}, 1)[0], 11.0 / 20, 1e-12);
+TEST(Estimates, TheWorstErrorIsOverTheMargin) {
+  PairsRow row = pairs(1, 1).front();
+  EXPECT_NEAR(worst_error(row, {}), 0, 1e-9);
+  for (size_t i = 0; i < 12; ++i) row.passes[1].strips[1][i].after *= i % 3 == 0 ? 1.05 : i % 3 == 1 ? 1 : 0.95;
+  EXPECT_NEAR(worst_error(row, {}), estimate_of(row, "after", 1).error / Limits().max_slowdown, 1e-12);
+  row = pairs(1, 1).front();
+  for (size_t i = 0; i < 12; ++i) row.passes[1].strips[2][i].after *= i % 3 == 0 ? 1.05 : i % 3 == 1 ? 1 : 0.95;
+  EXPECT_NEAR(worst_error(row, {}), estimate_of(row, "again").error / Limits().max_slowdown, 1e-12);
 }
 
 // Cut: kinds of rounds lie over different strips, so the whole is the sum of the kinds' medians.

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "harness/core/error.h"
@@ -13,115 +13,117 @@
 namespace lamina {
 namespace {
 
-TimeComparison constant(double ratio, size_t processes = 3, size_t rounds = 20, double margin = 0.02) {
-  return {std::vector<std::vector<double>>(processes, std::vector<double>(rounds, ratio)), margin};
+// Each of the processes with this ratio and error.
+TimeComparison comparison(double ratio, double error, size_t processes = 3, double margin = 0.02) {
+  return {std::vector<RatioEstimate>(processes, {std::log(ratio), error, 200}), margin};
 }
-Verdict verdict_of(const TimeComparison& comparison) { return judge_times(std::vector{comparison}, 0.05)[0].verdict; }
-
-TEST(TimeVerdicts, ConstantRatiosFallWhereTheyLie) {
-  EXPECT_EQ(verdict_of(constant(1)), Verdict::same);
-  EXPECT_EQ(verdict_of(constant(1.019)), Verdict::same);
-  EXPECT_EQ(verdict_of(constant(1.021)), Verdict::slower);
-  EXPECT_EQ(verdict_of(constant(1 / 1.019)), Verdict::same);
-  EXPECT_EQ(verdict_of(constant(1 / 1.021)), Verdict::faster);
+Verdict verdict_of(const TimeComparison& comparison, double error = 0.05) {
+  return judge_times(std::vector{comparison}, error)[0].verdict;
 }
 
-// An interval of the median from n samples reaches the confidence 1 - 2 / 2^n at most: 5 give 0.9375, 6 give 0.969.
-TEST(TimeVerdicts, FiveRoundsDecideNothingAtFivePercentAndSixDo) {
-  EXPECT_EQ(verdict_of(constant(1.5, 1, 5)), Verdict::ambiguous);
-  EXPECT_EQ(verdict_of(constant(1.5, 1, 6)), Verdict::slower);
+TEST(TimeVerdicts, RatiosWithoutErrorFallWhereTheyLie) {
+  EXPECT_EQ(verdict_of(comparison(1, 0)), Verdict::same);
+  EXPECT_EQ(verdict_of(comparison(1.019, 0)), Verdict::same);
+  EXPECT_EQ(verdict_of(comparison(1.021, 0)), Verdict::slower);
+  EXPECT_EQ(verdict_of(comparison(1 / 1.019, 0)), Verdict::same);
+  EXPECT_EQ(verdict_of(comparison(1 / 1.021, 0)), Verdict::faster);
 }
 
-// Holm: of m comparisons the strongest is held to the error over m. Ten rounds can claim at 2 / 2^10 = 0.00195: enough alone
-// and for 25 comparisons (0.002), not for 26.
-TEST(TimeVerdicts, ManyComparisonsAskForMoreRounds) {
-  for (const size_t many : {size_t{25}, size_t{26}}) {
-    const std::vector<TimeComparison> comparisons(many, constant(1.1, 1, 10));
-    for (const TimeVerdict& verdict : judge_times(comparisons, 0.05))
-      EXPECT_EQ(verdict.verdict, many == 25 ? Verdict::slower : Verdict::ambiguous) << many;
+// One process of 200 strips has 198 degrees of freedom: at 5% a ratio must lie 1.972 errors beyond the margin.
+TEST(TimeVerdicts, AClaimNeedsAsManyErrorsAsStudentSays) {
+  const double reach = boost::math::quantile(boost::math::students_t(198), 0.975), edge = std::log(1.02);
+  EXPECT_NEAR(reach, 1.972, 0.001);
+  for (const auto& [away, slower] : {std::pair(0.99, false), std::pair(1.01, true)}) {
+    const double ratio = std::exp(edge + away * reach * 0.01);
+    EXPECT_EQ(verdict_of(comparison(ratio, 0.01, 1)), slower ? Verdict::slower : Verdict::ambiguous) << away;
+    EXPECT_EQ(verdict_of(comparison(1 / ratio, 0.01, 1)), slower ? Verdict::faster : Verdict::ambiguous) << away;
   }
+  // The same, by both sides: from the middle of the margin as many errors to either edge.
+  EXPECT_EQ(verdict_of(comparison(1, edge / reach * 0.99, 1)), Verdict::same);
+  EXPECT_EQ(verdict_of(comparison(1, edge / reach * 1.01, 1)), Verdict::ambiguous);
 }
 
-// Step down: one strong claim leaves the weaker one the error over m - 1. Six rounds claim at 0.03125, which 0.05 allows to the
-// last of two and not to the first.
-TEST(TimeVerdicts, AWeakClaimPassesBehindAStrongOne) {
-  const std::vector<TimeComparison> weak_alone = {constant(1.1, 1, 6), constant(1.1, 1, 6)};
-  for (const TimeVerdict& verdict : judge_times(weak_alone, 0.05)) EXPECT_EQ(verdict.verdict, Verdict::ambiguous);
-  const std::vector<TimeComparison> behind = {constant(1.1, 1, 6), constant(1.1, 1, 12)};
-  for (const TimeVerdict& verdict : judge_times(behind, 0.05)) EXPECT_EQ(verdict.verdict, Verdict::slower);
+// Few strips have heavier tails: what 200 can claim, 5 cannot.
+TEST(TimeVerdicts, FewStripsMustBeFurtherAway) {
+  TimeComparison few = comparison(1.06, 0.015, 1);
+  EXPECT_EQ(verdict_of(few), Verdict::slower);
+  few.processes[0].strips = 5;
+  EXPECT_EQ(verdict_of(few), Verdict::ambiguous);
 }
 
-TEST(TimeVerdicts, AnIntervalOverTheMarginIsAmbiguous) {
-  TimeComparison wide{{{}}, 0.02};
-  for (int i = 0; i < 40; ++i) wide.ratios[0].push_back(i % 2 == 0 ? 0.9 : 1.1);
-  EXPECT_EQ(verdict_of(wide), Verdict::ambiguous);
+// Holm: of m comparisons the strongest is held to the error over m, the next to that over m - 1.
+TEST(TimeVerdicts, ManyComparisonsAskForMore) {
+  const double edge = std::log(1.02);
+  const auto at = [&](double chance) {  // a ratio whose claim has this chance, both sides together
+    const double reach = boost::math::quantile(boost::math::students_t(198), 1 - chance / 2);
+    return comparison(std::exp(edge + reach * 0.01), 0.01, 1);
+  };
+  for (const auto& [chance, found] : {std::pair(0.0048, true), std::pair(0.0052, false)})
+    for (const TimeVerdict& verdict : judge_times(std::vector<TimeComparison>(10, at(chance)), 0.05))
+      EXPECT_EQ(verdict.verdict, found ? Verdict::slower : Verdict::ambiguous) << chance;
+  // 0.04 is too weak as the first of two and strong enough as the last.
+  for (const TimeVerdict& verdict : judge_times(std::vector{at(0.04), at(0.04)}, 0.05))
+    EXPECT_EQ(verdict.verdict, Verdict::ambiguous);
+  for (const TimeVerdict& verdict : judge_times(std::vector{at(0.04), at(0.001)}, 0.05))
+    EXPECT_EQ(verdict.verdict, Verdict::slower);
 }
 
-// Processes that do not agree decide nothing, however many rounds each has.
-TEST(TimeVerdicts, EveryProcessMustAgree) {
-  TimeComparison split = constant(1.05, 3, 200);
-  split.ratios[1].assign(10, 1.0);
-  EXPECT_EQ(verdict_of(split), Verdict::ambiguous);
-  split.ratios[1].assign(10, 1.05);
+// Processes that do not agree decide nothing, however sure each is.
+TEST(TimeVerdicts, ProcessesMustAgree) {
+  TimeComparison split = comparison(1.05, 0.001);
   EXPECT_EQ(verdict_of(split), Verdict::slower);
+  split.processes[1].log_ratio = 0;
+  EXPECT_EQ(verdict_of(split), Verdict::ambiguous);
 }
 
-TEST(TimeVerdicts, TheIntervalHoldsTheMedianAndIsAsWideAsTheConfidenceAsks) {
-  TimeComparison comparison{{{}}, 0.02};
-  for (int i = 0; i < 100; ++i) comparison.ratios[0].push_back(1 + i * 0.001);
-  const std::vector<TimeComparison> alone = {comparison}, among(20, comparison);
+TEST(TimeVerdicts, TheIntervalIsAsWideAsTheConfidenceAsks) {
+  const std::vector<TimeComparison> alone = {comparison(1.05, 0.01, 1)}, among(20, comparison(1.05, 0.01, 1));
   const Interval one = judge_times(alone, 0.05)[0].ratio, many = judge_times(among, 0.05)[0].ratio;
-  EXPECT_DOUBLE_EQ(one.median, 1.0495);
-  EXPECT_GE(one.coverage, 0.95);
+  EXPECT_NEAR(one.median, 1.05, 1e-12);
+  EXPECT_NEAR(one.low, 1.05 * std::exp(-0.01972), 1e-5);
+  EXPECT_NEAR(one.high, 1.05 * std::exp(0.01972), 1e-5);
+  EXPECT_EQ(one.rounds, 200u);
+  EXPECT_NEAR(one.coverage, 0.95, 1e-12);
+  EXPECT_NEAR(many.coverage, 1 - 0.05 / 20, 1e-12) << "the first of twenty";
   EXPECT_GT(many.high - many.low, one.high - one.low);
 }
 
 TEST(TimeVerdicts, WhatIsNoMeasurementThrows) {
-  for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    TimeComparison comparison = constant(1);
-    comparison.ratios[2][3] = bad;
-    EXPECT_THROW(verdict_of(comparison), Error) << bad;
-  }
-  EXPECT_THROW(verdict_of({{{}, {}}, 0.02}), Error) << "no rounds";
+  TimeComparison bad = comparison(1, 0.01);
+  bad.processes[2].log_ratio = std::nan("");
+  EXPECT_THROW(verdict_of(bad), Error);
+  EXPECT_THROW(verdict_of({{}, 0.02}), Error) << "no processes";
 }
 
-// Noise of 5% a round, no difference: the family-wise rate of slower or faster is at most what is asked for. 12 comparisons,
-// 400 gates; with the margin in the way it is far below.
+// Estimates that scatter by their errors, no difference and hardly a margin: the family-wise rate of slower or faster is at
+// most what is asked for. 12 comparisons, 2000 gates.
 TEST(TimeVerdicts, FalseAlarmsOnNoiseStayBelowTheErrorAskedFor) {
   std::mt19937_64 random(1);
-  std::lognormal_distribution<double> noise(0, 0.05);
-  size_t alarms = 0;
-  for (int gate = 0; gate < 400; ++gate) {
-    std::vector<TimeComparison> comparisons(12, TimeComparison{std::vector<std::vector<double>>(3), 1e-9});
-    for (TimeComparison& comparison : comparisons)
-      for (std::vector<double>& process : comparison.ratios)
-        for (int round = 0; round < 12; ++round) process.push_back(noise(random));
+  std::normal_distribution<double> noise(0, 0.01);
+  int alarms = 0;
+  for (int gate = 0; gate < 2000; ++gate) {
+    std::vector<TimeComparison> comparisons(12, comparison(1, 0.01, 3, 1e-9));
+    for (TimeComparison& each : comparisons)
+      for (RatioEstimate& process : each.processes) process.log_ratio = noise(random);
     bool alarm = false;
     for (const TimeVerdict& verdict : judge_times(comparisons, 0.05))
       alarm = alarm || verdict.verdict == Verdict::slower || verdict.verdict == Verdict::faster;
     alarms += alarm;
   }
-  EXPECT_LE(alarms, 400 * 5 / 100) << "with no margin at all";
+  EXPECT_LE(alarms, 2000 * 5 / 100);
+  EXPECT_GT(alarms, 0) << "the test can see them";
 }
 
 TEST(TimeVerdicts, ADifferenceTwiceTheMarginIsFoundInNoise) {
   std::mt19937_64 random(2);
-  std::lognormal_distribution<double> noise(std::log(1.03), 0.02);
-  size_t found = 0;
-  for (int gate = 0; gate < 200; ++gate) {
-    TimeComparison comparison{std::vector<std::vector<double>>(3), 0.015};
-    for (std::vector<double>& process : comparison.ratios)
-      for (int round = 0; round < 40; ++round) process.push_back(noise(random));
-    found += verdict_of(comparison) == Verdict::slower;
+  std::normal_distribution<double> noise(std::log(1.03), 0.0045);
+  int found = 0;
+  for (int gate = 0; gate < 500; ++gate) {
+    TimeComparison each = comparison(1, 0.0045, 3, 0.015);
+    for (RatioEstimate& process : each.processes) process.log_ratio = noise(random);
+    found += verdict_of(each) == Verdict::slower;
   }
-  EXPECT_GE(found, 190u);
-}
-
-TEST(TimeVerdicts, PrecisionIsTheWidestHalfIntervalInMargins) {
-  TimeComparison comparison{{{}}, 0.02};
-  for (int i = 0; i < 7; ++i) comparison.ratios[0].push_back(1 + 0.01 * i);  // the 95% interval of 7 is from end to end: 0.06
-  const std::vector<TimeComparison> one = {comparison};
-  EXPECT_NEAR(worst_precision(one, judge_times(one, 0.05)), 0.03 / 0.02, 1e-9);
+  EXPECT_GE(found, 490);
 }
 
 }  // namespace

@@ -97,6 +97,39 @@ TEST_F(GateLines, WithAWordOrTypeThatIsNoneOfThoseKnownAreRefused) {
   refused(verdict(), "sentence", nullptr);
 }
 
+Json pairs() {
+  const Json ms = {{1.5, 1.6}, {1.4, 1.7}}, strips = {Json::array(), {{1.5, 1.4, 0}, {1.6, 1.7, 1}}};
+  return {{"kind", "pairs"},
+          {"process", 0},
+          {"backend", "vulkan"},
+          {"effect", "e"},
+          {"variant", "v"},
+          {"view", "front"},
+          {"frames", {"before", "after"}},
+          {"passes", {{{"name", "p"}, {"cut", true}, {"ms", ms}, {"strips", strips}}}}};
+}
+
+TEST_F(GateLines, PairsOfTimesAreReadAndEveryFieldOfThemIsChecked) {
+  EXPECT_EQ(read({run(), pairs()}).pairs.at(0), nlohmann::json(pairs()));
+  for (const char* field : {"process", "backend", "effect", "variant", "view", "frames", "passes"}) {
+    Json damaged = pairs();
+    damaged.erase(field);
+    expect_refused({run(), damaged}, std::string("'") + field + "'");
+  }
+  const auto refused = [&](const char* field, Json value, const std::string& words) {
+    Json line = pairs();
+    line["passes"][0][field] = std::move(value);
+    expect_refused({run(), line}, words);
+  };
+  refused("cut", 1, "'passes.cut'");
+  refused("ms", {{1.5}}, "'ms' of 1 frames");
+  refused("ms", {{1.5}, {"x"}}, "'passes.ms'");
+  refused("strips", Json::array({Json::array()}), "'strips' of 1 frames");
+  refused("strips", {Json::array(), {{1.5, 1.4}}}, "'passes.strips'");
+  refused("strips", {Json::array(), {{1.5, "x", 0}}}, "'passes.strips'");
+  refused("strips", {Json::array(), {1.5}}, "'passes.strips'");
+}
+
 TEST_F(GateLines, DatesOfARunAreMomentsInUtcOrNotThere) {
   EXPECT_EQ(read({run()}).run.at("date"), "2026-01-31T23:59:59Z");
   EXPECT_FALSE(read({{{"kind", "run"}, {"schema", 1}}}).run.contains("date"));

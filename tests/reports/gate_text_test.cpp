@@ -34,10 +34,10 @@ TEST(GateTable, AnAmbiguousTimeSaysWhatSettlesIt) {
 TEST(GateTable, SaysWhatRegressedWhereByHowMuchAndHowSure) {
   const std::string table = gate_table(example_failed_gate(), false);
   for (const char* part :
-       {"slower", "composite", "10.00 -> 11.00 ms", "+10.0% [+8.0%, +12.0%]", "96.1% interval, 60 rounds", "limit 0.03",
+       {"slower", "composite", "10.00 -> 11.00 ms", "+10.0% [+8.0%, +12.0%]", "96.1% interval, 60 samples", "limit 0.03",
         "the composite pass takes 10% longer", "view front, pass composite, texture light_map_texture", "1300 -> 1400", "+7.7%",
         "exact", "one tap more", "the interval reaches over the margin", "not compared (1): another machine",
-        "1 check is the same", "A/A vertex_normal on vulkan: 1.001 [0.997, 1.004], 60 rounds: same",
+        "1 check is the same", "A/A vertex_normal on vulkan: 1.001 [0.997, 1.004], 60 samples: same",
         "against the main branch; 60 rounds in 3 processes, 41.2 s; margin 2%, confidence 95% over 12 comparisons",
         "vulkan: llvmpipe, Mesa 22.3.6"})
     EXPECT_TRUE(has(table, part)) << part << "\n" << table;

@@ -38,7 +38,7 @@ TEST(Gate, TheAnswerComesFirstThenItsVerdictThenWhatMoved) {
   EXPECT_TRUE(std::ranges::is_sorted(order)) << testing::PrintToString(order);
   EXPECT_TRUE(has(page, "class=\"verdict unwell\""));
   EXPECT_TRUE(has(page, "<li><strong>slower</strong> (time) the composite pass takes 10% longer</li>"));
-  EXPECT_TRUE(has(page, "A/A vertex_normal on vulkan: 1.001 [0.997, 1.004], 60 rounds: same"));
+  EXPECT_TRUE(has(page, "A/A vertex_normal on vulkan: 1.001 [0.997, 1.004], 60 samples: same"));
   EXPECT_FALSE(has(page_of(example_passed_gate()), "class=\"verdict unwell\""));
   EXPECT_TRUE(has(page_of(example_passed_gate()), "<strong>Gate passed: 1 check: 1 the same</strong>"));
   EXPECT_TRUE(

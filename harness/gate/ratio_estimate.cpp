@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/gate/ratio_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "harness/core/error.h"
+#include "harness/measure/statistics.h"
+
+namespace lamina {
+namespace {
+
+// Where Huber's function bends, in deviations. The usual 1.345 is best for noise that is nearly normal; that of a shared
+// machine has long tails, for which a bend nearer to the median halves the error.
+constexpr double bend = 0.7;
+constexpr size_t least_strips = 3;
+constexpr size_t least_of_an_order = 4;  // fewer tell nothing of the order
+constexpr double least_error = 1e-9;     // so that exact times can be pooled
+constexpr double median_to_sigma = 1.4826;
+constexpr double mean_to_sigma = 1.2533;
+
+struct Weighted {
+  double log_ratio, weight;
+  bool after_first;
+};
+
+std::vector<Weighted> log_ratios(std::span<const StripPair> strips) {
+  if (strips.size() < least_strips)
+    throw Error(ErrorKind::failed, "gate", "time",
+                fmt::format("{} strips tell nothing of their spread; measure at least {}", strips.size(), least_strips));
+  std::vector<Weighted> ratios;
+  double whole = 0;
+  for (const auto& [before, after, after_first] : strips) {
+    if (!(before > 0) || !(after > 0) || !std::isfinite(before) || !std::isfinite(after))
+      throw Error(ErrorKind::failed, "gate", "time",
+                  fmt::format("a strip took {} ms and {} ms: the timer does not tell time", before, after));
+    ratios.push_back({std::log(after / before), std::sqrt(before * after), after_first});
+    whole += ratios.back().weight;
+  }
+  for (Weighted& ratio : ratios) ratio.weight *= static_cast<double>(ratios.size()) / whole;
+  return ratios;
+}
+
+template <typename Keep>
+std::vector<double> values(const std::vector<Weighted>& ratios, Keep&& keep) {
+  std::vector<double> kept;
+  for (const Weighted& ratio : ratios)
+    if (keep(ratio)) kept.push_back(ratio.log_ratio);
+  return kept;
+}
+
+void take_out_order(std::vector<Weighted>& ratios) {
+  const std::vector<double> first = values(ratios, [](const Weighted&ratio) { return ratio.after_first; }),
+                            second = values(ratios, [](const Weighted&ratio) { return !ratio.after_first; });
+  if (std::min(first.size(), second.size()) < least_of_an_order) return;
+  const double half = (median(first) - median(second)) / 2;
+  for (Weighted& ratio : ratios) ratio.log_ratio -= ratio.after_first ? half : -half;
+}
+
+double scale_around(double middle, const std::vector<Weighted>& ratios) {
+  std::vector<double> away = values(ratios, [](const Weighted&) { return true; });
+  double sum = 0;
+  for (double& value : away) sum += value = std::abs(value - middle);
+  const double scale = median_to_sigma * median(away);
+  return scale > 0 ? scale : mean_to_sigma * sum / static_cast<double>(away.size());  // most are equal
+}
+
+}  // namespace
+
+RatioEstimate estimate_ratio(std::span<const StripPair> strips) {
+  std::vector<Weighted> ratios = log_ratios(strips);
+  take_out_order(ratios);
+  RatioEstimate estimate{median(values(ratios, [](const Weighted&) { return true; })), 0, ratios.size()};
+  const double scale = scale_around(estimate.log_ratio, ratios);
+  if (scale == 0) return estimate;
+
+  const auto away = [&](const Weighted& ratio) { return (ratio.log_ratio - estimate.log_ratio) / scale; };
+  for (int step = 0; step < 100; ++step) {
+    double pull = 0, weight = 0;
+    for (const Weighted& ratio : ratios) {
+      pull += ratio.weight * std::clamp(away(ratio), -bend, bend);
+      weight += ratio.weight * bend / std::max(std::abs(away(ratio)), bend);
+    }
+    const double move = scale * pull / weight;
+    estimate.log_ratio += move;
+    if (std::abs(move) < 1e-9) break;
+  }
+  double slope = 0, square = 0, whole_square = 0;
+  for (const Weighted& ratio : ratios) {
+    square += std::pow(ratio.weight * std::clamp(away(ratio), -bend, bend), 2);
+    whole_square += std::pow(ratio.weight * away(ratio), 2);
+    if (std::abs(away(ratio)) <= bend) slope += ratio.weight;
+  }
+  // No strip near the middle: two heaps, of which the mean's error speaks.
+  estimate.error =
+      scale * (slope > 0 ? std::sqrt(square) / slope : std::sqrt(whole_square) / static_cast<double>(ratios.size()));
+  return estimate;
+}
+
+RatioEstimate pool(std::span<const RatioEstimate> processes) {
+  if (processes.empty()) throw Error(ErrorKind::failed, "gate", "time", "there are no rounds to judge by");
+  const auto weight = [](const RatioEstimate& each) { return std::pow(std::max(each.error, least_error), -2); };
+  RatioEstimate pooled;
+  double weights = 0, square = 0;
+  for (const RatioEstimate& each : processes) {
+    if (!std::isfinite(each.log_ratio) || !std::isfinite(each.error))
+      throw Error(ErrorKind::failed, "gate", "time", "a ratio of times is not finite, which is no measurement");
+    pooled.log_ratio += weight(each) * each.log_ratio, weights += weight(each);
+    pooled.strips += each.strips;
+  }
+  pooled.log_ratio /= weights;
+  for (const RatioEstimate& each : processes) square += weight(each) * std::pow(each.log_ratio - pooled.log_ratio, 2);
+  const double birge = processes.size() > 1 ? std::sqrt(square / static_cast<double>(processes.size() - 1)) : 0;
+  pooled.error = std::max(1.0, birge) / std::sqrt(weights);
+  return pooled;
+}
+
+}  // namespace lamina
