@@ -50,6 +50,9 @@ std::string pictures(const std::vector<const Json*>& cells, const std::string& g
   std::string html = truth_picture(cells, url);
   for (const Json* cell : cells) {
     const std::string variant = text_of(*cell, "variant"), view = text_of(*cell, "view");
+    if (cell->contains("before_image"))
+      html += picture(*cell, text_of(*cell, "before_image"), fmt::format("{} before the change, view {}", variant, view),
+                      variant + ", before the change", url);
     html += picture(*cell, text_of(*cell, "image"), fmt::format("{} on {}, view {}", variant, text_of(*cell, "backend"), view),
                     cell->at("baseline").get<bool>() ? variant + ", the baseline" : variant, url);
     html +=

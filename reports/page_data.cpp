@@ -131,7 +131,7 @@ void add_cells(Json& cells, const Record& record, size_t number, NamesOfCells& n
                 {"samples", rounded},
                 {"size", {cell.at("width"), cell.at("height")}}});
     if (cell.at("status") == "failed") one["failed"] = cell.at("reason");
-    for (const char* picture : {"image", "difference", "flip", "truth_image"})
+    for (const char* picture : {"image", "difference", "flip", "truth_image", "before_image"})
       if (cell.contains(picture) && cell.at(picture) != "") one[picture] = cell.at(picture);
     if (cell.contains("worst_tile")) one["worst_tile"] = cell.at("worst_tile");
     cells.push_back(std::move(one));

@@ -43,7 +43,7 @@ void for_each_picture(Record& record, const std::function<void(std::string& path
     change(found->get_ref<std::string&>());
   };
   for (nlohmann::json& cell : record.cells) {
-    for (const char* field : {"image", "difference", "flip", "truth_image"}) visit(cell, field);
+    for (const char* field : {"image", "difference", "flip", "truth_image", "before_image"}) visit(cell, field);
     if (cell.contains("assumptions"))
       for (nlohmann::json& assumption : cell["assumptions"]) visit(assumption, "image");
   }

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <thread>
 
@@ -29,6 +30,17 @@ GateNames names_in(const TreePair& trees, const GateOptions& options) {
   return names;
 }
 
+// The cell with the picture of the same cell before the change, where there is one.
+nlohmann::ordered_json with_picture_before(const nlohmann::json& cell, const std::vector<nlohmann::json>& cells_before) {
+  nlohmann::ordered_json line = cell;
+  for (const nlohmann::json& before : cells_before)
+    if (std::ranges::all_of(std::array{"backend", "effect", "variant", "view"},
+                            [&](const char* field) { return before.at(field) == cell.at(field); }) &&
+        before.at("image") != "")
+      line["before_image"] = before.at("image");
+  return line;
+}
+
 int run_against(GateOptions options, const Stopwatch& watch) {
   const Scene scene = load_scene_for(options.compare.scene);
   TreePair trees = pair_trees(scene, load_library(options.against, {}), load_library_for(options.compare.scene), options);
@@ -36,18 +48,12 @@ int run_against(GateOptions options, const Stopwatch& watch) {
   const std::vector<DeviceInfo> devices = probe_devices(options);
   options.side_by_side = can_run_side_by_side(devices);
 
-  std::error_code not_there;
-  std::filesystem::remove_all(options.compare.out / "images", not_there);  // an earlier run's
-  make_run_folder("gate", options.compare.out);
-  RecordWriter record(options.compare.out / "record.jsonl");
-  record.append(run_line(options.compare, scene, devices));
-  record.append(plan_line(trees.after.plan, scene, trees.after.shaders.begin()->second));
-
+  RecordWriter record = begin_record(options.compare.out, run_line(options.compare, scene, devices), scene, trees.after);
   const GateMeasurements measured = measure_trees(trees, options, limits, watch);
   const GateResult result = judge_trees(trees, measured, options, limits);
   const GateOutcome outcome = outcome_of(result.rows);
-  for (const auto* lines : {&measured.timers, &measured.cells_after})
-    for (const nlohmann::json& line : *lines) record.append(nlohmann::ordered_json(line));
+  for (const nlohmann::json& timer : measured.timers) record.append(nlohmann::ordered_json(timer));
+  for (const nlohmann::json& cell : measured.cells_after) record.append(with_picture_before(cell, measured.cells_before));
   for (const PairsRow& row : measured.pairs) record.append(to_json(row));
   for (const SameArmRow& row : result.times.same_arms) record.append(to_json(row));
   for (const VerdictRow& row : result.rows) record.append(to_json(row));
@@ -95,6 +101,16 @@ bool can_run_side_by_side(const std::vector<DeviceInfo>& devices) {
   const char* threads = ::getenv("LP_NUM_THREADS");
   return threads && std::string_view(threads) == "0" && std::thread::hardware_concurrency() >= devices.size() &&
          std::ranges::all_of(devices, [](const DeviceInfo& device) { return device.software; });
+}
+
+RecordWriter begin_record(const std::filesystem::path& out, const nlohmann::ordered_json& run, const Scene& scene, Tree& tree) {
+  std::error_code not_there;
+  std::filesystem::remove_all(out / "images", not_there);  // an earlier run's
+  make_run_folder("gate", out);
+  RecordWriter record(out / "record.jsonl");
+  record.append(run);
+  record.append(plan_line(tree.plan, scene, tree.shaders.begin()->second));
+  return record;
 }
 
 int finish_gate(const std::filesystem::path& out) {

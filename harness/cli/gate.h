@@ -11,6 +11,7 @@
 #include "harness/gate/child.h"
 #include "harness/gate/exact_verdicts.h"
 #include "harness/gate/pairs.h"
+#include "harness/record/record.h"
 
 namespace lamina {
 
@@ -95,6 +96,8 @@ bool can_run_side_by_side(const std::vector<DeviceInfo>& devices);
 int run_calibration(GateOptions options);
 int run_against_record(const GateOptions& options, const Stopwatch& watch);
 
+// The record in `out`, with the lines that say what is run and of which state; pictures of an earlier run are gone.
+RecordWriter begin_record(const std::filesystem::path& out, const nlohmann::ordered_json& run, const Scene& scene, Tree& tree);
 // Reports from the record in `out`; prints the table. Returns the exit status that the record holds.
 int finish_gate(const std::filesystem::path& out);
 

@@ -171,13 +171,7 @@ int run_against_record(const GateOptions& options, const Stopwatch& watch) {
   const nlohmann::ordered_json run = run_line(options.compare, scene, devices);
   if (!options.update) check_comparable(*stored, shape_of(run, effects, options), file);
 
-  std::error_code not_there;
-  std::filesystem::remove_all(options.compare.out / "images", not_there);  // an earlier run's
-  make_run_folder("gate", options.compare.out);
-  RecordWriter record(options.compare.out / "record.jsonl");
-  record.append(run);
-  record.append(plan_line(tree.plan, scene, tree.shaders.begin()->second));
-
+  RecordWriter record = begin_record(options.compare.out, run, scene, tree);
   GateMeasurements measured = measure_in_processes(
       options, watch,
       [&](const GateTask& task, const EmitLine& emit) { measure_state(scene, tree, effects, task, options, emit); }, {});

@@ -35,7 +35,7 @@ std::vector<Weighted> log_ratios(std::span<const StripPair> strips) {
     if (!(before > 0) || !(after > 0) || !std::isfinite(before) || !std::isfinite(after))
       throw Error(ErrorKind::failed, "gate", "time",
                   fmt::format("a strip took {} ms and {} ms: the timer does not tell time", before, after));
-    ratios.push_back({std::log(after / before), std::sqrt(before * after), after_first});
+    ratios.push_back({std::log(after / before), 2 / (1 / before + 1 / after), after_first});
     whole += ratios.back().weight;
   }
   for (Weighted& ratio : ratios) ratio.weight *= static_cast<double>(ratios.size()) / whole;

@@ -19,11 +19,11 @@ struct RatioEstimate {
   size_t strips = 0;
 };
 
-// Huber's estimate of location of the strips' log ratios, weighted by what they last (P. J. Huber, "Robust estimation of a
-// location parameter", Annals of Mathematical Statistics 35, 1964), its scale the median deviation, with its asymptotic
-// standard error: a strip during which something else ran counts as much as one that is a little off, not more, and a change
-// of a few strips still counts as a little. Before that, the medians of the strips in either order are brought together: what
-// the second of two gains by warm caches is no difference between them. Throws Error(failed) for fewer than
+// Huber's estimate of location of the strips' log ratios, weighted by the harmonic mean of their times (P. J. Huber, "Robust
+// estimation of a location parameter", Annals of Mathematical Statistics 35, 1964), its scale the median deviation, with its
+// asymptotic standard error: a strip during which something else ran counts as much as one that is a little off, not more, and
+// a change of a few strips still counts as a little. Before that, the medians of the strips in either order are brought
+// together: what the second of two gains by warm caches is no difference between them. Throws Error(failed) for fewer than
 // three strips, or a time that is not positive and finite.
 RatioEstimate estimate_ratio(std::span<const StripPair> strips);
 

@@ -2,8 +2,8 @@
 // What the page draws, and what of it is chosen. page.rows are variants over all their views, page.cells single pictures; both
 // have {record, effect, variant, backend, is_baseline, frontier, ms, ratio: [median, low, high, rounds, coverage], fetches,
 // baseline, truth: figures in the order of page.metrics}; what is not known is null, "truth" is left out. A cell has
-// besides {view, point: an index of page.points, samples in ms, size, image, difference, flip, truth_image: paths, worst_tile,
-// failed: the reason}.
+// besides {view, point: an index of page.points, samples in ms, size, worst_tile, failed: the reason, and the paths image,
+// difference, flip, truth_image, before_image}.
 const page_data = document.getElementById('page-data');
 const page = page_data && JSON.parse(page_data.textContent);
 if (page)

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The viewer: baseline (or truth, or another variant) and variant under a slider and a flip key, difference and FLIP map with
-// their scales, the worst tile marked, and a magnifier over all of them.
+// The viewer: baseline (or truth, another variant, or what it was before a change) and variant under a slider and a flip key,
+// difference and FLIP map with their scales, the worst tile marked, and a magnifier over all of them.
 if (page) {
   const section = section_of('pictures');
   const place = section.appendChild(element('div', {className: 'controls'}));
   const update_slider = add_point_slider(section);
-  const shown = {left: 'the baseline', flipped: false, x: null, y: null};
+  const of_gate = page.cells.some(cell => cell.before_image);
+  const shown = {left: of_gate ? 'before' : 'the baseline', flipped: false, x: null, y: null};
   const cursor_words = element('p', {className: 'note'});
   cursor_words.setAttribute('aria-live', 'polite');
   const lenses = element('div', {className: 'lenses'});
@@ -83,6 +84,8 @@ if (page) {
   function left_choices() {
     const cells = like_chosen({variant: undefined});
     const choices = [];
+    const now = cells.find(cell => cell.variant === chosen.variant);
+    if (now?.before_image) choices.push(['before', `${now.variant} before the change`, now.before_image]);
     const baseline = cells.find(cell => cell.is_baseline);
     if (baseline?.image) choices.push(['the baseline', `${baseline.variant} (baseline)`, baseline.image]);
     const truth = cells.find(cell => cell.truth_image);

@@ -21,7 +21,7 @@ const choose = (page, section, label, words) =>
     page.locator(`#${section} label.control`, {hasText: label}).first().locator('select').selectOption({label: words});
 
 test('every chart draws, and nothing goes wrong', async () => {
-  for (const name of ['compare', 'single', 'two', 'sweep', 'evil']) {
+  for (const name of ['compare', 'gate', 'single', 'two', 'sweep', 'evil']) {
     const page = await open(browser, name);
     for (const section of ['pareto', 'passes', 'samples', ...(name === 'sweep' ? ['sweeps'] : [])]) {
       const charts = page.locator(`#${section} svg[role=group]`);
@@ -141,6 +141,23 @@ test('slider and flip work by mouse and keyboard', async () => {
   await page.keyboard.press('f');
   assert.match(await clip(), / 0%\)$|\(0(px)? 0(px)? 0(px)? 0%\)$/);
   assert.match(await button.textContent(), /showing normal_map_taps/);
+  await page.context().close();
+});
+
+test('a gate\'s pictures begin with before and after', async () => {
+  const page = await open(browser, 'gate');
+  const left = page.locator('#pictures label.control', {hasText: 'Left'}).locator('select');
+  const chosen = () => left.evaluate(select => select.selectedOptions[0].textContent);
+  await choose(page, 'pictures', 'Right', 'normal_map_taps');
+  assert.equal(await chosen(), 'normal_map_taps before the change');
+  const sources = await page.locator('#pictures .compare img').evaluateAll(images => images.map(image => image.src));
+  assert.match(sources[0], /before-light_map\.png$/);
+  assert.match(sources[1], /normal_map_taps-vulkan-front\.png$/);
+  await left.selectOption({label: 'light_map (baseline)'});
+  assert.match(await page.locator('#pictures .compare img').first().getAttribute('src'), /light_map-vulkan-front\.png$/);
+  await choose(page, 'pictures', 'Right', 'vertex_normal');
+  assert.equal(await chosen(), 'light_map (baseline)', 'nothing is known of it before');
+  assert.deepEqual(page.faults, []);
   await page.context().close();
 });
 

@@ -48,7 +48,7 @@ TEST(Calibration, GatesAreJudgedByTheDefaultMargin) {
   EXPECT_EQ(judge_calibrated(0.015, pairs_with(1.015), 0.05, "composite").verdict, Verdict::ambiguous);
   const CalibratedGate gate = judge_calibrated(0.1, pairs_with(1.1), 0.05, "composite");
   ASSERT_EQ(gate.ratios.size(), 1u);
-  EXPECT_NEAR(gate.ratios[0], 1.1, 1e-9);
+  EXPECT_NEAR(gate.ratios[0], 1.1, 1e-6);
   EXPECT_TRUE(judge_calibrated(0.1, pairs_with(1.1), 0.05, "light").ratios.empty());
 }
 

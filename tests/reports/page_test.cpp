@@ -54,7 +54,7 @@ TEST(Gate, PageSummaryAndCommentHoldTheSameRows) {
   const std::string page = page_of(record), summary = markdown_summary(record), comment = gate_markdown(record);
   const std::string row =
       "| slower | time | layered_material | vertex_normal | vulkan | pass composite | 10.00 -&gt; 11.00 ms | +10.0% \\[+8.0%, "
-      "+12.0%\\] | 96.1% interval, 60 rounds | 0.03 |";
+      "+12.0%\\] | 96.1% interval, 60 samples | 0.03 |";
   EXPECT_TRUE(has(summary, row)) << summary;
   EXPECT_TRUE(has(comment, row)) << comment;
   EXPECT_TRUE(has(page,
