@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "harness/gate/time_verdicts.h"
+#include "harness/measure/statistics.h"
 
 namespace lamina {
 namespace {
@@ -145,8 +146,9 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
       VerdictRow& row = report.rows.emplace_back();
       row.backend = key.backend, row.effect = key.effect, row.variant = key.variant, row.view = key.view, row.what = "time";
       if (part) row.pass = first.passes[*part].name;
-      row.before = sum_ms(first, *index_of(first, frame_before), part);
-      row.after = sum_ms(first, *index_of(first, frame_after), part);
+      std::vector<double> wholes;
+      for (const PairsRow* process : processes) wholes.push_back(sum_ms(*process, *index_of(*process, frame_before), part));
+      row.before = median(wholes);
       row.limit = margin;
       add_comparison(comparisons, processes, margin, frame_after, part);
     }
@@ -161,6 +163,7 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
   for (size_t i = 0; i < verdicts.size(); ++i) {
     VerdictRow& row = report.rows[i];
     row.verdict = verdicts[i].verdict, row.ratio = verdicts[i].ratio;
+    row.after = *row.before * row.ratio->median;
     row.sentence = sentence_of(row);
     if (!believable && row.verdict != Verdict::same) {
       row.verdict = Verdict::ambiguous;

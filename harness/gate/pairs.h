@@ -34,8 +34,9 @@ struct TimeReport {
   size_t rounds = 0, comparisons = 0;
   std::set<std::string> undecided;  // backends with an ambiguous row
 };
-// All rows belong to one gate. `family_error` as for judge_times(). Where frames that are the same read as slower or faster, no
-// time can be believed, and every row that is not the same becomes ambiguous and says so.
+// All rows belong to one gate. A row's time before is the median over processes, and after is that times the ratio: what each
+// lasted by itself wanders more than the ratio. `family_error` as for judge_times(). Where frames that are the same read as
+// slower or faster, no time can be believed, and every row that is not the same becomes ambiguous and says so.
 TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& limits, double family_error);
 
 // The ratio of a frame's times to those of the row's first frame: of one pass, or of the whole, where passes count by their

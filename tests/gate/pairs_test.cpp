@@ -52,6 +52,7 @@ TEST(Pairs, FrameAndLargePassesAreJudgedSmallOnesWithinTheFrame) {
   EXPECT_NEAR(find(report, "large")->ratio->median, 1.1, 1e-12);
   EXPECT_NEAR(find(report, "")->ratio->median, 45.0 / 41, 1e-12) << "passes count by what they last as a whole";
   EXPECT_NEAR(*find(report, "large")->before, 40, 1e-12) << "the whole pass";
+  EXPECT_NEAR(*find(report, "large")->after, 44, 1e-9);
   EXPECT_NEAR(*find(report, "")->before, 41, 1e-12);
   EXPECT_EQ(report.comparisons, 2u);
   EXPECT_EQ(report.rounds, 36u);
