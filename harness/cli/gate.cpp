@@ -15,6 +15,7 @@
 #include "harness/record/record.h"
 #include "reports/gate.h"
 #include "reports/reports.h"
+#include "reports/words.h"
 
 namespace lamina {
 namespace {
@@ -95,6 +96,12 @@ std::vector<DeviceInfo> probe_devices(const GateOptions& options) {
         "a backend that was asked for does not open here (see above), and a cell that is not run is never a pass; choose "
         "those that do with --backend");
   return devices;
+}
+
+void pin_threads_of(const Record& stored) {
+  const auto here = [&](const char* field) { return text_at(stored.run, field); };
+  if (here("/machine/cpu") == cpu_model() && here("/machine/threads") == std::to_string(std::thread::hardware_concurrency()))
+    ::setenv("LP_NUM_THREADS", here("/machine/lp_num_threads").c_str(), 1);
 }
 
 bool can_run_side_by_side(const std::vector<DeviceInfo>& devices) {

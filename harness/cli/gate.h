@@ -88,13 +88,17 @@ VerdictRow judge_timer(const nlohmann::json& timer);
 // Error(no_device) where one of the backends does not open.
 std::vector<DeviceInfo> probe_devices(const GateOptions& options);
 
+// Pins llvmpipe's threads to as many as the stored record's run had where that ran on this machine: else nothing could be
+// compared but ratios. To be called before any backend opens.
+void pin_threads_of(const Record& stored);
+
 // Whether backends can be measured at the same time and judged by ratios: software rasterizers without threads of their own,
 // and a core for each.
 bool can_run_side_by_side(const std::vector<DeviceInfo>& devices);
 
 // Each is a whole gate, or many, and returns the exit status.
 int run_calibration(GateOptions options);
-int run_against_record(const GateOptions& options, const Stopwatch& watch);
+int run_against_record(GateOptions options, const Stopwatch& watch);
 
 // The record in `out`, with the lines that say what is run and of which state; pictures of an earlier run are gone.
 RecordWriter begin_record(const std::filesystem::path& out, const nlohmann::ordered_json& run, const Scene& scene, Tree& tree);

@@ -151,7 +151,7 @@ int write_baseline(const std::filesystem::path& file, const std::string& lines, 
 
 }  // namespace
 
-int run_against_record(const GateOptions& options, const Stopwatch& watch) {
+int run_against_record(GateOptions options, const Stopwatch& watch) {
   const std::filesystem::path file =
       std::filesystem::is_directory(options.baseline) ? options.baseline / "record.jsonl" : options.baseline;
   const std::optional<Record> stored = load_baseline(file, options.update);
@@ -167,7 +167,9 @@ int run_against_record(const GateOptions& options, const Stopwatch& watch) {
   }
   check_variant_names("gate", options.compare.variants, names.variants);
   const LimitsFile limits = options.limits.empty() ? LimitsFile() : LimitsFile(options.limits, names);
+  if (stored && !options.update) pin_threads_of(*stored);
   const std::vector<DeviceInfo> devices = probe_devices(options);
+  options.side_by_side = can_run_side_by_side(devices);
   const nlohmann::ordered_json run = run_line(options.compare, scene, devices);
   if (!options.update) check_comparable(*stored, shape_of(run, effects, options), file);
 

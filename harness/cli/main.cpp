@@ -41,10 +41,10 @@ class PrivateShaderCache {
 };
 
 // Software rasterizers take a thread a core of the affinity mask whatever else limits them; pinned, the record can say what
-// ran. `ratios_alone`: no thread beside the caller's, see side_by_side in GateOptions.
-void pin_rasterizer_threads(bool ratios_alone) {
+// ran. In a gate no thread beside the caller's: see side_by_side in GateOptions.
+void pin_rasterizer_threads(bool gate) {
   const uint32_t cores = std::min(std::max(std::thread::hardware_concurrency(), 1u), 32u);
-  ::setenv("LP_NUM_THREADS", std::to_string(ratios_alone ? 0 : cores).c_str(), 0);
+  ::setenv("LP_NUM_THREADS", std::to_string(gate ? 0 : cores).c_str(), 0);
 }
 
 std::pair<uint32_t, uint32_t> parse_size(const std::string& text) {
@@ -253,7 +253,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : usage_status;
   }
-  pin_rasterizer_threads(gate.calibrate || !gate.against.empty());
+  pin_rasterizer_threads(gate_command.parsed());
   compare.command = gate.compare.command = sweep.compare.command = stress.command =
       fmt::format("lamina {}", fmt::join(argv + 1, argv + argc, " "));
   if (compare_command.parsed()) {
