@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // lamina gate --calibrate: the gate's own error rates on this machine. Many gates over equal trees, each of which should find
 // nothing, and over trees in which one pass is slower by a known share. Each gate has rounds of its own in several processes on
-// every backend, for as long as a gate within the budget has, and is judged as a gate is. What is dear is shared: gates come in
-// sets whose processes are the same, prepared once. Counts and pictures are left out, and an ambiguous gate gets no further
-// processes, though one on its own would. calibration.jsonl holds every gate, and the same command goes on after the last.
+// every backend, for as long as a gate within the budget has, and is judged as a gate is. Gates of one kind share no process,
+// for a process's layout of code and memory moves all of its ratios; one of each kind does. Counts and pictures are left out,
+// and an ambiguous gate gets no further processes, though one on its own would. calibration.jsonl holds every gate, and the
+// same command goes on after the last.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <thread>
 
 #include "harness/cli/gate_process.h"
@@ -24,7 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t gates_a_set = 20;  // over equal trees; their share of those with a slower pass goes along
 constexpr std::array<double, 5> slow_downs = {0.01, 0.02, 0.03, 0.05, 0.10};
 constexpr std::array<uint32_t, 6> tried_taps = {4, 8, 16, 32, 64, 128};
 constexpr size_t whole_rounds = 24;     // to tell what taps cost
@@ -280,52 +281,43 @@ void go_on(Setup& setup, const nlohmann::json& line, Bench& bench, const fs::pat
   bench.make_slower(setup.pass, setup.taps);
 }
 
-// Times as many gates of each kind (equal trees, then slow_downs) as `counts` says, in processes of one set.
-std::vector<CalibratedGate> run_set(Bench& bench, const Setup& setup, size_t set, const std::vector<size_t>& counts) {
-  const size_t most = *std::max_element(counts.begin(), counts.end());
-  std::vector<std::vector<std::vector<PairsRow>>> rows;  // [kind][gate]
-  for (const size_t count : counts) rows.emplace_back(count);
+// Times a gate of each of these kinds (0: equal trees, then slow_downs), in processes of one set.
+std::vector<CalibratedGate> run_set(Bench& bench, const Setup& setup, size_t set, const std::vector<size_t>& kinds) {
+  std::map<size_t, std::vector<PairsRow>> rows;  // by kind
   const auto work = [&](GateProcess& process, BenchFrames& frames, const EmitLine& emit) {
-    std::vector<std::vector<TimedFrames>> kinds(counts.size());
-    for (const VariantManifest& variant : bench.effect.variants) kinds[0].push_back(frames.equal(variant));
-    for (size_t kind = 1; kind < kinds.size(); ++kind) kinds[kind].push_back(frames.slower(kind - 1));
-    for (size_t turn = 0; turn < most; ++turn)
-      for (size_t kind = 0; kind < kinds.size(); ++kind) {
-        // Spread evenly over the set, so that a change of the machine's mood meets all kinds alike.
-        const size_t gate = turn * counts[kind] / most;
-        if ((turn + 1) * counts[kind] / most == gate) continue;
-        const Stopwatch watch;
-        time_rounds(process, kinds[kind], [&](const TimedFrames& timed) {
-          return watch.elapsed_s() >= setup.round_s || precise_enough(timed, process, {});
-        });
-        for (const PairsRow& row : rows_of(kinds[kind], process))
-          emit({{"kind", kind}, {"gate", gate}, {"pairs", to_json(row)}});
-      }
+    for (const size_t kind : kinds) {
+      std::vector<TimedFrames> gate;
+      if (kind == 0)
+        for (const VariantManifest& variant : bench.effect.variants) gate.push_back(frames.equal(variant));
+      else
+        gate.push_back(frames.slower(kind - 1));
+      const Stopwatch watch;
+      time_rounds(process, gate, [&](const TimedFrames& timed) {
+        return watch.elapsed_s() >= setup.round_s || precise_enough(timed, process, {});
+      });
+      for (const PairsRow& row : rows_of(gate, process)) emit({{"kind", kind}, {"pairs", to_json(row)}});
+    }
   };
   for (size_t process = 0; process < bench.options.processes; ++process)
     for (const nlohmann::json& line :
          run_processes(bench, bench.options.compare.backends, set * bench.options.processes + process, work))
-      rows[line.at("kind")][line.at("gate")].push_back(pairs_from_json(line.at("pairs")));
+      rows[line.at("kind")].push_back(pairs_from_json(line.at("pairs")));
   std::vector<CalibratedGate> gates;
-  for (size_t kind = 0; kind < rows.size(); ++kind)
-    for (const std::vector<PairsRow>& gate : rows[kind])
-      gates.push_back(judge_calibrated(kind == 0 ? 0 : slow_downs[kind - 1], gate, bench.options.family_error, setup.pass));
+  for (const auto& [kind, pairs] : rows)
+    gates.push_back(judge_calibrated(kind == 0 ? 0 : slow_downs[kind - 1], pairs, bench.options.family_error, setup.pass));
   return gates;
 }
 
-// How many gates of each kind are still to be run in the next set; all 0: none.
-std::vector<size_t> next_counts(const std::vector<CalibratedGate>& done, const GateOptions& options) {
-  std::vector<size_t> counts;
-  const size_t most = std::max(options.equal_gates, options.slower_gates);
+// The kinds of gates of which more are wanted.
+std::vector<size_t> unfinished(const std::vector<CalibratedGate>& done, const GateOptions& options) {
+  std::vector<size_t> kinds;
   for (size_t kind = 0; kind <= slow_downs.size(); ++kind) {
     const double slow_down = kind == 0 ? 0 : slow_downs[kind - 1];
     const auto have = static_cast<size_t>(
         std::ranges::count_if(done, [&](const CalibratedGate& gate) { return gate.slow_down == slow_down; }));
-    const size_t wanted = kind == 0 ? options.equal_gates : options.slower_gates;
-    const size_t share = (gates_a_set * wanted + most - 1) / most;
-    counts.push_back(std::min(share, wanted - std::min(have, wanted)));
+    if (have < (kind == 0 ? options.equal_gates : options.slower_gates)) kinds.push_back(kind);
   }
-  return counts;
+  return kinds;
 }
 
 }  // namespace
@@ -359,10 +351,9 @@ int run_calibration(GateOptions options) {
       bench.effect.baseline().name, setup.asked["size"].get<std::string>(), options.processes, setup.round_s);
   const size_t all = options.equal_gates + slow_downs.size() * options.slower_gates;
   Progress progress("calibrating");
-  for (std::vector<size_t> counts = next_counts(gates, options); *std::ranges::max_element(counts) > 0;
-       counts = next_counts(gates, options)) {
+  for (std::vector<size_t> kinds = unfinished(gates, options); !kinds.empty(); kinds = unfinished(gates, options)) {
     progress.show(static_cast<double>(gates.size()) / static_cast<double>(all), "");
-    for (const CalibratedGate& gate : run_set(bench, setup, gates.size(), counts)) {
+    for (const CalibratedGate& gate : run_set(bench, setup, gates.size(), kinds)) {
       log.append(to_json(gate));
       gates.push_back(gate);
     }

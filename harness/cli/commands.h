@@ -68,7 +68,7 @@ struct GateOptions {
   bool update = false;             // write the record in place of checking it
   std::filesystem::path limits;    // a gate file; empty: the defaults
   double budget_s = 60;            // wall time of everything
-  size_t processes = 3;            // at least, on each backend
+  size_t processes = 5;            // at least, on each backend: each lays out code and memory anew
   double family_error = 0.05;      // chance of any wrong verdict on times
   bool times = true;
   // Backends at the same time: software rasterizers that run in the caller's thread. Strips then take as long each time to 3%

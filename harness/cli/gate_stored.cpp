@@ -88,8 +88,7 @@ void add_times(std::vector<Json>& cells, const std::vector<PairsRow>& pairs, boo
     const std::vector<double> whole = frame_samples_ms(passes_of(cell));
     if (!whole.empty()) cell["median_ms"] = median(whole);
     if (ratios.empty() || cell.at("baseline").get<bool>()) continue;
-    cell["ratio_to_baseline"] =
-        interval_to_json(ratio_interval(pool(ratios), ratios.size(), 0.95), variant, "ratio_to_baseline");
+    cell["ratio_to_baseline"] = interval_to_json(ratio_interval(pool(ratios), 0.95), variant, "ratio_to_baseline");
   }
 }
 

@@ -41,24 +41,26 @@ size_t PairedFrames::pass_named(const std::string& name, size_t occurrence) {
   return passes_.size() - 1;
 }
 
-// Cuts by the shorter of two runs: the first one may still compile.
+// Passes that are new with this frame are cut by the shorter of two runs.
 void PairedFrames::cut(size_t frame, size_t view, const PieceOptions& options) {
   const std::vector<std::string>& names = frames_[frame]->frame_names();
-  const FrameTimes first = frames_[frame]->run(view, Timing::bracketed), second = frames_[frame]->run(view, Timing::bracketed);
   std::vector<size_t> passes;
-  std::vector<uint32_t> parts;
   for (size_t i = 0; i < names.size(); ++i) {
     const auto here = names.begin() + static_cast<std::ptrdiff_t>(i);
-    const size_t pass = pass_named(names[i], static_cast<size_t>(std::count(names.begin(), here, names[i])));
-    Cut& how = cuts_[pass];
-    if (how.strips == 0) {
-      const double ms = std::min(first.pass_ms[i], second.pass_ms[i]);
-      how.strips = strips_for(ms, options);
-      how.repeats = repeats_for(ms, options);
-    }
-    passes.push_back(pass);
-    parts.push_back(how.strips);
+    passes.push_back(pass_named(names[i], static_cast<size_t>(std::count(names.begin(), here, names[i]))));
   }
+  if (std::ranges::any_of(passes, [&](size_t pass) { return cuts_[pass].strips == 0; })) {
+    const FrameTimes first = frames_[frame]->run(view, Timing::bracketed);
+    const FrameTimes second = frames_[frame]->run(view, Timing::bracketed);
+    for (size_t i = 0; i < passes.size(); ++i) {
+      if (cuts_[passes[i]].strips != 0) continue;
+      const double ms = std::min(first.pass_ms[i], second.pass_ms[i]);
+      cuts_[passes[i]].strips = strips_for(ms, options);
+      cuts_[passes[i]].repeats = repeats_for(ms, options);
+    }
+  }
+  std::vector<uint32_t> parts;
+  for (const size_t pass : passes) parts.push_back(cuts_[pass].strips);
   for (Frame::Slice& slice : frames_[frame]->slices(view, parts))
     cuts_[passes[slice.pass]].pieces[frame].push_back(std::move(slice.piece));
 }

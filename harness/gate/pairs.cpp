@@ -100,7 +100,7 @@ RatioEstimate estimate_of(const PairsRow& row, std::string_view frame, Part pass
   }
   if (!(before > 0) || !(after > 0))
     throw Error(ErrorKind::failed, "gate", row.variant, "has too few rounds to tell the time of a frame");
-  return {std::log(after / before), std::sqrt(square) / after, strips};
+  return {std::log(after / before), std::sqrt(square) / after, strips, freedom_of(strips)};
 }
 
 double worst_error(const PairsRow& row, const LimitsFile& limits) {

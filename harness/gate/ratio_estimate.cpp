@@ -68,10 +68,14 @@ double scale_around(double middle, const std::vector<Weighted>& ratios) {
 
 }  // namespace
 
+// A middle and an order's effect are taken from the strips.
+double freedom_of(size_t strips) { return std::max(1.0, static_cast<double>(strips) - 2); }
+
 RatioEstimate estimate_ratio(std::span<const StripPair> strips) {
   std::vector<Weighted> ratios = log_ratios(strips);
   take_out_order(ratios);
-  RatioEstimate estimate{median(values(ratios, [](const Weighted&) { return true; })), 0, ratios.size()};
+  RatioEstimate estimate{median(values(ratios, [](const Weighted&) { return true; })), 0, ratios.size(),
+                         freedom_of(ratios.size())};
   const double scale = scale_around(estimate.log_ratio, ratios);
   if (scale == 0) return estimate;
 
@@ -101,18 +105,20 @@ RatioEstimate estimate_ratio(std::span<const StripPair> strips) {
 RatioEstimate pool(std::span<const RatioEstimate> processes) {
   if (processes.empty()) throw Error(ErrorKind::failed, "gate", "time", "there are no rounds to judge by");
   const auto weight = [](const RatioEstimate& each) { return std::pow(std::max(each.error, least_error), -2); };
-  RatioEstimate pooled;
+  RatioEstimate pooled{0, 0, 0, 0};
   double weights = 0, square = 0;
   for (const RatioEstimate& each : processes) {
     if (!std::isfinite(each.log_ratio) || !std::isfinite(each.error))
       throw Error(ErrorKind::failed, "gate", "time", "a ratio of times is not finite, which is no measurement");
     pooled.log_ratio += weight(each) * each.log_ratio, weights += weight(each);
-    pooled.strips += each.strips;
+    pooled.strips += each.strips, pooled.freedom += each.freedom;
   }
   pooled.log_ratio /= weights;
   for (const RatioEstimate& each : processes) square += weight(each) * std::pow(each.log_ratio - pooled.log_ratio, 2);
-  const double birge = processes.size() > 1 ? std::sqrt(square / static_cast<double>(processes.size() - 1)) : 0;
-  pooled.error = std::max(1.0, birge) / std::sqrt(weights);
+  const double others = static_cast<double>(processes.size() - 1), within = 1 / weights;
+  const double whole = others > 0 ? within * std::max(1.0, square / others) : within, between = whole - within;
+  if (between > 0) pooled.freedom = whole * whole / (between * between / others + within * within / pooled.freedom);
+  pooled.error = std::sqrt(whole);
   return pooled;
 }
 

@@ -17,6 +17,7 @@ struct RatioEstimate {
   double log_ratio = 0;  // of after over before
   double error = 0;      // its standard error
   size_t strips = 0;
+  double freedom = 1;  // degrees of freedom of that error
 };
 
 // Huber's estimate of location of the strips' log ratios, weighted by the harmonic mean of their times (P. J. Huber, "Robust
@@ -27,9 +28,14 @@ struct RatioEstimate {
 // three strips, or a time that is not positive and finite.
 RatioEstimate estimate_ratio(std::span<const StripPair> strips);
 
-// Of several processes, weighted by their errors. Where they differ by more than their errors, the pooled error grows by as
-// much (R. T. Birge, "The calculation of errors by the method of least squares", Physical Review 40, 1932): repeats in one
-// process are not independent. Throws Error(failed) for none, or one that is not finite.
+// The degrees of freedom of an estimate from so many strips.
+double freedom_of(size_t strips);
+
+// Of several processes, weighted by their errors. Repeats in one process are not independent: each has its own layout of code
+// and memory, which moves a ratio by a percent. So where processes differ by more than their errors, the pooled error grows by
+// as much (R. T. Birge, "The calculation of errors by the method of least squares", Physical Review 40, 1932), and has the
+// fewer degrees of freedom the more of it comes from there (F. E. Satterthwaite, "An approximate distribution of estimates of
+// variance components", Biometrics Bulletin 2, 1946). Throws Error(failed) for none, or one that is not finite.
 RatioEstimate pool(std::span<const RatioEstimate> processes);
 
 }  // namespace lamina

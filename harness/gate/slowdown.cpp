@@ -67,6 +67,13 @@ void copy_tree(const fs::path& home, const fs::path& folder) {
   for (const char* part : {"variants", "shaders"}) fs::copy(home / part, folder / part, fs::copy_options::recursive);
 }
 
+// Where the copy in `folder` has this file of `home`: nothing outside the copy is ever written.
+fs::path in_copy(const fs::path& file, const fs::path& home, const fs::path& folder) {
+  const fs::path inside = fs::relative(file, home);
+  if (inside.empty() || *inside.begin() == "..") refuse(file, fmt::format("does not lie in {}", home.string()));
+  return folder / inside;
+}
+
 }  // namespace
 
 void write_slower_tree(const fs::path& home, const fs::path& folder, const VariantManifest& variant, const std::string& pass,
@@ -76,7 +83,7 @@ void write_slower_tree(const fs::path& home, const fs::path& folder, const Varia
     return candidate.name == pass && !candidate.fragment.empty();
   });
   if (found == variant.passes.end()) refuse(variant.file, fmt::format("has no pass '{}' with a fragment shader", pass));
-  const fs::path fragment = folder / fs::relative(found->fragment, home);
+  const fs::path fragment = in_copy(found->fragment, home, folder);
   const std::string whole = with_includes(fragment);
   const std::string output = first_between(whole, "layout(location = 0) out vec4 ", ';');
   const std::string sampler = first_between(whole, "uniform sampler2D ", ';');
@@ -86,7 +93,7 @@ void write_slower_tree(const fs::path& home, const fs::path& folder, const Varia
   write_file_atomically(fragment, slower(std::move(text), sampler, output));
 
   // Only this pass asks for them: others may share the shader.
-  const fs::path manifest = folder / fs::relative(variant.file, home);
+  const fs::path manifest = in_copy(variant.file, home, folder);
   std::string toml = read_file(manifest, "gate");
   const size_t name = toml.find(fmt::format("name = \"{}\"", pass), toml.find("[[pass]]"));
   if (name == std::string::npos) refuse(manifest, fmt::format("does not spell pass '{}' as name = \"{}\"", pass, pass));
@@ -105,7 +112,7 @@ void write_changed_tree(const fs::path& home, const fs::path& folder, const Effe
   std::set<fs::path> fragments;
   for (const VariantManifest& variant : effect.variants)
     for (const PassManifest& each : variant.passes)
-      if (each.name == pass && !each.fragment.empty()) fragments.insert(folder / fs::relative(each.fragment, home));
+      if (each.name == pass && !each.fragment.empty()) fragments.insert(in_copy(each.fragment, home, folder));
   for (const fs::path& fragment : fragments) {
     std::string text = read_file(fragment, "gate");
     if (const size_t at = text.find(main_line); at != std::string::npos)

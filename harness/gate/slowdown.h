@@ -13,7 +13,7 @@ namespace lamina {
 // pixel of the fragment shader of `pass` of `variant`. Single texels, unfiltered, since one filtered tap can be more than is
 // wanted; in every pixel, since a software rasterizer runs both sides of a branch. The picture stays the same. Throws
 // Error(bad_input, "gate", ...) where the pass has no fragment shader of its own with a vec4 output at location 0 and a 2D
-// texture.
+// texture, or the variant is not of `home`.
 void write_slower_tree(const std::filesystem::path& home, const std::filesystem::path& folder, const VariantManifest& variant,
                        const std::string& pass, uint32_t taps);
 

@@ -9,22 +9,17 @@
 namespace lamina {
 namespace {
 
-// Each process has a middle of its own, and an order's effect.
-boost::math::students_t distribution_of(const RatioEstimate& pooled, size_t processes) {
-  return boost::math::students_t(std::max(1.0, static_cast<double>(pooled.strips) - 2 * static_cast<double>(processes)));
-}
-
 struct Claim {
   Verdict verdict = Verdict::ambiguous;
   double chance = 1;  // of claiming it by luck, both sides together
 };
 
-Claim strongest_claim(const RatioEstimate& pooled, size_t processes, double margin) {
+Claim strongest_claim(const RatioEstimate& pooled, double margin) {
   const double edge = std::log1p(margin);
   // The chance of lying this far beyond the edge, `beyond` being log ratios.
   const auto chance = [&](double beyond) {
     if (pooled.error == 0) return beyond > 0 ? 0.0 : 1.0;
-    return boost::math::cdf(boost::math::complement(distribution_of(pooled, processes), beyond / pooled.error));
+    return boost::math::cdf(boost::math::complement(boost::math::students_t(pooled.freedom), beyond / pooled.error));
   };
   const double slower = chance(pooled.log_ratio - edge), faster = chance(-pooled.log_ratio - edge);
   Claim claim{Verdict::same, std::max(chance(edge - pooled.log_ratio), chance(edge + pooled.log_ratio))};
@@ -36,8 +31,8 @@ Claim strongest_claim(const RatioEstimate& pooled, size_t processes, double marg
 
 }  // namespace
 
-Interval ratio_interval(const RatioEstimate& pooled, size_t processes, double confidence) {
-  const double reach = pooled.error * boost::math::quantile(distribution_of(pooled, processes), 1 - (1 - confidence) / 2);
+Interval ratio_interval(const RatioEstimate& pooled, double confidence) {
+  const double reach = pooled.error * boost::math::quantile(boost::math::students_t(pooled.freedom), 1 - (1 - confidence) / 2);
   return {std::exp(pooled.log_ratio), std::exp(pooled.log_ratio - reach), std::exp(pooled.log_ratio + reach), pooled.strips,
           confidence};
 }
@@ -47,7 +42,7 @@ std::vector<TimeVerdict> judge_times(std::span<const TimeComparison> comparisons
   std::vector<Claim> claims;
   for (const TimeComparison& comparison : comparisons) {
     pooled.push_back(pool(comparison.processes));
-    claims.push_back(strongest_claim(pooled.back(), comparison.processes.size(), comparison.margin));
+    claims.push_back(strongest_claim(pooled.back(), comparison.margin));
   }
   std::vector<size_t> order(comparisons.size());
   std::iota(order.begin(), order.end(), size_t{0});
@@ -59,7 +54,7 @@ std::vector<TimeVerdict> judge_times(std::span<const TimeComparison> comparisons
     const size_t i = order[k];
     decided = decided && claims[i].chance <= error;
     verdicts[i].verdict = decided ? claims[i].verdict : Verdict::ambiguous;
-    verdicts[i].ratio = ratio_interval(pooled[i], comparisons[i].processes.size(), 1 - error);
+    verdicts[i].ratio = ratio_interval(pooled[i], 1 - error);
   }
   return verdicts;
 }

@@ -27,7 +27,7 @@ struct TimeVerdict {
 // `family_error`, between 0 and 1: the chance of any wrong verdict, over all of them. Throws as pool() does.
 std::vector<TimeVerdict> judge_times(std::span<const TimeComparison> comparisons, double family_error);
 
-// The interval of a ratio that was pooled over as many processes, by Student's t; `confidence` between 0 and 1.
-Interval ratio_interval(const RatioEstimate& pooled, size_t processes, double confidence);
+// The interval of a pooled ratio, by Student's t; `confidence` between 0 and 1.
+Interval ratio_interval(const RatioEstimate& pooled, double confidence);
 
 }  // namespace lamina

@@ -2,9 +2,11 @@
 // Frames in pieces, on every backend: the pieces make the frame's picture, and paired rounds hold every piece of every frame.
 #include "harness/gate/paired_frames.h"
 
+#include <map>
 #include <numeric>
 #include <set>
 
+#include "harness/gate/identity.h"
 #include "harness/gate/slowdown.h"
 #include "tests/graph/each_backend.h"
 #include "tests/graph/quad_scene.h"
@@ -142,27 +144,52 @@ TEST_P(Pieces, FramesOfDifferentPassesArePairedByName) {
   }
 }
 
-// The picture stays, the counts rise by the taps of every pixel.
-TEST_P(Pieces, ASlowerTreeDrawsTheSamePictureWithMoreFetches) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("lamina_slower_" + std::to_string(::getpid()));
-  write_slower_tree(LAMINA_SOURCE_DIR, folder, variant("light_map"), "composite", 5);
-  const Library slower = load_library(folder);
-  const Plan plan = make_plan(slower, scene_);
-  ShaderCache shaders(backend_->info().api, slower.shaders);
-  for (const VariantManifest& changed : plan.of("layered_material")->effect->variants) {
-    const Graph graph = make_graph(plan, configuration_with(plan, changed), scene_, shaders);
-    Frame frame(*resources_, graph, Build::counting);
-    Frame& original = ready(changed.name);
-    Frame counting(*resources_, ready_.back()->graph, Build::counting);
-    for (Frame* each : {&frame, &counting}) {
-      each->run_once(Timing::off);
-      each->run(0, Timing::off);
+// A copy of the product's trees that was changed: every variant draws the same picture, with so many more fetches a pixel.
+class ChangedTrees : public Pieces {
+ protected:
+  ChangedTrees() : folder_(std::filesystem::temp_directory_path() / ("lamina_changed_" + std::to_string(::getpid()))) {}
+  ~ChangedTrees() override { std::filesystem::remove_all(folder_); }
+  void expect_same_pictures(const std::map<std::string, uint64_t>& more_fetches) {
+    const Library changed = load_library(folder_);
+    const Plan plan = make_plan(changed, scene_);
+    ShaderCache shaders(backend_->info().api, changed.shaders);
+    for (const VariantManifest& variant : plan.of("layered_material")->effect->variants) {
+      const Graph graph = make_graph(plan, configuration_with(plan, variant), scene_, shaders);
+      Frame frame(*resources_, graph, Build::counting);
+      Frame& original = ready(variant.name);
+      Frame counting(*resources_, ready_.back()->graph, Build::counting);
+      for (Frame* each : {&frame, &counting}) {
+        each->run_once(Timing::off);
+        each->run(0, Timing::off);
+      }
+      EXPECT_EQ(frame.picture().rgba, original.picture().rgba);
+      const PassCounts now = frame.frame_counts().back(), was = counting.frame_counts().back();
+      const auto more = more_fetches.find(variant.name);
+      EXPECT_EQ(now.fetches(), was.fetches() + (more == more_fetches.end() ? 0 : more->second * was.fragments)) << variant.name;
+      identities_.emplace_back(identity_of(variant, graph), identity_of(variant, ready_.back()->graph));
     }
-    EXPECT_EQ(frame.picture().rgba, original.picture().rgba);
-    const PassCounts now = frame.frame_counts().back(), was = counting.frame_counts().back();
-    EXPECT_EQ(now.fetches(), was.fetches() + (changed.name == "light_map" ? 5 * was.fragments : 0)) << changed.name;
   }
-  std::filesystem::remove_all(folder);
+  std::filesystem::path folder_;
+  std::vector<std::pair<std::string, std::string>> identities_;  // of each variant, here and in the product
+};
+INSTANTIATE_TEST_SUITE_P(Backends, ChangedTrees, backend_parameters, backend_test_name);
+
+TEST_P(ChangedTrees, ExtraTapsAreCountedAndChangeNoPicture) {
+  write_slower_tree(LAMINA_SOURCE_DIR, folder_, variant("light_map"), "composite", 5);
+  expect_same_pictures({{"light_map", 5}});
+}
+
+TEST_P(ChangedTrees, OtherCodeIsOtherCodeInEveryVariant) {
+  write_changed_tree(LAMINA_SOURCE_DIR, folder_, library().effect("layered_material"), "composite");
+  expect_same_pictures({});
+  EXPECT_EQ(identities_.size(), 3u);
+  for (const auto& [here, before] : identities_) EXPECT_NE(here, before);
+}
+
+// A variant of another tree would be changed there.
+TEST_P(ChangedTrees, NothingOutsideTheCopyIsWritten) {
+  write_changed_tree(LAMINA_SOURCE_DIR, folder_, library().effect("layered_material"), "composite");
+  EXPECT_THROW(write_slower_tree(folder_, folder_ / "again", variant("light_map"), "composite", 5), Error);
 }
 
 }  // namespace

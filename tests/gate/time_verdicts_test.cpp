@@ -15,7 +15,7 @@ namespace {
 
 // Each of the processes with this ratio and error.
 TimeComparison comparison(double ratio, double error, size_t processes = 3, double margin = 0.02) {
-  return {std::vector<RatioEstimate>(processes, {std::log(ratio), error, 200}), margin};
+  return {std::vector<RatioEstimate>(processes, {std::log(ratio), error, 200, 198}), margin};
 }
 Verdict verdict_of(const TimeComparison& comparison, double error = 0.05) {
   return judge_times(std::vector{comparison}, error)[0].verdict;
@@ -47,7 +47,7 @@ TEST(TimeVerdicts, AClaimNeedsAsManyErrorsAsStudentSays) {
 TEST(TimeVerdicts, FewStripsMustBeFurtherAway) {
   TimeComparison few = comparison(1.06, 0.015, 1);
   EXPECT_EQ(verdict_of(few), Verdict::slower);
-  few.processes[0].strips = 5;
+  few.processes[0].freedom = 3;
   EXPECT_EQ(verdict_of(few), Verdict::ambiguous);
 }
 
@@ -119,7 +119,7 @@ TEST(TimeVerdicts, ADifferenceTwiceTheMarginIsFoundInNoise) {
   std::normal_distribution<double> noise(std::log(1.03), 0.0045);
   int found = 0;
   for (int gate = 0; gate < 500; ++gate) {
-    TimeComparison each = comparison(1, 0.0045, 3, 0.015);
+    TimeComparison each = comparison(1, 0.0045, 5, 0.015);
     for (RatioEstimate& process : each.processes) process.log_ratio = noise(random);
     found += verdict_of(each) == Verdict::slower;
   }
