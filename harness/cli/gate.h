@@ -71,6 +71,10 @@ GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, cons
 // The trees of `lamina gate SCENE --against DIR`. Throws Error(bad_input) where they have no variant in common.
 TreePair pair_trees(const Scene& scene, Library before, Library after, const GateOptions& options);
 
+// The cell of these among `cells`; null where there is none.
+nlohmann::json find_cell(const std::vector<nlohmann::json>& cells, const std::string& backend, const std::string& variant,
+                         const std::string& view);
+
 // All verdicts on two trees.
 struct GateResult {
   std::vector<VerdictRow> rows;

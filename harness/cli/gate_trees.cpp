@@ -144,19 +144,21 @@ GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, cons
       [&](const std::vector<PairsRow>& pairs) { return judge_pairs(pairs, limits, options.family_error).undecided; });
 }
 
+nlohmann::json find_cell(const std::vector<nlohmann::json>& cells, const std::string& backend, const std::string& variant,
+                         const std::string& view) {
+  for (const nlohmann::json& cell : cells)
+    if (cell.at("backend") == backend && cell.at("variant") == variant && cell.at("view") == view) return cell;
+  return nullptr;
+}
+
 namespace {
 
 CellPair cells_of(const VariantPair& pair, const std::string& backend, const GateMeasurements& measured, const Scene& scene) {
   const std::string& name = pair.after ? pair.after->name : pair.before->name;
-  const auto find = [&](const std::vector<nlohmann::json>& cells, const std::string& view) -> nlohmann::json {
-    for (const nlohmann::json& cell : cells)
-      if (cell.at("backend") == backend && cell.at("variant") == name && cell.at("view") == view) return cell;
-    return nullptr;
-  };
   CellPair cells;
   for (const View& view : scene.views) {
-    cells.before.push_back(find(measured.cells_before, view.name));
-    cells.after.push_back(find(measured.cells_after, view.name));
+    cells.before.push_back(find_cell(measured.cells_before, backend, name, view.name));
+    cells.after.push_back(find_cell(measured.cells_after, backend, name, view.name));
     const auto facts = measured.facts.find({backend, name, view.name});
     if (facts != measured.facts.end()) cells.facts.push_back(facts->second);
   }

@@ -118,7 +118,8 @@ void PairedFrames::add_round(PairedPass& pass, const std::vector<std::vector<Tim
     if (strips[frame].empty()) continue;
     pass.ms[frame].push_back(sum(strips[frame]) / repeats);
     if (frame == 0 || strips[0].empty()) continue;
-    const std::vector<Timed>&before = strips[0], &after = strips[frame];
+    const std::vector<Timed>& before = strips[0];
+    const std::vector<Timed>& after = strips[frame];
     if (after.size() == before.size())
       for (size_t i = 0; i < before.size(); ++i)
         pass.strips[frame].push_back({before[i].ms, after[i].ms, after[i].turn < before[i].turn});

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "harness/gate/time_verdicts.h"
 #include "harness/measure/statistics.h"

@@ -12,7 +12,7 @@ namespace lamina {
 namespace {
 
 // Where Huber's function bends, in deviations. The usual 1.345 is best for noise that is nearly normal; that of a shared
-// machine has long tails, for which a bend nearer to the median halves the error.
+// machine has long tails, for which a bend nearer to the median takes a sixth to a third off the error.
 constexpr double bend = 0.7;
 constexpr size_t least_strips = 3;
 constexpr size_t least_of_an_order = 4;  // fewer tell nothing of the order
@@ -51,8 +51,8 @@ std::vector<double> values(const std::vector<Weighted>& ratios, Keep&& keep) {
 }
 
 void take_out_order(std::vector<Weighted>& ratios) {
-  const std::vector<double> first = values(ratios, [](const Weighted&ratio) { return ratio.after_first; }),
-                            second = values(ratios, [](const Weighted&ratio) { return !ratio.after_first; });
+  const std::vector<double> first = values(ratios, [](const Weighted& ratio) { return ratio.after_first; });
+  const std::vector<double> second = values(ratios, [](const Weighted& ratio) { return !ratio.after_first; });
   if (std::min(first.size(), second.size()) < least_of_an_order) return;
   const double half = (median(first) - median(second)) / 2;
   for (Weighted& ratio : ratios) ratio.log_ratio -= ratio.after_first ? half : -half;
