@@ -65,10 +65,12 @@ std::string counts_of(const Record& record, const GateReading& reading) {
 }
 
 std::string conditions_of(const Json& gate) {
+  const std::string against = text_at(gate, "/against");
+  const double wall_s = gate.at("wall_s");
+  if (gate.at("rounds") == 0) return fmt::format("against {}; no times were measured, {:.1f} s", against, wall_s);
   return fmt::format("against {}; {} rounds in {} process{}, {:.1f} s; margin {:.3g}%, confidence {:.3g}% over {} comparisons",
-                     text_at(gate, "/against"), text_at(gate, "/rounds"), text_at(gate, "/processes"),
-                     gate.at("processes") == 1 ? "" : "es", gate.at("wall_s").get<double>(),
-                     100 * gate.at("margin").get<double>(), 100 * gate.at("confidence").get<double>(),
+                     against, text_at(gate, "/rounds"), text_at(gate, "/processes"), gate.at("processes") == 1 ? "" : "es",
+                     wall_s, 100 * gate.at("margin").get<double>(), 100 * gate.at("confidence").get<double>(),
                      text_at(gate, "/comparisons"));
 }
 

@@ -21,8 +21,8 @@ std::vector<Json> elements_of(const Json& owner, const char* name) {
   return objects;
 }
 
-std::string words_of(const Json& timer) {
-  const std::string backend = timer.at("backend");
+// `what`: "on vulkan", and what the timer timed where that is not frames.
+std::string words_of(const Json& timer, const std::string& what) {
   std::string measured;
   if (const auto& linearity = timer.at("linearity"); !linearity.empty()) {
     std::vector<std::string> works, factors;
@@ -36,8 +36,8 @@ std::string words_of(const Json& timer) {
     measured += fmt::format("; the passes add up to {:.3f} of the wall time", additivity.get<double>());
   if (const auto& attribution = timer.at("attribution"); !attribution.is_null())
     measured += fmt::format("; a pass's share is off by at most {:.1f}% in another order", 100 * attribution.get<double>());
-  if (timer.at("ok").get<bool>()) return fmt::format("the timer's certificate on {} holds{}", backend, measured);
-  return fmt::format("the timer's certificate on {} FAILED ({}), so no times are shown{}", backend,
+  if (timer.at("ok").get<bool>()) return fmt::format("the timer's certificate {} holds{}", what, measured);
+  return fmt::format("the timer's certificate {} FAILED ({}), so no times are shown{}", what,
                      timer.at("reason").get<std::string>(), measured);
 }
 
@@ -80,8 +80,9 @@ std::vector<Certificate> certificates(const Record& record) {
   std::vector<Certificate> all;
   std::set<std::string> certified;
   for (const Json& timer : record.timers) {
-    certified.insert(timer.at("backend").get<std::string>());
-    all.push_back({.backend = timer.at("backend"), .ok = timer.at("ok"), .words = words_of(timer)});
+    const std::string backend = timer.at("backend");
+    certified.insert(backend);
+    all.push_back({.backend = backend, .ok = timer.at("ok"), .words = words_of(timer, "on " + backend)});
   }
   for (const Json& cell : record.cells) {
     const std::string backend = cell.at("backend");
@@ -90,6 +91,12 @@ std::vector<Certificate> certificates(const Record& record) {
     if (!timed || !certified.insert(backend).second) continue;
     all.push_back({.backend = backend,
                    .words = fmt::format("the record holds no timer certificate of {}, so no times are shown", backend)});
+  }
+  for (const Json& timer : record.function_timers) {
+    const std::string backend = timer.at("backend");
+    all.push_back({.backend = backend,
+                   .ok = timer.at("ok"),
+                   .words = words_of(timer, fmt::format("on {} for calls of {}", backend, text_at(timer, "/function")))});
   }
   return all;
 }

@@ -277,7 +277,17 @@ void go_on(Setup& setup, const nlohmann::json& line, Bench& bench, const fs::pat
           ErrorKind::bad_input, "gate", file.string(),
           fmt::format("holds a calibration with another {} ({}, now {}); remove it, or choose another folder with --out", key,
                       line.value(key, nlohmann::json()).dump(), value.dump()));
-  setup.pass = line.at("pass"), setup.taps = line.at("taps").get<std::vector<uint32_t>>(), setup.round_s = line.at("round_s");
+  try {
+    setup.pass = line.at("pass"), setup.round_s = line.at("round_s");
+    setup.taps = line.at("taps").get<std::vector<uint32_t>>();
+  } catch (const nlohmann::json::exception&) {
+    setup.taps.clear();
+  }
+  if (setup.taps.size() != slow_downs.size())
+    throw Error(ErrorKind::bad_input, "gate", file.string() + ":1",
+                fmt::format("needs 'pass', 'round_s' and {} numbers in 'taps'; remove the file, or choose another folder with "
+                            "--out",
+                            slow_downs.size()));
   bench.make_slower(setup.pass, setup.taps);
 }
 

@@ -25,6 +25,7 @@ constexpr size_t timed_inputs = 1 << 16;
 struct Results {
   std::vector<FunctionRow> errors;     // of each backend, variant and set
   std::vector<FunctionTimeRow> times;  // of each backend and variant
+  std::vector<TimerRow> timers;        // of each backend
   std::vector<FunctionPictureRow> pictures;
 };
 
@@ -80,15 +81,14 @@ void print_set(const CapSet& set, const std::vector<FunctionRow>& rows) {
   }
 }
 
-// Times every variant on the first set's inputs, as many as timed_inputs (they are repeated); nothing where the timer cannot be
+// Times every variant on the first set's inputs, as many as timed_inputs (they are repeated); nothing where `timer` cannot be
 // trusted.
-std::vector<FunctionTimeRow> time_variants(Backend& backend, const std::filesystem::path& shaders,
+std::vector<FunctionTimeRow> time_variants(Backend& backend, const TimerRow& timer, const std::filesystem::path& shaders,
                                            const std::vector<FunctionSubject>& subjects, const std::vector<CapInput>& inputs,
                                            uint64_t seed) {
   std::vector<FunctionTimeRow> times;
   for (const FunctionSubject& subject : subjects)
     times.push_back({.subject = subject, .commit = LAMINA_COMMIT, .build = LAMINA_BUILD_NAME});
-  const TimerRow timer = certify_timer(backend, shaders);
   if (!timer.ok) {
     fmt::print(stderr, "lamina: {}: no times are given: {} (1x, 2x, 4x, 8x work took {:.3f} of linear)\n",
                backend.info().backend, timer.reason, fmt::join(timer.linearity, ", "));
@@ -137,7 +137,9 @@ void run_variants(Backend& backend, const std::filesystem::path& shaders, const 
                                   .image = "images/" + files[i],
                                   .full_error = full_error});
   }
-  const std::vector<FunctionTimeRow> timed = time_variants(backend, shaders, subjects, sets.front().inputs, options.seed);
+  const TimerRow& timer = results.timers.emplace_back(certify_timer(backend, shaders));
+  const std::vector<FunctionTimeRow> timed =
+      time_variants(backend, timer, shaders, subjects, sets.front().inputs, options.seed);
   results.times.insert(results.times.end(), timed.begin(), timed.end());
 }
 
@@ -145,6 +147,7 @@ void write_record(const StressOptions& options, const std::vector<DeviceInfo>& d
   std::vector<nlohmann::ordered_json> lines;
   for (const FunctionRow& row : results.errors) lines.push_back(to_json(row));
   for (const FunctionTimeRow& row : results.times) lines.push_back(to_json(row));
+  for (const TimerRow& timer : results.timers) lines.push_back(function_timer_line(cap_function, timer));
   for (const FunctionPictureRow& row : results.pictures) lines.push_back(to_json(row));
   replace_function_lines(options.out / "record.jsonl", cap_function, run_line(options, devices), lines);
   write_reports(options.out);

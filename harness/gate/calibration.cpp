@@ -55,7 +55,8 @@ std::vector<nlohmann::json> read_calibration(const std::filesystem::path& file) 
     if (stream.eof()) break;  // no newline: cut short
     nlohmann::json line = nlohmann::json::parse(text, nullptr, false);
     if (line.is_discarded()) refuse(file, lines.size() + 1, "is no JSON");
-    if (lines.empty() && line.value("kind", "") != "calibration") refuse(file, 1, "is no calibration of lamina gate");
+    if (lines.empty() && !(line.is_object() && line.contains("kind") && line["kind"] == "calibration"))
+      refuse(file, 1, "is no calibration of lamina gate");
     if (!lines.empty()) try {
         calibrated_from_json(line);
       } catch (const std::exception& error) {

@@ -41,7 +41,6 @@ size_t PairedFrames::pass_named(const std::string& name, size_t occurrence) {
   return passes_.size() - 1;
 }
 
-// Passes that are new with this frame are cut by the shorter of two runs.
 void PairedFrames::cut(size_t frame, size_t view, const PieceOptions& options) {
   const std::vector<std::string>& names = frames_[frame]->frame_names();
   std::vector<size_t> passes;
@@ -50,13 +49,11 @@ void PairedFrames::cut(size_t frame, size_t view, const PieceOptions& options) {
     passes.push_back(pass_named(names[i], static_cast<size_t>(std::count(names.begin(), here, names[i]))));
   }
   if (std::ranges::any_of(passes, [&](size_t pass) { return cuts_[pass].strips == 0; })) {
-    const FrameTimes first = frames_[frame]->run(view, Timing::bracketed);
-    const FrameTimes second = frames_[frame]->run(view, Timing::bracketed);
+    const FrameTimes times = frames_[frame]->run(view, Timing::bracketed);
     for (size_t i = 0; i < passes.size(); ++i) {
       if (cuts_[passes[i]].strips != 0) continue;
-      const double ms = std::min(first.pass_ms[i], second.pass_ms[i]);
-      cuts_[passes[i]].strips = strips_for(ms, options);
-      cuts_[passes[i]].repeats = repeats_for(ms, options);
+      cuts_[passes[i]].strips = strips_for(times.pass_ms[i], options);
+      cuts_[passes[i]].repeats = repeats_for(times.pass_ms[i], options);
     }
   }
   std::vector<uint32_t> parts;

@@ -78,6 +78,13 @@ Json to_json(const FunctionPictureRow& row) {
   return line;
 }
 
+Json function_timer_line(const std::string& function, const TimerRow& timer) {
+  Json line = to_json(timer);
+  line["kind"] = "function_timer";
+  line["function"] = function;
+  return line;
+}
+
 void replace_function_lines(const std::filesystem::path& file, const std::string& function, const Json& run_line,
                             const std::vector<Json>& lines) {
   const auto text_of = [](const auto& line) { return line.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; };

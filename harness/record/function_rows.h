@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "harness/measure/statistics.h"
+#include "harness/measure/timer_certificate.h"
 
 namespace lamina {
 
@@ -64,6 +65,9 @@ struct FunctionPictureRow {
 nlohmann::ordered_json to_json(const FunctionRow& row);
 nlohmann::ordered_json to_json(const FunctionTimeRow& row);
 nlohmann::ordered_json to_json(const FunctionPictureRow& row);
+// The certificate of the timer that timed the variants of `function` on its backend, of kind "function_timer": a record of
+// frames has one of its own for them.
+nlohmann::ordered_json function_timer_line(const std::string& function, const TimerRow& timer);
 
 // Puts `lines` at the end of the record in `file` and takes those on `function` out that were there, atomically; every other
 // line stays byte for byte, but for one cut short at the end, which goes, and the run line then says so. Where there is no

@@ -182,6 +182,11 @@ void check_function_time(const Json& line, const std::string& where) {
   check_interval(line["ns_per_call"], where, "ns_per_call.");
 }
 
+void check_function_timer(const Json& line, const std::string& where) {
+  check(line, {{"function", text}}, where);
+  check_timer(line, where);
+}
+
 void check_function_picture(const Json& line, const std::string& where) {
   check_function_subject(line, where);
   check(line, {{"slice", text}, {"axes", text}, {"image", text}, {"full_error", number}}, where);
@@ -240,6 +245,7 @@ void add_line(Record& record, Json line, const std::string& where) {
                         {"cell", check_cell, &record.cells},
                         {"function", check_function, &record.functions},
                         {"function_time", check_function_time, &record.function_times},
+                        {"function_timer", check_function_timer, &record.function_timers},
                         {"function_picture", check_function_picture, &record.function_pictures},
                         {"gate", check_gate, &record.gates},
                         {"aa", check_aa, &record.aas},

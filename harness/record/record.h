@@ -113,8 +113,8 @@ struct Record {
   nlohmann::json run;
   std::vector<nlohmann::json> timers, plans, cells, bakes;
   std::vector<nlohmann::json> phases;  // how long the rounds took beside what they measured
-  std::vector<nlohmann::json> functions, function_times, function_pictures;  // see function_rows.h
-  std::vector<nlohmann::json> pairs;                                         // the samples behind a gate's verdicts on times
+  std::vector<nlohmann::json> functions, function_times, function_timers, function_pictures;  // see function_rows.h
+  std::vector<nlohmann::json> pairs;                 // the samples behind a gate's verdicts on times
   std::vector<nlohmann::json> gates, aas, verdicts;  // a gate's answer, its A/A arms, each figure's verdict: gate_lines.h
   std::vector<nlohmann::json> sweeps, crossovers;    // see sweep_rows.h; at most one sweep
 };

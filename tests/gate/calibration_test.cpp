@@ -91,6 +91,8 @@ TEST_F(CalibrationFile, WhatIsNoneIsRefusedWithItsLine) {
   const std::string first = "{\"kind\":\"calibration\"}\n";
   for (const auto& [text, line] : {std::pair<std::string, int>{"{\"kind\":\"run\"}\n", 1},
                                    {"nothing\n", 1},
+                                   {"[1]\n", 1},
+                                   {"{\"kind\":7}\n", 1},
                                    {first + "{\"slow_down\":0,\"verdict\":\"worse\",\"ratios\":[]}\n", 2},
                                    {first + "{\"slow_down\":0}\n", 2}}) {
     write_file_atomically(file_, text);

@@ -41,7 +41,7 @@ Json phase() {
 
 std::vector<Json> every_kind() {
   return {to_json(example_function(example_subject(), 0.5)), to_json(example_time(example_subject(), 2)),
-          to_json(example_picture(example_subject()))};
+          to_json(example_picture(example_subject())), function_timer_line("cap_intersection", example_certificate())};
 }
 
 TEST(FunctionToJson, HoldsWhatTheRowHolds) {
@@ -110,6 +110,9 @@ TEST_F(FunctionLines, AreReadBackExactly) {
   EXPECT_EQ(record.functions[0], nlohmann::json(every_kind()[0]));
   EXPECT_EQ(record.function_times[0], nlohmann::json(every_kind()[1]));
   EXPECT_EQ(record.function_pictures[0], nlohmann::json(every_kind()[2]));
+  ASSERT_EQ(record.function_timers.size(), 1u);
+  EXPECT_EQ(record.function_timers[0], nlohmann::json(every_kind()[3]));
+  EXPECT_TRUE(record.timers.empty()) << "which are those of frames";
   EXPECT_EQ(record.run, nlohmann::json(run));
 }
 
@@ -149,6 +152,8 @@ TEST_F(FunctionLines, WithoutAFieldOrWithAWrongOneAreRefusedWithFileAndLine) {
   refused(with(1, "/ns_per_call", 3), "'ns_per_call'");
   refused(with(1, "/ns_per_call/low", nullptr), "'ns_per_call.low'");
   refused(with(2, "/image", 1), "'image'");
+  refused(with(3, "/ok", 1), "'ok'");
+  refused(with(3, "/function", 1), "'function'");
 }
 
 TEST_F(FunctionLines, TakeThePlaceOfTheFunctionsOldOnesAndTouchNoOther) {
@@ -162,7 +167,8 @@ TEST_F(FunctionLines, TakeThePlaceOfTheFunctionsOldOnesAndTouchNoOther) {
   replace_function_lines(file_, "cap_intersection", {{"kind", "run"}, {"schema", 1}, {"build", "not used"}}, {every_kind()[1]});
   EXPECT_EQ(content(), kept + every_kind()[1].dump() + "\n");
   replace_function_lines(file_, "cap_intersection", run, every_kind());
-  EXPECT_EQ(content(), kept + every_kind()[0].dump() + "\n" + every_kind()[1].dump() + "\n" + every_kind()[2].dump() + "\n");
+  EXPECT_EQ(content(), kept + every_kind()[0].dump() + "\n" + every_kind()[1].dump() + "\n" + every_kind()[2].dump() + "\n" +
+                           every_kind()[3].dump() + "\n");
 }
 
 TEST_F(FunctionLines, ALastLineWithoutItsNewlineIsKept) {

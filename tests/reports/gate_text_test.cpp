@@ -46,6 +46,13 @@ TEST(GateTable, SaysWhatRegressedWhereByHowMuchAndHowSure) {
   EXPECT_LT(table.find("better\n"), table.find("1 check is the same"));
 }
 
+TEST(GateTable, SaysWhereNoTimesWereMeasured) {
+  Record record = example_gate("slower", 1, {example_fetches()});
+  record.gates[0]["rounds"] = record.gates[0]["processes"] = 0;
+  const std::string table = gate_table(record, false);
+  EXPECT_TRUE(has(table, "against the main branch; no times were measured, 41.2 s\n")) << table;
+}
+
 TEST(GateTable, NamesTheEffectOnlyWhereThereAreSeveral) {
   Record record = example_failed_gate();
   EXPECT_FALSE(has(gate_table(record, false), "layered_material/"));
