@@ -2,7 +2,10 @@
 // The page's section on a gate: what regressed, what cannot be told, what got better, each in a sentence; then every check.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "reports/gate_reading.h"
+#include "reports/gate_strips.h"
 #include "reports/html.h"
 
 namespace lamina {
@@ -28,6 +31,32 @@ std::string row_of(const Json& verdict, bool bad) {
   for (size_t i = 1; i < cells.size(); ++i)
     html += fmt::format("<td{}>{}</td>", i == 5 ? " class=\"wrap\"" : i > 5 ? " class=\"num\"" : "", escaped_html(cells[i]));
   return html + "</tr>\n";
+}
+
+// Of the ratio less 1; never -0.
+double hundredths_of_percent(const RatioEstimate& estimate) {
+  return std::round(1e4 * std::expm1(estimate.log_ratio)) / 100 + 0.0;
+}
+
+// What each process measured of every ratio that was judged, and of the A/A arms.
+std::string processes_table(const std::vector<GateStrips>& all) {
+  if (all.empty()) return "";
+  constexpr std::array<const char*, 3> columns = {"comparison", "all processes", "each, with its standard error"};
+  std::string html = fmt::format(
+      "<details class=\"printed\"><summary>What each process measured</summary>\n<div class=\"scroll\" tabindex=\"0\" "
+      "role=\"region\" aria-label=\"What each process measured\"><table><caption>Change of the time, by the strips of one "
+      "process at a time. Processes that differ by more than their errors widen the interval of all.</caption>{}<tbody>\n",
+      header_row(columns, 3));
+  for (const GateStrips& strips : all) {
+    std::string each;
+    for (const GateStrips::Process& process : strips.processes)
+      each += fmt::format("{}{:+.2f}% &plusmn; {:.2f}%", each.empty() ? "" : ", ", hundredths_of_percent(process.estimate),
+                          100 * process.estimate.error);
+    html += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"wrap\">{}</td></tr>\n",
+                        escaped_html(words_for_comparison(strips)),
+                        strips.verdict ? escaped_html(change_of(*strips.verdict)) : "", each);
+  }
+  return html + "</tbody></table></div></details>\n";
 }
 
 }  // namespace
@@ -58,7 +87,7 @@ std::string html_gate(const Record& record) {
       "share, of other figures the difference. Limit: what was allowed; of a time the margin.</caption>{1}<tbody>\n",
       record.verdicts.size(), header_row(gate_columns, 6), record.verdicts.size() <= most_open ? " open" : "");
   for (size_t i = 0; const Json* row : reading.all()) html += row_of(*row, i++ < reading.regressed.size());
-  return html + "</tbody></table></div></details>\n";
+  return html + "</tbody></table></div></details>\n" + processes_table(gate_strips(record));
 }
 
 }  // namespace lamina

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "reports/functions.h"
+#include "reports/gate_strips.h"
 #include "reports/html.h"
 
 namespace lamina {
@@ -82,25 +83,32 @@ std::string picture_tag(const std::string& path, const std::string& alt, const P
 
 std::string html_charts(const std::vector<Record>& records) {
   std::string html;
-  bool cells = false, sweeps = false;
+  bool cells = false, sweeps = false, strips = false;
   for (const Record& record : records) {
     cells = cells || !record.cells.empty();
     sweeps = sweeps || !record.sweeps.empty();
+    strips = strips || !gate_strips(record).empty();
   }
   if (!cells) return "";
   struct Section {
     const char *name, *title, *without_script;
+    bool shown = true;
   };
-  constexpr Section sections[] = {
+  const Section sections[] = {
       {"pareto", "Cost against error", "This chart is drawn by a script; the table of the variants holds its figures."},
       {"passes", "Where the time goes", "These charts are drawn by a script; the table of every pass holds their figures."},
-      {"sweeps", "Over the parameter", "These curves are drawn by a script; the tables of all figures hold their points."},
+      {"sweeps", "Over the parameter", "These curves are drawn by a script; the tables of all figures hold their points.",
+       sweeps},
       {"pictures", "Pictures", "This viewer needs a script; all pictures stand under \"All figures and pictures\"."},
       {"samples", "Every sample",
        "This chart is drawn by a script; record.jsonl holds every sample, and the tables their "
-       "medians and intervals."}};
+       "medians and intervals."},
+      {"strips", "Every strip of the gate",
+       "This chart is drawn by a script; record.jsonl holds every strip, and the table of what each process measured their "
+       "ratios.",
+       strips}};
   for (const Section& section : sections)
-    if (std::string_view(section.name) != "sweeps" || sweeps)
+    if (section.shown)
       html +=
           fmt::format("<section class=\"drawn\" id=\"{}\"><h2>{}</h2><noscript><p class=\"note\">{}</p></noscript></section>\n",
                       section.name, section.title, escaped_html(section.without_script));

@@ -2,10 +2,12 @@
 // Records as the data that the page's charts are drawn from.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <map>
 
 #include "reports/frontier.h"
+#include "reports/gate_strips.h"
 #include "reports/html.h"
 
 namespace lamina {
@@ -159,6 +161,28 @@ void add_passes(Json& passes, const Record& record, size_t number) {
   }
 }
 
+void add_strips(Json& all, const Record& record, size_t number) {
+  for (const GateStrips& strips : gate_strips(record)) {
+    Json processes = Json::array();
+    for (const GateStrips::Process& process : strips.processes) {
+      Json ratios = Json::array();
+      for (const StripPair& pair : process.strips) ratios.push_back(six_digits(pair.after / pair.before));
+      processes.push_back({{"number", process.number},
+                           {"ratio", six_digits(std::exp(process.estimate.log_ratio))},
+                           {"error", six_digits(process.estimate.error)},
+                           {"strips", ratios}});
+    }
+    all.push_back({{"record", number},
+                   {"words", words_for_comparison(strips)},
+                   {"margin", record.gates.empty() ? Json(nullptr) : record.gates.back().at("margin")},
+                   {"processes", processes}});
+    if (!strips.verdict) continue;
+    all.back()["verdict"] = strips.verdict->at("verdict");
+    all.back()["interval"] = interval(interval_of(strips.verdict->at("ratio")));
+    all.back()["margin"] = strips.verdict->at("limit");
+  }
+}
+
 }  // namespace
 
 std::string for_script(const Json& data) {
@@ -170,7 +194,8 @@ std::string for_script(const Json& data) {
 }
 
 Json page_data(const std::vector<Record>& records) {
-  Json rows = Json::array(), cells = Json::array(), passes = Json::array(), sweeps = Json::array(), crossovers = Json::array();
+  Json rows = Json::array(), cells = Json::array(), passes = Json::array(), sweeps = Json::array(), crossovers = Json::array(),
+       strips = Json::array();
   Json metrics = Json::array(), about = Json::array();
   for (const ErrorMetric& metric : error_metrics)
     metrics.push_back({{"name", metric.name}, {"words", metric.words}, {"more_is_closer", metric.more_is_closer}});
@@ -181,6 +206,7 @@ Json page_data(const std::vector<Record>& records) {
     add_rows(rows, summarize(record), i);
     add_cells(cells, record, i, names);
     add_passes(passes, record, i);
+    add_strips(strips, record, i);
     for (const Json& sweep : record.sweeps)
       for (Json parameter : sweep.at("parameters")) {
         parameter["record"] = i;
@@ -202,7 +228,8 @@ Json page_data(const std::vector<Record>& records) {
           {"cells", cells},
           {"passes", passes},
           {"sweeps", sweeps},
-          {"crossovers", crossovers}};
+          {"crossovers", crossovers},
+          {"strips", strips}};
 }
 
 }  // namespace lamina

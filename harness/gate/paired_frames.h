@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/gate/ratio_estimate.h"
 #include "harness/graph/frame.h"
+#include "harness/measure/ratio_estimate.h"
 
 namespace lamina {
 

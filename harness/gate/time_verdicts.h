@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "harness/gate/ratio_estimate.h"
 #include "harness/gate/verdict.h"
+#include "harness/measure/ratio_estimate.h"
 
 namespace lamina {
 

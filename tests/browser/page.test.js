@@ -23,7 +23,8 @@ const choose = (page, section, label, words) =>
 test('every chart draws, and nothing goes wrong', async () => {
   for (const name of ['compare', 'gate', 'single', 'two', 'sweep', 'evil']) {
     const page = await open(browser, name);
-    for (const section of ['pareto', 'passes', 'samples', ...(name === 'sweep' ? ['sweeps'] : [])]) {
+    const own = {sweep: ['sweeps'], gate: ['strips']};
+    for (const section of ['pareto', 'passes', 'samples', ...(own[name] ?? [])]) {
       const charts = page.locator(`#${section} svg[role=group]`);
       assert.ok(await charts.count() > 0, `${name}: #${section} has no chart`);
       for (const chart of await charts.all())
@@ -47,8 +48,8 @@ test('the pareto chart\'s figures are the record\'s', async () => {
     const ssim = cell.baseline ? 1 : cell.error.baseline.ssim;
     assert.ok(
         words.some(
-            label => label.startsWith(cell.variant) && label.includes(`, ${+ms.toPrecision(4)} [`) &&
-                label.includes(`SSIM ${+ssim.toPrecision(4)} `)),
+            label => label.startsWith(cell.variant) && label.includes(`, ${+ ms.toPrecision(4)} [`) &&
+                label.includes(`SSIM ${+ ssim.toPrecision(4)} `)),
         `${cell.variant}: ${ms} ${ssim} in ${words}`);
   }
   assert.ok(words.find(label => label.startsWith('normal_map_taps')).includes('dominated'));
@@ -142,6 +143,26 @@ test('slider and flip work by mouse and keyboard', async () => {
   assert.match(await clip(), / 0%\)$|\(0(px)? 0(px)? 0(px)? 0%\)$/);
   assert.match(await button.textContent(), /showing normal_map_taps/);
   await page.context().close();
+});
+
+test('a gate\'s strips are drawn, process by process, beside the interval of all', async () => {
+  const page = await open(browser, 'gate');
+  const section = page.locator('#strips');
+  assert.match(await section.locator('h4').textContent(), /vertex_normal on vulkan, view front, pass composite: slower$/);
+  assert.equal(await section.locator('g[data-marks="dot"] circle').count(), 16);
+  const names = await section.locator('g[data-marks="y-axis tick label"] text').allTextContents();
+  assert.deepEqual(names, ['process 1', 'process 2', 'all']);
+  await choose(page, 'strips', 'Comparison', 'A/A vertex_normal on vulkan, view front, pass composite');
+  assert.deepEqual(
+      await section.locator('g[data-marks="y-axis tick label"] text').allTextContents(), ['process 1', 'process 2'],
+      'an A/A arm is judged by its frame');
+  const bare = await open(browser, 'gate', {script: false});
+  await bare.locator('summary', {hasText: 'What each process measured'}).click();
+  const table = await bare.locator('table', {hasText: 'by the strips of one process'}).textContent();
+  for (const words of ['+10.0% [+8.0%, +12.0%]', '+9.00% ± 0.0', '+11.00% ± 0.0', '+0.00% ± 0.0'])
+    assert.ok(table.includes(words), `${words} is not in: ${table}`);
+  assert.deepEqual(page.faults, []);
+  for (const each of [page, bare]) await each.context().close();
 });
 
 test('a gate\'s pictures begin with before and after', async () => {

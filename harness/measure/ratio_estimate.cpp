@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "harness/gate/ratio_estimate.h"
+#include "harness/measure/ratio_estimate.h"
 
 #include <algorithm>
 #include <cmath>

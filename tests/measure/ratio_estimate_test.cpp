@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ratios of made-up strips, whose answers follow from the definitions, and the truth of the errors that are stated with them.
-#include "harness/gate/ratio_estimate.h"
+#include "harness/measure/ratio_estimate.h"
 
 #include <gtest/gtest.h>
 
