@@ -189,7 +189,12 @@ TEST_P(ChangedTrees, OtherCodeIsOtherCodeInEveryVariant) {
 // A variant of another tree would be changed there.
 TEST_P(ChangedTrees, NothingOutsideTheCopyIsWritten) {
   write_changed_tree(LAMINA_SOURCE_DIR, folder_, library().effect("layered_material"), "composite");
-  EXPECT_THROW(write_slower_tree(folder_, folder_ / "again", variant("light_map"), "composite", 5), Error);
+  try {
+    write_slower_tree(folder_, folder_ / "again", variant("light_map"), "composite", 5);
+    ADD_FAILURE() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_NE(error.message().find("does not lie in"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace
