@@ -27,7 +27,8 @@ struct VariantPair {
   const EffectManifest *effect_before = nullptr, *effect_after = nullptr;
   const VariantManifest *before = nullptr, *after = nullptr;
   bool same_code = false;
-  std::string failure;  // of the one after, where it cannot even be compiled
+  size_t same_passes = 0;  // of the frame, from its first on, whose code is the same too
+  std::string failure;     // of the one after, where it cannot even be compiled
 };
 
 struct TreePair {

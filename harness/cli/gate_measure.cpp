@@ -53,7 +53,7 @@ void time_pairs(GateProcess& process, TreePair& trees, const LimitsFile& limits,
     if (!changed && !pair.before->baseline) continue;
     TimedFrames& timed = all.emplace_back(TimedFrames{pair.before->effect, pair.before->name, {}, {}, nullptr});
     timed.add(frame_before, frames.get(trees.before, *pair.before));
-    if (changed) timed.add(frame_after, frames.get(trees.after, *pair.after));
+    if (changed) timed.add(frame_after, frames.get(trees.after, *pair.after), pair.same_passes);
     if (pair.before->baseline) timed.add(frame_again, frames.get(trees.before, *pair.before, 1));
     changes = changes || changed;
   }

@@ -40,9 +40,9 @@ Frame& ProcessFrames::get(Tree& tree, const VariantManifest& variant, size_t cop
   return ready->frame;
 }
 
-void TimedFrames::add(std::string_view name, Frame& frame) {
+void TimedFrames::add(std::string_view name, Frame& frame, size_t same_passes) {
   names.emplace_back(name);
-  frames.push_back(&frame);
+  frames.push_back({&frame, same_passes});
 }
 
 PairsRow TimedFrames::row(const GateProcess& process) const {

@@ -53,10 +53,10 @@ class ProcessFrames {
 struct TimedFrames {
   std::string effect, variant;  // variant "": the frames are the effect's variants
   std::vector<std::string> names;
-  std::vector<Frame*> frames;  // which have run
+  std::vector<PairedFrame> frames;
   std::unique_ptr<PairedFrames> paired;
 
-  void add(std::string_view name, Frame& frame);
+  void add(std::string_view name, Frame& frame, size_t same_passes = 0);
   PairsRow row(const GateProcess& process) const;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two trees of variants and shaders: paired, measured by processes, judged.
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "harness/cli/gate_process.h"
@@ -17,25 +18,29 @@ const VariantManifest* find_variant(const EffectManifest* effect, const std::str
   return nullptr;
 }
 
-std::string identity_over_apis(Tree& tree, const Scene& scene, const VariantManifest& variant) {
-  std::string identity;
+std::map<Api, Identity> identities(Tree& tree, const Scene& scene, const VariantManifest& variant) {
+  std::map<Api, Identity> all;
   for (auto& [api, shaders] : tree.shaders)
-    identity += identity_of(variant, make_graph(tree.plan, configuration_with(tree.plan, variant), scene, shaders));
-  return identity;
+    all[api] = identity_of(variant, make_graph(tree.plan, configuration_with(tree.plan, variant), scene, shaders));
+  return all;
 }
 
 // Whether the code is the same; compiles the shaders, so that every process finds them compiled.
 void look_at_code(VariantPair& pair, Tree& before, Tree& after, const Scene& scene) {
-  std::string old_identity;
+  std::map<Api, Identity> was, now;
   try {
-    if (pair.before) old_identity = identity_over_apis(before, scene, *pair.before);
+    if (pair.before) was = identities(before, scene, *pair.before);
   } catch (const Error&) {  // its cells say so
   }
   try {
-    if (pair.after) pair.same_code = identity_over_apis(after, scene, *pair.after) == old_identity && pair.before;
+    if (pair.after) now = identities(after, scene, *pair.after);
   } catch (const Error& error) {
     pair.failure = error.what();
   }
+  if (was.empty() || now.empty()) return;
+  pair.same_code = was == now;
+  pair.same_passes = std::numeric_limits<size_t>::max();
+  for (const auto& [api, identity] : was) pair.same_passes = std::min(pair.same_passes, same_passes(identity, now.at(api)));
 }
 
 }  // namespace
@@ -123,7 +128,7 @@ TreePair pair_trees(const Scene& scene, Library library_before, Library library_
           if (std::find(names.begin(), names.end(), variant.name) == names.end()) names.push_back(variant.name);
     all.insert(all.end(), names.begin(), names.end());
     for (const std::string& name : names) {
-      VariantPair pair{before, after, find_variant(before, name), find_variant(after, name), false, ""};
+      VariantPair pair{before, after, find_variant(before, name), find_variant(after, name), false, 0, ""};
       if (!is_compared(pair.before ? *pair.before : *pair.after, options.compare)) continue;
       look_at_code(pair, trees.before, trees.after, scene);
       trees.variants.push_back(std::move(pair));

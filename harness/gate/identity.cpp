@@ -1,20 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/gate/identity.h"
 
+#include <algorithm>
+
 #include "harness/core/text.h"
 
 namespace lamina {
 
-std::string identity_of(const VariantManifest& variant, const Graph& graph) {
+Identity identity_of(const VariantManifest& variant, const Graph& graph) {
   std::string whole = read_file(variant.file, "gate");
   const std::filesystem::path effect = variant.file.parent_path() / "effect.toml";
   if (std::filesystem::exists(effect)) whole += read_file(effect, "gate");
-  for (const GraphPass& pass : graph.passes)
+  Identity identity;
+  for (const GraphPass& pass : graph.passes) {
+    std::string code;
     for (const GraphDraw& draw : pass.draws)
       for (const auto& stage : draw.stages)
-        whole += fmt::format("\n{} {} {}", pass.pass->name, stage->hash,
-                             hash_hex({reinterpret_cast<const char*>(stage->spirv.data()), stage->spirv.size() * 4}));
-  return hash_hex(whole);
+        code += fmt::format("\n{} {} {}", pass.pass->name, stage->hash,
+                            hash_hex({reinterpret_cast<const char*>(stage->spirv.data()), stage->spirv.size() * 4}));
+    if (pass.once)
+      whole += code;
+    else
+      identity.frame_passes.push_back(hash_hex(code));
+  }
+  identity.whole = hash_hex(whole);
+  return identity;
+}
+
+size_t same_passes(const Identity& a, const Identity& b) {
+  if (a.whole != b.whole) return 0;
+  const auto differ = std::ranges::mismatch(a.frame_passes, b.frame_passes);
+  return static_cast<size_t>(differ.in1 - a.frame_passes.begin());
 }
 
 }  // namespace lamina

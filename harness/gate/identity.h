@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whether a variant is the same in two trees: byte-identical code run by one harness on one driver cannot differ, and a gate
-// that times it can only raise false alarms.
+// that times it can only raise false alarms. Nor can the passes of a frame before the first whose code differs.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "harness/graph/graph.h"
 
 namespace lamina {
 
-// A hash over the manifests of the variant and its effect, as bytes, and over the compiled shaders of its passes in order.
-std::string identity_of(const VariantManifest& variant, const Graph& graph);
+struct Identity {
+  std::string whole;  // a hash over the manifests of the variant and its effect, as bytes, and what is done once
+  std::vector<std::string> frame_passes;  // a hash over the compiled shaders of each pass of the frame, in order
+  bool operator==(const Identity&) const = default;
+};
+Identity identity_of(const VariantManifest& variant, const Graph& graph);
+
+// How many passes from the frame's first on are the same, and so is all that they read.
+size_t same_passes(const Identity& a, const Identity& b);
 
 }  // namespace lamina

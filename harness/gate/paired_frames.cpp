@@ -22,9 +22,10 @@ uint32_t repeats_for(double ms, const PieceOptions& options) {
 
 }  // namespace
 
-PairedFrames::PairedFrames(Backend& backend, std::vector<Frame*> frames, size_t view, const PieceOptions& options)
-    : backend_(backend), frames_(std::move(frames)) {
-  for (size_t frame = 0; frame < frames_.size(); ++frame) cut(frame, view, options);
+PairedFrames::PairedFrames(Backend& backend, const std::vector<PairedFrame>& frames, size_t view, const PieceOptions& options)
+    : backend_(backend) {
+  for (const PairedFrame& each : frames) frames_.push_back(each.frame);
+  for (size_t frame = 0; frame < frames.size(); ++frame) cut(frame, frames[frame].same_passes, view, options);
   for (size_t pass = 0; pass < passes_.size(); ++pass)
     passes_[pass].cut = cuts_[pass].strips > 1 &&
                         std::all_of(cuts_[pass].pieces.begin(), cuts_[pass].pieces.end(), [](const std::vector<Pass>& pieces) {
@@ -35,13 +36,13 @@ PairedFrames::PairedFrames(Backend& backend, std::vector<Frame*> frames, size_t 
 size_t PairedFrames::pass_named(const std::string& name, size_t occurrence) {
   for (size_t i = 0; i < passes_.size(); ++i)
     if (passes_[i].name == name && cuts_[i].occurrence == occurrence) return i;
-  passes_.push_back(
-      {name, false, std::vector<std::vector<double>>(frames_.size()), std::vector<std::vector<StripPair>>(frames_.size())});
+  passes_.push_back({name, false, std::vector<bool>(frames_.size()), std::vector<std::vector<double>>(frames_.size()),
+                     std::vector<std::vector<StripPair>>(frames_.size())});
   cuts_.push_back({occurrence, 0, 1, std::vector<std::vector<Pass>>(frames_.size())});
   return passes_.size() - 1;
 }
 
-void PairedFrames::cut(size_t frame, size_t view, const PieceOptions& options) {
+void PairedFrames::cut(size_t frame, size_t same_passes, size_t view, const PieceOptions& options) {
   const std::vector<std::string>& names = frames_[frame]->frame_names();
   std::vector<size_t> passes;
   for (size_t i = 0; i < names.size(); ++i) {
@@ -56,6 +57,7 @@ void PairedFrames::cut(size_t frame, size_t view, const PieceOptions& options) {
       cuts_[passes[i]].repeats = repeats_for(times.pass_ms[i], options);
     }
   }
+  for (size_t i = 0; i < std::min(same_passes, passes.size()); ++i) passes_[passes[i]].same[frame] = true;
   std::vector<uint32_t> parts;
   for (const size_t pass : passes) parts.push_back(cuts_[pass].strips);
   for (Frame::Slice& slice : frames_[frame]->slices(view, parts))
@@ -68,6 +70,12 @@ void PairedFrames::start_again() {
     for (std::vector<StripPair>& of_frame : pass.strips) of_frame.clear();
   }
   rounds_ = 0;
+}
+
+bool PairedFrames::runs(size_t pass, size_t frame) const {
+  if (frame > 0) return !passes_[pass].same[frame];
+  const std::vector<bool>& same = passes_[pass].same;
+  return rounds_ < rounds_a_frame || std::find(same.begin() + 1, same.end(), false) != same.end();
 }
 
 void PairedFrames::run_round(std::mt19937_64& random) {
@@ -88,7 +96,7 @@ void PairedFrames::run_round(std::mt19937_64& random) {
         for (size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);  // Fisher and Yates
         for (size_t turn = 0; turn < order.size(); ++turn) {
           const size_t frame = order[turn];
-          if (piece >= how.pieces[frame].size()) continue;
+          if (piece >= how.pieces[frame].size() || !runs(pass, frame)) continue;
           pieces.push_back(how.pieces[frame][piece]);
           owners.push_back({pass, frame, turn});
         }

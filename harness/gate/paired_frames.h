@@ -23,6 +23,9 @@ inline constexpr size_t rounds_a_frame = 4;
 struct PairedPass {
   std::string name;
   bool cut = false;  // else every round takes all of it
+  // [frame]: whether it is known to be the same as frame 0's, and so not run for that frame. Where all others are, frame 0's
+  // runs for the first whole frame alone, which tells how much of the frame it is.
+  std::vector<bool> same;
   // [frame][round]: the sum over the strips of this round; empty for a frame that has no such pass.
   std::vector<std::vector<double>> ms;
   // [frame]: its strips in all rounds, beside those of frame 0; empty for frame 0, and where either has no such pass.
@@ -35,11 +38,15 @@ struct PieceOptions {
   uint32_t most_repeats = 4;  // of a pass that is shorter than a strip, in each round
 };
 
+struct PairedFrame {
+  Frame* frame = nullptr;  // must outlive its pairs and have run once
+  size_t same_passes = 0;  // from its first on, that are known to be the same as those of the first frame
+};
+
 class PairedFrames {
  public:
-  // The frames must outlive this and have run once. Passes are paired by name, and by order among those of one name; the first
-  // frame that has a pass decides how it is cut.
-  PairedFrames(Backend& backend, std::vector<Frame*> frames, size_t view, const PieceOptions& options = {});
+  // Passes are paired by name, and by order among those of one name; the first frame that has a pass decides how it is cut.
+  PairedFrames(Backend& backend, const std::vector<PairedFrame>& frames, size_t view, const PieceOptions& options = {});
 
   // Times the round's pieces of every frame; a pass that is repeated counts with the mean. Throws Error(failed) on device loss.
   void run_round(std::mt19937_64& random);
@@ -57,7 +64,8 @@ class PairedFrames {
     std::vector<std::vector<Pass>> pieces;  // [frame]
   };
   size_t pass_named(const std::string& name, size_t occurrence);
-  void cut(size_t frame, size_t view, const PieceOptions& options);
+  void cut(size_t frame, size_t same_passes, size_t view, const PieceOptions& options);
+  bool runs(size_t pass, size_t frame) const;  // in the next round
   struct Timed {
     double ms = 0;
     size_t turn = 0;  // among the frames of its strip

@@ -34,7 +34,7 @@ struct Key {
   auto operator<=>(const Key&) const = default;
 };
 
-// The passes that are judged by themselves: those of the frame before and after that take enough of it.
+// The passes that are judged by themselves: those of the frame before and after that take enough of it, and may differ.
 std::vector<Part> judged_parts(const PairsRow& row) {
   const size_t before = *index_of(row, frame_before), after = *index_of(row, frame_after);
   const double whole = sum_ms(row, before, whole_frame);
@@ -83,9 +83,11 @@ RatioEstimate estimate_of(const PairsRow& row, std::string_view frame, Part pass
   double before = 0, after = 0, square = 0;
   size_t strips = 0;
   for (const PairedPass& each : row.passes) {
-    const bool in_before = !each.ms[0].empty(), in_after = !each.ms[*at].empty();
+    const bool in_before = !each.ms[0].empty(), in_after = !each.ms[*at].empty() || each.same[*at];
     TimeEstimate here;
-    if (in_before && in_after) {
+    if (each.same[*at]) {
+      here.ms = whole_ms(each, 0).value_or(0);
+    } else if (in_before && in_after) {
       const RatioEstimate ratio = estimate_ratio(each.strips[*at]);
       here.ms = whole_ms(each, 0).value_or(0) * std::exp(ratio.log_ratio);
       here.error = here.ms * ratio.error;
@@ -184,7 +186,7 @@ Json to_json(const PairsRow& row) {
       for (const StripPair& pair : of_frame)
         pairs.push_back({rounded(pair.before), rounded(pair.after), pair.after_first ? 1 : 0});
     }
-    passes.push_back({{"name", pass.name}, {"cut", pass.cut}, {"ms", pass.ms}, {"strips", strips}});
+    passes.push_back({{"name", pass.name}, {"cut", pass.cut}, {"same", pass.same}, {"ms", pass.ms}, {"strips", strips}});
   }
   return {{"kind", "pairs"},        {"process", row.process}, {"backend", row.backend}, {"effect", row.effect},
           {"variant", row.variant}, {"view", row.view},       {"frames", row.frames},   {"passes", passes}};
@@ -197,8 +199,11 @@ PairsRow pairs_from_json(const nlohmann::json& line) {
   row.view = line.at("view");
   row.frames = line.at("frames").get<std::vector<std::string>>();
   for (const nlohmann::json& pass : line.at("passes")) {
-    PairedPass& paired = row.passes.emplace_back(
-        PairedPass{pass.at("name"), pass.at("cut"), pass.at("ms").get<std::vector<std::vector<double>>>(), {}});
+    PairedPass& paired = row.passes.emplace_back(PairedPass{pass.at("name"),
+                                                            pass.at("cut"),
+                                                            pass.at("same").get<std::vector<bool>>(),
+                                                            pass.at("ms").get<std::vector<std::vector<double>>>(),
+                                                            {}});
     for (const nlohmann::json& of_frame : pass.at("strips")) {
       std::vector<StripPair>& pairs = paired.strips.emplace_back();
       for (const nlohmann::json& pair : of_frame) pairs.push_back({pair.at(0), pair.at(1), pair.at(2) == 1});

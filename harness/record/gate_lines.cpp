@@ -87,8 +87,8 @@ void check_pairs(const Json& line, const std::string& where) {
          {"passes", array}},
         where);
   for (const Json& pass : line["passes"]) {
-    check(pass, {{"name", text}, {"cut", boolean}, {"ms", array}, {"strips", array}}, where, "passes.");
-    for (const char* field : {"ms", "strips"}) {
+    check(pass, {{"name", text}, {"cut", boolean}, {"same", booleans}, {"ms", array}, {"strips", array}}, where, "passes.");
+    for (const char* field : {"same", "ms", "strips"}) {
       if (pass[field].size() != line["frames"].size())
         refuse(where, fmt::format("pass '{}' has '{}' of {} frames, the line names {}", pass["name"].get<std::string>(), field,
                                   pass[field].size(), line["frames"].size()));

@@ -35,10 +35,13 @@ bool all_fit(const Json& value) {
   return true;
 }
 inline bool is_number(const Json& value) { return value.is_number(); }
+inline bool is_boolean(const Json& value) { return value.is_boolean(); }
 inline bool is_text(const Json& value) { return value.is_string(); }
 
 inline constexpr Type text = {is_text, "a string"};
-inline constexpr Type boolean = {[](const Json& v) { return v.is_boolean(); }, "true or false"};
+inline constexpr Type boolean = {is_boolean, "true or false"};
+inline constexpr Type booleans = {[](const Json& v) { return v.is_array() && all_fit<is_boolean>(v); },
+                                  "an array of true and false"};
 inline constexpr Type count = {[](const Json& v) { return v.is_number_unsigned(); }, "a whole number"};
 inline constexpr Type count_or_null = {[](const Json& v) { return v.is_null() || v.is_number_unsigned(); },
                                        "a whole number or null"};

@@ -170,14 +170,16 @@ Record gate_record() {
       strips[2].push_back({before, before * wiggle, strip / 2 % 2});
       for (Json& of_frame : ms) of_frame.push_back(before);
     }
-    record.pairs.push_back({{"kind", "pairs"},
-                            {"process", process},
-                            {"backend", "vulkan"},
-                            {"effect", "layered_material"},
-                            {"variant", "vertex_normal"},
-                            {"view", "front"},
-                            {"frames", {"before", "after", "again"}},
-                            {"passes", {{{"name", "composite"}, {"cut", true}, {"ms", ms}, {"strips", strips}}}}});
+    record.pairs.push_back(
+        {{"kind", "pairs"},
+         {"process", process},
+         {"backend", "vulkan"},
+         {"effect", "layered_material"},
+         {"variant", "vertex_normal"},
+         {"view", "front"},
+         {"frames", {"before", "after", "again"}},
+         {"passes",
+          {{{"name", "composite"}, {"cut", true}, {"same", {false, false, false}}, {"ms", ms}, {"strips", strips}}}}});
   }
   return record;
 }

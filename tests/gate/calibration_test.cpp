@@ -30,7 +30,7 @@ TEST(ShareInterval, EndsAreWhereTheShareIsJustLikely) {
 std::vector<PairsRow> pairs_with(double ratio) {
   std::vector<PairsRow> rows;
   for (size_t process = 0; process < 3; ++process) {
-    PairedPass pass{"composite", true, {{}, {}}, {{}, {}}};
+    PairedPass pass{"composite", true, {false, false}, {{}, {}}, {{}, {}}};
     for (int round = 0; round < 16; ++round) {
       const double here = ratio * (round % 2 == 0 ? 1.001 : 0.999);
       pass.ms[0].push_back(10), pass.ms[1].push_back(10 * here);

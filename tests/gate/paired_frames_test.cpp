@@ -100,7 +100,7 @@ TEST_P(Pieces, AnAreaOutsideTheTargetsIsRefused) {
 
 TEST_P(Pieces, RoundsHoldASampleOfEveryPassOfEveryFrame) {
   Frame &a = ready("light_map"), &b = ready("light_map");
-  PairedFrames paired(*backend_, {&a, &b}, 0, {.piece_ms = 1e-4, .most_strips = 8, .most_repeats = 1});
+  PairedFrames paired(*backend_, {{&a}, {&b}}, 0, {.piece_ms = 1e-4, .most_strips = 8, .most_repeats = 1});
   std::mt19937_64 random(1);
   for (int round = 0; round < 8; ++round) paired.run_round(random);
   EXPECT_EQ(paired.rounds(), 8u);
@@ -135,12 +135,35 @@ TEST_P(Pieces, RoundsHoldASampleOfEveryPassOfEveryFrame) {
 
 TEST_P(Pieces, FramesOfDifferentPassesArePairedByName) {
   Frame &a = ready("light_map"), &b = ready("vertex_normal");
-  PairedFrames paired(*backend_, {&a, &b}, 0);
+  PairedFrames paired(*backend_, {{&a}, {&b}}, 0);
   std::mt19937_64 random(1);
   paired.run_round(random);
   for (const PairedPass& pass : paired.passes()) {
     EXPECT_EQ(pass.ms[0].size(), 1u) << pass.name;
     EXPECT_EQ(pass.ms[1].size(), pass.name == "composite" ? 1u : 0u) << pass.name;
+  }
+}
+
+// What is known to be the same is run for no other frame, and for the first only until it is known how long it lasts, or while
+// a third frame is compared with it.
+TEST_P(Pieces, PassesThatAreTheSameAreNotRunAgain) {
+  Frame &a = ready("light_map"), &b = ready("light_map"), &c = ready("light_map");
+  const size_t passes = a.frame_names().size();
+  ASSERT_GE(passes, 3u);
+  const PieceOptions pieces{.piece_ms = 1e-4, .most_strips = 8, .most_repeats = 1};
+  PairedFrames two(*backend_, {{&a}, {&b, passes - 1}}, 0, pieces), three(*backend_, {{&a}, {&b, passes - 1}, {&c}}, 0, pieces);
+  std::mt19937_64 random(1);
+  for (int round = 0; round < 8; ++round) two.run_round(random), three.run_round(random);
+  for (size_t i = 0; i < passes; ++i) {
+    const bool same = i + 1 < passes;
+    EXPECT_EQ(two.passes()[i].same, (std::vector<bool>{false, same}));
+    EXPECT_EQ(two.passes()[i].ms[0].size(), same ? rounds_a_frame : 8u);
+    EXPECT_EQ(two.passes()[i].ms[1].size(), same ? 0u : 8u);
+    EXPECT_EQ(two.passes()[i].strips[1].empty(), same);
+    EXPECT_TRUE(whole_ms(two.passes()[i], 0));
+    EXPECT_EQ(three.passes()[i].ms[0].size(), 8u);
+    EXPECT_EQ(three.passes()[i].ms[1].size(), same ? 0u : 8u);
+    EXPECT_EQ(three.passes()[i].ms[2].size(), 8u);
   }
 }
 
@@ -166,24 +189,31 @@ class ChangedTrees : public Pieces {
       const PassCounts now = frame.frame_counts().back(), was = counting.frame_counts().back();
       const auto more = more_fetches.find(variant.name);
       EXPECT_EQ(now.fetches(), was.fetches() + (more == more_fetches.end() ? 0 : more->second * was.fragments)) << variant.name;
-      identities_.emplace_back(identity_of(variant, graph), identity_of(variant, ready_.back()->graph));
+      identities_[variant.name] = {identity_of(variant, graph), identity_of(this->variant(variant.name), ready_.back()->graph)};
     }
   }
   std::filesystem::path folder_;
-  std::vector<std::pair<std::string, std::string>> identities_;  // of each variant, here and in the product
+  std::map<std::string, std::pair<Identity, Identity>> identities_;  // of each variant, here and in the product
 };
 INSTANTIATE_TEST_SUITE_P(Backends, ChangedTrees, backend_parameters, backend_test_name);
 
 TEST_P(ChangedTrees, ExtraTapsAreCountedAndChangeNoPicture) {
   write_slower_tree(LAMINA_SOURCE_DIR, folder_, variant("light_map"), "composite", 5);
   expect_same_pictures({{"light_map", 5}});
+  EXPECT_EQ(same_passes(identities_["light_map"].first, identities_["light_map"].second), 0u) << "its manifest is another";
 }
 
 TEST_P(ChangedTrees, OtherCodeIsOtherCodeInEveryVariant) {
   write_changed_tree(LAMINA_SOURCE_DIR, folder_, library().effect("layered_material"), "composite");
   expect_same_pictures({});
   EXPECT_EQ(identities_.size(), 3u);
-  for (const auto& [here, before] : identities_) EXPECT_NE(here, before);
+  for (const auto& [name, identities] : identities_) {
+    const auto& [here, before] = identities;
+    EXPECT_FALSE(here == before) << name;
+    ASSERT_GE(here.frame_passes.size(), 1u);
+    EXPECT_EQ(same_passes(here, before), here.frame_passes.size() - 1) << "all but the last, composite";
+    EXPECT_EQ(same_passes(here, here), here.frame_passes.size());
+  }
 }
 
 // A variant of another tree would be changed there.

@@ -13,7 +13,7 @@ namespace {
 
 // A pass that took these times in each of twelve rounds: before, after and before again, a strip a round.
 PairedPass pass_of(const char* name, bool cut, double before, double after, double again) {
-  PairedPass pass{name, cut, {}, std::vector<std::vector<StripPair>>(3)};
+  PairedPass pass{name, cut, std::vector<bool>(3), {}, std::vector<std::vector<StripPair>>(3)};
   for (const double ms : {before, after, again}) pass.ms.emplace_back(12, ms);
   for (int round = 0; round < 12; ++round) {
     pass.strips[1].push_back({before, after, round % 2 == 0});
@@ -136,6 +136,25 @@ TEST(Estimates, PassesOfOneFrameAloneCountWithTheirTimes) {
   EXPECT_NEAR(std::exp(estimate_of(row, "after").log_ratio), 44 / 41.0, 1e-12);
 }
 
+// A pass whose code is the same was not run after: it counts as it was before, without an error, and is not judged.
+TEST(Estimates, PassesThatAreTheSameCountAsBefore) {
+  std::vector<PairsRow> rows = pairs(1, 1);
+  for (PairsRow& row : rows) {
+    PairedPass& large = row.passes[1];
+    large.same[1] = true, large.ms[1].clear(), large.strips[1].clear();
+    large.ms[0].resize(4);  // one whole frame tells how long it lasts
+    for (StripPair& strip : row.passes[0].strips[1]) strip.after = 5;
+    EXPECT_NEAR(std::exp(estimate_of(row, "after").log_ratio), (40 + 5) / 41.0, 1e-12);
+    row.passes[0].ms[1].assign(12, 5);
+  }
+  const TimeReport report = judge_pairs(rows, {}, 0.05);
+  ASSERT_TRUE(find(report, ""));
+  EXPECT_EQ(find(report, "")->verdict, Verdict::slower);
+  EXPECT_FALSE(find(report, "large"));
+  const PairsRow back = pairs_from_json(nlohmann::json::parse(to_json(rows[0]).dump()));
+  EXPECT_EQ(back.passes[1].same, (std::vector<bool>{false, true, false}));
+}
+
 TEST(Estimates, TheWorstErrorIsOverTheMargin) {
   PairsRow row = pairs(1, 1).front();
   EXPECT_NEAR(worst_error(row, {}), 0, 1e-9);
@@ -148,11 +167,11 @@ TEST(Estimates, TheWorstErrorIsOverTheMargin) {
 
 // Cut: kinds of rounds lie over different strips, so the whole is the sum of the kinds' medians.
 TEST(WholeTime, SumsTheKindsOfRounds) {
-  PairedPass pass{"p", true, {{1, 2, 3, 4, 1, 2, 3, 40, 1, 2, 3, 4}}, {}};
+  PairedPass pass{"p", true, {false}, {{1, 2, 3, 4, 1, 2, 3, 40, 1, 2, 3, 4}}, {}};
   EXPECT_DOUBLE_EQ(*whole_ms(pass, 0), 10);
   pass.cut = false;
   EXPECT_DOUBLE_EQ(*whole_ms(pass, 0), 2.5);
-  EXPECT_FALSE(whole_ms({"p", true, {{1, 2, 3}}, {}}, 0));
+  EXPECT_FALSE(whole_ms({"p", true, {false}, {{1, 2, 3}}, {}}, 0));
 }
 
 }  // namespace

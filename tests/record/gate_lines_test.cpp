@@ -106,7 +106,7 @@ Json pairs() {
           {"variant", "v"},
           {"view", "front"},
           {"frames", {"before", "after"}},
-          {"passes", {{{"name", "p"}, {"cut", true}, {"ms", ms}, {"strips", strips}}}}};
+          {"passes", {{{"name", "p"}, {"cut", true}, {"same", {false, false}}, {"ms", ms}, {"strips", strips}}}}};
 }
 
 TEST_F(GateLines, PairsOfTimesAreReadAndEveryFieldOfThemIsChecked) {
@@ -122,6 +122,8 @@ TEST_F(GateLines, PairsOfTimesAreReadAndEveryFieldOfThemIsChecked) {
     expect_refused({run(), line}, words);
   };
   refused("cut", 1, "'passes.cut'");
+  refused("same", Json::array({false}), "'same' of 1 frames");
+  refused("same", {false, 1}, "'passes.same'");
   refused("ms", {{1.5}}, "'ms' of 1 frames");
   refused("ms", {{1.5}, {"x"}}, "'passes.ms'");
   refused("strips", Json::array({Json::array()}), "'strips' of 1 frames");

@@ -33,6 +33,7 @@ Json pairs_of(size_t process, Json after, Json again, const std::string& backend
           {"passes",
            {{{"name", "composite"},
              {"cut", true},
+             {"same", {false, false, false}},
              {"ms", {none, none, none}},
              {"strips", {none, std::move(after), std::move(again)}}}}}};
 }
