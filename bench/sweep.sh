@@ -11,24 +11,22 @@ rm -rf "$folder/heart"
 "$program" sweep heart --set objects.heart.thickness=0:32:1 --size 512x512 --fetches none --pictures none --out "$folder/heart" |
   grep 'times device'
 
+times=$folder/times
+rm -f "$times"
 for run in 1 2 3; do
   for points in 10 155 300; do
     rm -rf "$folder/points"
-    LP_NUM_THREADS=0 /usr/bin/time -f "$run $points %U %S %M" -a -o "$folder/times.$$" "$program" sweep open_plane \
+    LP_NUM_THREADS=0 /usr/bin/time -f "$points %U %S %M" -a -o "$times" "$program" sweep open_plane \
       --set "lights.sun.intensity=1:$points:1" --view above --size 128x128 --truth-rays 0 --backend vulkan --fetches none \
       --pictures none --out "$folder/points" >/dev/null
   done
 done
-awk '{ cpu[$1, $2] = $3 + $4; if ($5 > most[$2]) most[$2] = $5 }
-  function middle(from, to,    run, i, other, all) {
-    for (run = 1; run <= 3; ++run) all[run] = 1000 * (cpu[run, to] - cpu[run, from]) / (to - from)
-    for (run = 1; run <= 3; ++run)
-      for (i = 1; i < run; ++i) if (all[run] < all[i]) { other = all[run]; all[run] = all[i]; all[i] = other }
-    return all[2]
-  }
-  END {
-    early = middle(10, 155); late = middle(155, 300)
-    printf "a point costs %.2f ms of CPU after the 10th, %.2f ms after the 155th: %.3f times as much\n", early, late, late / early
-    printf "10 points take at most %.1f MiB, 300 points %.1f MiB\n", most[10] / 1024, most[300] / 1024
-  }' "$folder/times.$$"
-rm -f "$folder/times.$$"
+# Milliseconds of CPU for a point between two lengths of sweep, of which the shorter was run first; the middle of the runs.
+a_point() {
+  awk -v from="$1" -v to="$2" '$1 == from { before = $2 + $3 } $1 == to { print 1000 * ($2 + $3 - before) / (to - from) }' \
+    "$times" | sort -g | sed -n 2p
+}
+most_mib() { awk -v points="$1" '$1 == points && $4 > most { most = $4 } END { printf "%.1f", most / 1024 }' "$times"; }
+awk -v early="$(a_point 10 155)" -v late="$(a_point 155 300)" 'BEGIN {
+  printf "a point costs %.2f ms of CPU after the 10th, %.2f ms after the 155th: %.3f times as much\n", early, late, late / early }'
+echo "10 points take at most $(most_mib 10) MiB, 300 points $(most_mib 300) MiB"

@@ -4,7 +4,7 @@
 set(PAGE ${PROJECT_SOURCE_DIR}/reports/page)
 # One script in this order: what the later files call stands in the earlier ones.
 set(PAGE_SCRIPTS)
-foreach(name data controls chart_frame pareto passes sweeps pixels magnifier pictures strips samples functions)
+foreach(name data controls chart_frame pareto passes sweeps pixels magnifier pictures strip_plot strips samples functions)
   list(APPEND PAGE_SCRIPTS ${PAGE}/${name}.js)
 endforeach()
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PAGE}/package-lock.json ${PAGE}/style.css ${PAGE_SCRIPTS})

@@ -3,10 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "harness/core/error.h"
-#include "reports/words.h"
 
 namespace lamina {
 namespace {

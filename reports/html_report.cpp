@@ -2,8 +2,9 @@
 // The page: the answer in words, the tables, the charts, the pictures, and what was run.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reports/functions.h"
-#include "reports/gate_strips.h"
 #include "reports/html.h"
 
 namespace lamina {
@@ -82,14 +83,9 @@ std::string picture_tag(const std::string& path, const std::string& alt, const P
 }
 
 std::string html_charts(const std::vector<Record>& records) {
-  std::string html;
-  bool cells = false, sweeps = false, strips = false;
-  for (const Record& record : records) {
-    cells = cells || !record.cells.empty();
-    sweeps = sweeps || !record.sweeps.empty();
-    strips = strips || !gate_strips(record).empty();
-  }
-  if (!cells) return "";
+  if (std::ranges::all_of(records, [](const Record& record) { return record.cells.empty(); })) return "";
+  const bool sweeps = std::ranges::any_of(records, [](const Record& record) { return !record.sweeps.empty(); });
+  const nlohmann::json data = page_data(records);
   struct Section {
     const char *name, *title, *without_script;
     bool shown = true;
@@ -106,13 +102,14 @@ std::string html_charts(const std::vector<Record>& records) {
       {"strips", "Every strip of the gate",
        "This chart is drawn by a script; record.jsonl holds every strip, and the table of what each process measured their "
        "ratios.",
-       strips}};
+       !data.at("strips").empty()}};
+  std::string html;
   for (const Section& section : sections)
     if (section.shown)
       html +=
           fmt::format("<section class=\"drawn\" id=\"{}\"><h2>{}</h2><noscript><p class=\"note\">{}</p></noscript></section>\n",
                       section.name, section.title, escaped_html(section.without_script));
-  return html + fmt::format("<script type=\"application/json\" id=\"page-data\">{}</script>\n", for_script(page_data(records)));
+  return html + fmt::format("<script type=\"application/json\" id=\"page-data\">{}</script>\n", for_script(data));
 }
 
 std::string html_report(const std::vector<Record>& records, const PictureUrl& url) {

@@ -71,9 +71,8 @@ struct GateOptions {
   size_t processes = 5;            // at least, on each backend: each lays out code and memory anew
   double family_error = 0.05;      // chance of any wrong verdict on times
   bool times = true;
-  // Backends at the same time: software rasterizers that run in the caller's thread. A strip's ratio to its twin then
-  // spreads by 3 to 7% (between quartiles) where that of two threads, which share tiles by chance, does by 10%, and two cores
-  // measure twice as much.
+  // Backends at the same time: software rasterizers that run in the caller's thread. Two threads share tiles by chance, which
+  // spreads the ratio of a strip to its twin; one each spreads it less, and two cores measure twice as much.
   bool side_by_side = false;
   bool exact = true, certify = true;  // counts, pictures and errors; the timer
   bool calibrate = false;

@@ -33,7 +33,8 @@ GateNames names_in(const TreePair& trees, const GateOptions& options) {
 // The cell with the picture of the same cell before the change, where there is one.
 nlohmann::ordered_json with_picture_before(const nlohmann::json& cell, const std::vector<nlohmann::json>& cells_before) {
   nlohmann::ordered_json line = cell;
-  const nlohmann::json before = find_cell(cells_before, cell.at("backend"), cell.at("variant"), cell.at("view"));
+  const nlohmann::json before =
+      find_cell(cells_before, cell.at("backend"), cell.at("effect"), cell.at("variant"), cell.at("view"));
   if (!before.is_null() && before.at("image") != "") line["before_image"] = before.at("image");
   return line;
 }

@@ -54,7 +54,8 @@ void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOpt
 // What the processes of a gate have handed over, in record form.
 struct GateMeasurements {
   std::vector<nlohmann::json> timers, cells_before, cells_after;
-  std::map<std::tuple<std::string, std::string, std::string>, PictureFacts> facts;  // by backend, variant, view
+  // By backend, effect, variant and view.
+  std::map<std::tuple<std::string, std::string, std::string, std::string>, PictureFacts> facts;
   std::vector<PairsRow> pairs;
   std::vector<VerdictRow> failures;  // of backends and processes
   size_t processes = 0;
@@ -73,8 +74,8 @@ GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, cons
 TreePair pair_trees(const Scene& scene, Library before, Library after, const GateOptions& options);
 
 // The cell of these among `cells`; null where there is none.
-nlohmann::json find_cell(const std::vector<nlohmann::json>& cells, const std::string& backend, const std::string& variant,
-                         const std::string& view);
+nlohmann::json find_cell(const std::vector<nlohmann::json>& cells, const std::string& backend, const std::string& effect,
+                         const std::string& variant, const std::string& view);
 
 // All verdicts on two trees.
 struct GateResult {

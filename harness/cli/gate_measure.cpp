@@ -36,7 +36,8 @@ void compare_exactly(GateProcess& process, TreePair& trees, const std::string& e
     const auto was = before.find({variant, view});
     const PictureFacts facts = picture_facts(picture, was != before.end() ? &was->second : nullptr);
     emit({{"facts",
-           {{"variant", variant},
+           {{"effect", effect},
+            {"variant", variant},
             {"view", trees.scene.views[view].name},
             {"range", facts.range},
             {"most_change", facts.most_change ? Json(*facts.most_change) : Json(nullptr)}}}});

@@ -75,7 +75,7 @@ void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements
     if (line.contains("pairs")) measured.pairs.push_back(pairs_from_json(line["pairs"]));
     if (line.contains("facts")) {
       const nlohmann::json& from = line["facts"];
-      PictureFacts& facts = measured.facts[{task.backend, from["variant"], from["view"]}];
+      PictureFacts& facts = measured.facts[{task.backend, from["effect"], from["variant"], from["view"]}];
       facts.range = from["range"];
       if (!from["most_change"].is_null()) facts.most_change = from["most_change"].get<double>();
     }
@@ -149,22 +149,24 @@ GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, cons
       [&](const std::vector<PairsRow>& pairs) { return judge_pairs(pairs, limits, options.family_error).undecided; });
 }
 
-nlohmann::json find_cell(const std::vector<nlohmann::json>& cells, const std::string& backend, const std::string& variant,
-                         const std::string& view) {
+nlohmann::json find_cell(const std::vector<nlohmann::json>& cells, const std::string& backend, const std::string& effect,
+                         const std::string& variant, const std::string& view) {
   for (const nlohmann::json& cell : cells)
-    if (cell.at("backend") == backend && cell.at("variant") == variant && cell.at("view") == view) return cell;
+    if (cell.at("backend") == backend && cell.at("effect") == effect && cell.at("variant") == variant &&
+        cell.at("view") == view)
+      return cell;
   return nullptr;
 }
 
 namespace {
 
 CellPair cells_of(const VariantPair& pair, const std::string& backend, const GateMeasurements& measured, const Scene& scene) {
-  const std::string& name = pair.after ? pair.after->name : pair.before->name;
+  const VariantManifest& variant = pair.after ? *pair.after : *pair.before;
   CellPair cells;
   for (const View& view : scene.views) {
-    cells.before.push_back(find_cell(measured.cells_before, backend, name, view.name));
-    cells.after.push_back(find_cell(measured.cells_after, backend, name, view.name));
-    const auto facts = measured.facts.find({backend, name, view.name});
+    cells.before.push_back(find_cell(measured.cells_before, backend, variant.effect, variant.name, view.name));
+    cells.after.push_back(find_cell(measured.cells_after, backend, variant.effect, variant.name, view.name));
+    const auto facts = measured.facts.find({backend, variant.effect, variant.name, view.name});
     if (facts != measured.facts.end()) cells.facts.push_back(facts->second);
   }
   if (cells.facts.size() != cells.after.size()) cells.facts.clear();

@@ -3,8 +3,8 @@
 // some milliseconds, and a strip of one frame is timed right beside the same strip of the others, in shuffled order: the speed
 // of a shared machine wanders by tens of percent within a second, but hardly within a strip. What the strips say of a ratio:
 // ratio_estimate.h. A strip runs the pass's vertices again, so that a change of its fragments reads smaller than it is of the
-// whole pass and one of its vertices larger: on the heart at 512x512, where 64 strips would take a fifth off the former, 16
-// take about a tenth, and tell as much in the same time.
+// whole pass and one of its vertices larger: on the heart at 512x512 64 strips would take a fifth off the former, while 16 take
+// a twentieth and tell as much in the same time.
 #pragma once
 
 #include <optional>

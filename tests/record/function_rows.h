@@ -56,14 +56,4 @@ inline FunctionPictureRow example_picture(FunctionSubject subject) {
           .full_error = 0.16};
 }
 
-inline TimerRow example_certificate(bool ok = true) {
-  return {.backend = "vulkan",
-          .ok = ok,
-          .linearity = {1, 1.01, 0.98, 1.02},
-          .one_ms = 40,
-          .additivity = 1.001,
-          .attribution = 0.02,
-          .reason = ok ? "" : "2x work took 0.9 of linear"};
-}
-
 }  // namespace lamina

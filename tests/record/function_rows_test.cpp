@@ -11,6 +11,7 @@
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/record/record.h"
+#include "tests/record/example_timer.h"
 
 namespace lamina {
 namespace {
@@ -41,7 +42,7 @@ Json phase() {
 
 std::vector<Json> every_kind() {
   return {to_json(example_function(example_subject(), 0.5)), to_json(example_time(example_subject(), 2)),
-          to_json(example_picture(example_subject())), function_timer_line("cap_intersection", example_certificate())};
+          to_json(example_picture(example_subject())), function_timer_line("cap_intersection", example_timer("vulkan"))};
 }
 
 TEST(FunctionToJson, HoldsWhatTheRowHolds) {

@@ -7,6 +7,7 @@
 
 #include "harness/record/record.h"
 #include "reports/reports.h"
+#include "tests/record/example_timer.h"
 
 namespace lamina {
 
@@ -41,15 +42,6 @@ inline CellRow example_cell(std::string variant, std::string view, std::vector<d
   }
   cell.image_hash = "0123456789abcdef";
   return cell;
-}
-
-inline TimerRow example_timer(std::string backend, bool ok = true) {
-  return {.backend = std::move(backend),
-          .ok = ok,
-          .linearity = {1, 1.01, 0.99, ok ? 1.0 : 1.4},
-          .additivity = 0.98,
-          .attribution = 0.015,
-          .reason = ok ? "" : "8x work took 1.4 of linear"};
 }
 
 inline Record example_record(const std::vector<CellRow>& cells, const std::vector<TimerRow>& timers = {example_timer("vulkan")},
