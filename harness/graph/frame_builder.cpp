@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdlib>
 
 #include "harness/core/text.h"
+#include "harness/graph/spec_constants.h"
 #include "harness/graph/uniforms.h"
 
 namespace lamina {
@@ -23,26 +23,6 @@ bool reads_target(const GraphDraw& draw, const std::string& name) {
   return std::any_of(draw.reads.begin(), draw.reads.end(), [&](const ResolvedRead& read) {
     return (read.source.kind == Source::Kind::target || read.source.kind == Source::Kind::frame) && read.source.name == name;
   });
-}
-
-uint32_t constant_bits(const SpecConstantInfo& constant, const std::string& text, const std::string& where) {
-  const char* begin = text.c_str();
-  char* end = nullptr;
-  const double value = text == "true" ? 1 : text == "false" ? 0 : std::strtod(begin, &end);
-  if (end && (end == begin || *end))
-    throw Error(ErrorKind::bad_input, "variants", where,
-                fmt::format("constant '{}' must be a number, not '{}'", constant.name, text));
-  switch (constant.type) {
-    case SpecConstantInfo::Type::boolean:
-      return value != 0;
-    case SpecConstantInfo::Type::integer:
-      return static_cast<uint32_t>(static_cast<int32_t>(value));
-    case SpecConstantInfo::Type::unsigned_integer:
-      return static_cast<uint32_t>(value);
-    case SpecConstantInfo::Type::real:
-      return std::bit_cast<uint32_t>(static_cast<float>(value));
-  }
-  return 0;
 }
 
 std::string label_of(const GraphPass& pass, const Scene& scene, std::optional<size_t> object) {
@@ -251,7 +231,7 @@ PipelineId FrameBuilder::pipeline(const GraphPass& pass, const GraphDraw& draw, 
   for (const std::string& name : pass.pass->writes)
     if (!into.colors.empty()) desc.colors.push_back(target(pass, name, draw.object).format);
   if (into.depth) desc.depth_format = Format::d32_float;
-  desc.constants = constants(pass, draw);
+  desc.constants = spec_constants(pass, draw, parameters_);
   desc.blend = pass.pass->blend;
   desc.depth = pass.pass->depth;
   desc.cull = pass.pass->cull;
@@ -286,21 +266,6 @@ void FrameBuilder::count(const GraphPass& pass, const GraphDraw& draw, Frame::St
   }
   desc.bindings.push_back({binding, BindingKind::storage_buffer});
   command.buffers.push_back({binding, {}, BindingKind::storage_buffer});
-}
-
-std::vector<SpecConstant> FrameBuilder::constants(const GraphPass& pass, const GraphDraw& draw) const {
-  std::vector<SpecConstant> values;
-  for (const auto& stage : draw.stages)
-    for (const SpecConstantInfo& constant : stage->reflection.constants) {
-      std::optional<std::string> text;
-      if (const auto found = pass.pass->constants.find(constant.name); found != pass.pass->constants.end())
-        text = found->second;
-      for (const ParameterManifest& parameter : pass.variant->parameters)
-        if (parameter.name == constant.name) text = fmt::format("{}", parameter.value);
-      if (const auto set = parameters_.find(constant.name); set != parameters_.end()) text = fmt::format("{}", set->second);
-      if (text) values.push_back({constant.id, constant_bits(constant, *text, pass.pass->where)});
-    }
-  return values;
 }
 
 FrameBuilder::Target& FrameBuilder::target(const GraphPass& pass, const std::string& name, Object object) {

@@ -44,7 +44,6 @@ class FrameBuilder {
   void bind(const GraphPass& pass, const GraphDraw& draw, BufferId pass_uniforms, Draw& command);
   PipelineId pipeline(const GraphPass& pass, const GraphDraw& draw, const Pass& into, Frame::Step& step, Draw& command);
   void count(const GraphPass& pass, const GraphDraw& draw, Frame::Step& step, PipelineDesc& desc, Draw& command);
-  std::vector<SpecConstant> constants(const GraphPass& pass, const GraphDraw& draw) const;
   uint32_t repetitions(const GraphPass& pass);
   void give_counters(Frame::Step& step, size_t first_pass, Frame::Sequence& sequence);
 
