@@ -92,7 +92,7 @@ void BackendRun::score_view(Variant& variant, size_t view, const Image& picture,
     write_png((options_.out / path).string(), image);
     return path;
   };
-  fill_picture(row, picture, write);
+  fill_picture(row, picture, variant.covered[view], write);
   if (row.nonfinite_pixels == 0)
     truth_.score(*variant.manifest, view, picture, row, write, [&](double fraction) {
       progress.show(fraction, "casting rays for the truth of view " + resources_.scene().views[view].name);

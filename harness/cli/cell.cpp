@@ -129,10 +129,11 @@ std::string picture_name(const CellRow& row, const std::string& suffix) {
   return file_name_of(fmt::format("{}-{}-{}-{}{}", row.effect, row.variant, row.backend, row.view, suffix)) + ".png";
 }
 
-void fill_picture(CellRow& row, const Image& picture, const KeepPicture& keep) {
+void fill_picture(CellRow& row, const Image& picture, const Mask& covered, const KeepPicture& keep) {
   if (keep) row.image = keep("", to_display(with_marked_nonfinite(picture)));
   row.image_hash = linear_hash(picture);
   row.nonfinite_pixels = nonfinite_pixels(picture);
+  if (row.nonfinite_pixels == 0 && row.covered_pixels > 0) row.range_linear = range_linear(picture, &covered);
 }
 
 void fill_errors(CellRow& row, const Image& picture, const Image& baseline, const Mask& covered, const KeepPicture& keep) {

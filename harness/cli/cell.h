@@ -34,8 +34,8 @@ using KeepPicture = std::function<std::string(const std::string& suffix, const D
 // The name of a cell's picture, "" of its own, made of what identifies the cell within a record of one point.
 std::string picture_name(const CellRow& row, const std::string& suffix);
 
-// The picture itself: its hash, its non-finite pixels, shown in magenta.
-void fill_picture(CellRow& row, const Image& picture, const KeepPicture& keep);
+// The picture itself: its hash, its range over `covered`, its non-finite pixels, shown in magenta.
+void fill_picture(CellRow& row, const Image& picture, const Mask& covered, const KeepPicture& keep);
 // Its errors against the baseline's picture, over `covered` and the frame. None where either has a pixel that is not finite, or
 // the effect covers nothing.
 void fill_errors(CellRow& row, const Image& picture, const Image& baseline, const Mask& covered, const KeepPicture& keep);

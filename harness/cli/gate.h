@@ -2,9 +2,9 @@
 // What the commands of the gate share: the options, the two trees, and what a process of measuring hands over.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
-#include <tuple>
 
 #include "harness/cli/commands.h"
 #include "harness/core/stopwatch.h"
@@ -27,8 +27,9 @@ struct VariantPair {
   const EffectManifest *effect_before = nullptr, *effect_after = nullptr;
   const VariantManifest *before = nullptr, *after = nullptr;
   bool same_code = false;
-  size_t same_passes = 0;  // of the frame, from its first on, whose code is the same too
-  std::string failure;     // of the one after, where it cannot even be compiled
+  bool same_errors = false;  // and so is that of the baseline and of the truth, which errors are against
+  size_t same_passes = 0;    // of the frame, from its first on, whose code is the same too
+  std::string failure;       // of the one after, where it cannot even be compiled
 };
 
 struct TreePair {
@@ -46,7 +47,7 @@ struct GateTask {
   double until_s = 0;    // seconds of this process's own clock, for everything; its least rounds are run in any case
 };
 
-// Runs in the child. Emits {"timer":..}, {"cell":..,"side":"before"|"after"}, {"facts":..}, {"pairs":..} and {"messages":..,
+// Runs in the child. Emits {"timer":..}, {"cell":..,"side":"before"|"after"}, {"change":..}, {"pairs":..} and {"messages":..,
 // "rounds_s":..} objects.
 void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOptions& options, const LimitsFile& limits,
                             const EmitLine& emit);
@@ -54,8 +55,7 @@ void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOpt
 // What the processes of a gate have handed over, in record form.
 struct GateMeasurements {
   std::vector<nlohmann::json> timers, cells_before, cells_after;
-  // By backend, effect, variant and view.
-  std::map<std::tuple<std::string, std::string, std::string, std::string>, PictureFacts> facts;
+  std::map<std::array<std::string, 4>, double> changes;  // most_change(), by backend, effect, variant and view
   std::vector<PairsRow> pairs;
   std::vector<VerdictRow> failures;  // of backends and processes
   size_t processes = 0;
@@ -69,6 +69,9 @@ struct GateMeasurements {
 // Runs processes on every backend until `options.processes` have run on each and times are precise, or the budget is spent.
 // `watch` began with the command.
 GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, const LimitsFile& limits, const Stopwatch& watch);
+
+// Whether the variant's cells are drawn and compared: they may differ, or the limits bound their errors.
+bool is_drawn(const VariantPair& pair, const Limits& limits);
 
 // The trees of `lamina gate SCENE --against DIR`. Throws Error(bad_input) where they have no variant in common.
 TreePair pair_trees(const Scene& scene, Library before, Library after, const GateOptions& options);

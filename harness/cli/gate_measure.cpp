@@ -9,15 +9,13 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-// Every pair of one effect whose code changed; its baselines are always compared.
-void compare_exactly(GateProcess& process, TreePair& trees, const std::string& effect, Progress& progress,
-                     const EmitLine& emit) {
+// Every variant of one effect that is to be drawn; its baselines always are.
+void compare_exactly(GateProcess& process, TreePair& trees, const std::string& effect, const LimitsFile& limits,
+                     Progress& progress, const EmitLine& emit) {
   CompareOptions only = process.options.compare;
   only.variants.clear();
   for (const VariantPair& pair : trees.variants)
-    if (pair.after && pair.after->effect == effect && (!pair.same_code || !pair.before) && pair.failure.empty())
+    if (pair.after && pair.after->effect == effect && is_drawn(pair, limits.of(effect, pair.after->name, process.task.backend)))
       only.variants.push_back(pair.after->name);
   if (only.variants.empty()) return;
   const auto run_tree = [&](Tree& tree, const char* side, const BackendRun::Taken& taken) {
@@ -33,14 +31,12 @@ void compare_exactly(GateProcess& process, TreePair& trees, const std::string& e
     before[{variant, view}] = picture;
   });
   run_tree(trees.after, "after", [&](const std::string& variant, size_t view, const Image& picture) {
-    const auto was = before.find({variant, view});
-    const PictureFacts facts = picture_facts(picture, was != before.end() ? &was->second : nullptr);
-    emit({{"facts",
-           {{"effect", effect},
-            {"variant", variant},
-            {"view", trees.scene.views[view].name},
-            {"range", facts.range},
-            {"most_change", facts.most_change ? Json(*facts.most_change) : Json(nullptr)}}}});
+    if (const auto was = before.find({variant, view}); was != before.end())
+      emit({{"change",
+             {{"effect", effect},
+              {"variant", variant},
+              {"view", trees.scene.views[view].name},
+              {"most", most_change(picture, was->second)}}}});
   });
 }
 
@@ -73,9 +69,9 @@ void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOpt
   if (task.exact) {
     std::set<std::string> effects;
     for (const VariantPair& pair : trees.variants)
-      if (pair.before && pair.after && !pair.same_code) effects.insert(pair.after->effect);
+      if (pair.after) effects.insert(pair.after->effect);
     Progress progress(task.backend + ", counts and pictures");
-    for (const std::string& effect : effects) compare_exactly(process, trees, effect, progress, emit);
+    for (const std::string& effect : effects) compare_exactly(process, trees, effect, limits, progress, emit);
   } else if (process.certified) {
     time_pairs(process, trees, limits, emit);
   }

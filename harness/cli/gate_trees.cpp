@@ -20,8 +20,12 @@ const VariantManifest* find_variant(const EffectManifest* effect, const std::str
 
 std::map<Api, Identity> identities(Tree& tree, const Scene& scene, const VariantManifest& variant) {
   std::map<Api, Identity> all;
-  for (auto& [api, shaders] : tree.shaders)
-    all[api] = identity_of(variant, make_graph(tree.plan, configuration_with(tree.plan, variant), scene, shaders));
+  const Configuration configuration = configuration_with(tree.plan, variant);
+  for (auto& [api, shaders] : tree.shaders) {
+    std::optional<Graph> truth;
+    if (has_truth_passes(variant)) truth = make_graph(tree.plan, configuration, scene, shaders, Purpose::truth);
+    all[api] = identity_of(variant, make_graph(tree.plan, configuration, scene, shaders), truth ? &*truth : nullptr);
+  }
   return all;
 }
 
@@ -38,7 +42,11 @@ void look_at_code(VariantPair& pair, Tree& before, Tree& after, const Scene& sce
     pair.failure = error.what();
   }
   if (was.empty() || now.empty()) return;
-  pair.same_code = was == now;
+  const auto same = [&](auto&& part) {
+    return std::ranges::all_of(was, [&](const auto& entry) { return part(entry.second) == part(now.at(entry.first)); });
+  };
+  pair.same_code = same([](const Identity& identity) { return std::pair(identity.whole, identity.frame_passes); });
+  pair.same_errors = pair.same_code && same([](const Identity& identity) { return identity.truth; });
   pair.same_passes = std::numeric_limits<size_t>::max();
   for (const auto& [api, identity] : was) pair.same_passes = std::min(pair.same_passes, same_passes(identity, now.at(api)));
 }
@@ -73,11 +81,9 @@ void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements
     if (line.contains("cell"))
       (line.value("side", "after") == "before" ? measured.cells_before : measured.cells_after).push_back(line["cell"]);
     if (line.contains("pairs")) measured.pairs.push_back(pairs_from_json(line["pairs"]));
-    if (line.contains("facts")) {
-      const nlohmann::json& from = line["facts"];
-      PictureFacts& facts = measured.facts[{task.backend, from["effect"], from["variant"], from["view"]}];
-      facts.range = from["range"];
-      if (!from["most_change"].is_null()) facts.most_change = from["most_change"].get<double>();
+    if (line.contains("change")) {
+      const nlohmann::json& of = line["change"];
+      measured.changes[{task.backend, of.at("effect"), of.at("variant"), of.at("view")}] = of.at("most");
     }
     if (!line.contains("messages")) continue;
     measured.rounds_s += line["rounds_s"].get<double>();
@@ -127,10 +133,22 @@ TreePair pair_trees(const Scene& scene, Library library_before, Library library_
         for (const VariantManifest& variant : side->variants)
           if (std::find(names.begin(), names.end(), variant.name) == names.end()) names.push_back(variant.name);
     all.insert(all.end(), names.begin(), names.end());
+    std::vector<VariantPair> pairs;
     for (const std::string& name : names) {
-      VariantPair pair{before, after, find_variant(before, name), find_variant(after, name), false, 0, ""};
+      VariantPair pair{before, after, find_variant(before, name), find_variant(after, name), false, false, 0, ""};
       if (!is_compared(pair.before ? *pair.before : *pair.after, options.compare)) continue;
       look_at_code(pair, trees.before, trees.after, scene);
+      pairs.push_back(std::move(pair));
+    }
+    // Errors are against a baseline, and a truth that some variants tell what the pixels show.
+    const auto is_reference = [](const VariantManifest* variant) {
+      return variant && (variant->baseline || has_truth_passes(*variant));
+    };
+    const bool same_references = std::ranges::all_of(pairs, [&](const VariantPair& pair) {
+      return pair.same_errors || !(is_reference(pair.before) || is_reference(pair.after));
+    });
+    for (VariantPair& pair : pairs) {
+      pair.same_errors = pair.same_errors && same_references;
       trees.variants.push_back(std::move(pair));
     }
   }
@@ -140,6 +158,11 @@ TreePair pair_trees(const Scene& scene, Library library_before, Library library_
     throw Error(ErrorKind::bad_input, "gate", options.against.string(),
                 "no variant that the scene calls for is in both trees, so there is nothing to compare");
   return trees;
+}
+
+bool is_drawn(const VariantPair& pair, const Limits& limits) {
+  const bool bounded = limits.baseline != ErrorLimits{} || limits.truth != ErrorLimits{};
+  return pair.after && pair.failure.empty() && (!pair.same_errors || bounded);
 }
 
 GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, const LimitsFile& limits, const Stopwatch& watch) {
@@ -166,10 +189,9 @@ CellPair cells_of(const VariantPair& pair, const std::string& backend, const Gat
   for (const View& view : scene.views) {
     cells.before.push_back(find_cell(measured.cells_before, backend, variant.effect, variant.name, view.name));
     cells.after.push_back(find_cell(measured.cells_after, backend, variant.effect, variant.name, view.name));
-    const auto facts = measured.facts.find({backend, variant.effect, variant.name, view.name});
-    if (facts != measured.facts.end()) cells.facts.push_back(facts->second);
+    const auto change = measured.changes.find({backend, variant.effect, variant.name, view.name});
+    cells.changes.push_back(change == measured.changes.end() ? std::nullopt : std::optional(change->second));
   }
-  if (cells.facts.size() != cells.after.size()) cells.facts.clear();
   return cells;
 }
 
@@ -182,17 +204,16 @@ VerdictRow row_about(const std::string& backend, const VariantPair& pair, std::s
   return row;
 }
 
-// What is judged without any cell; nothing where cells decide.
-std::optional<VerdictRow> judge_presence(const VariantPair& pair, const std::string& backend) {
+// What is known without any cell.
+std::optional<VerdictRow> judge_code(const VariantPair& pair, const std::string& backend) {
   const std::string name = fmt::format("{} on {}", pair.after ? pair.after->name : pair.before->name, backend);
   if (!pair.after) return row_about(backend, pair, "cell", Verdict::failed, name + " is gone: it was there before");
   if (!pair.failure.empty())
     return row_about(backend, pair, "cell", Verdict::failed, fmt::format("{} cannot be run: {}", name, pair.failure));
-  if (!pair.before)
-    return row_about(backend, pair, "cell", Verdict::not_compared, name + " is new: there is nothing to compare it with");
   if (pair.same_code)
     return row_about(backend, pair, "code", Verdict::same,
-                     name + ": the same code and passes as before, so nothing can differ");
+                     fmt::format("{}: the same code and passes as before, so {} can differ", name,
+                                 pair.same_errors ? "nothing" : "only its errors, to what has changed,"));
   return std::nullopt;
 }
 
@@ -205,21 +226,20 @@ GateResult judge_trees(const TreePair& trees, const GateMeasurements& measured, 
   for (const std::string& backend : options.compare.backends) {
     if (const nlohmann::json* timer = measured.timer(backend)) result.rows.push_back(judge_timer(*timer));
     for (const VariantPair& pair : trees.variants) {
-      if (auto row = judge_presence(pair, backend)) {
-        result.rows.push_back(std::move(*row));
-        continue;
-      }
+      if (auto row = judge_code(pair, backend)) result.rows.push_back(std::move(*row));
+      const VariantManifest& variant = pair.after ? *pair.after : *pair.before;
+      const Limits allowed = limits.of(variant.effect, variant.name, backend);
+      if (!is_drawn(pair, allowed)) continue;
       const CellPair cells = cells_of(pair, backend, measured, trees.scene);
       const auto missing = [](const std::vector<nlohmann::json>& side) {
         return std::all_of(side.begin(), side.end(), [](const nlohmann::json& cell) { return cell.is_null(); });
       };
       if (missing(cells.after) && missing(cells.before)) {
-        result.rows.push_back(row_about(backend, pair, "cell", Verdict::failed,
-                                        fmt::format("{} on {} was not measured", pair.after->name, backend)));
+        result.rows.push_back(
+            row_about(backend, pair, "cell", Verdict::failed, fmt::format("{} on {} was not measured", variant.name, backend)));
         continue;
       }
-      for (VerdictRow& row : judge_cells(cells, limits.of(pair.after->effect, pair.after->name, backend)))
-        result.rows.push_back(std::move(row));
+      for (VerdictRow& row : judge_cells(cells, allowed)) result.rows.push_back(std::move(row));
     }
   }
   if (options.times) {

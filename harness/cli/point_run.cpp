@@ -219,7 +219,7 @@ CellRow PointRun::score(Variant& variant, size_t view, const Image* baseline, bo
         return "images/" + pictures.back().name;
       };
     const Clock clock(spent_.metrics);
-    fill_picture(row, picture, keep);
+    fill_picture(row, picture, variant.prepared.front().covered[view], keep);
     if (row.nonfinite_pixels == 0)
       truth_->score(
           *variant.manifest, view, picture, row, keep ? keep : [](const auto&, const auto&) { return std::string(); },

@@ -2,7 +2,6 @@
 #include "harness/gate/exact_verdicts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -102,9 +101,10 @@ double value_of(const Json& error, const Figure& figure) {
   return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
 }
 
+// `before` may be null, here and below: then only what holds for every picture is judged.
 void judge_errors(const Subject& subject, const Json& before, const Json& after, const char* against, const ErrorLimits& bounds,
                   std::set<std::string>& changed) {
-  const Json& old_error = before.at("error").at(against);
+  const Json old_error = before.is_null() ? Json() : before.at("error").at(against);
   const Json& new_error = after.at("error").at(against);
   const std::string view = after.at("view");
   if (new_error.is_null()) {
@@ -139,10 +139,14 @@ void judge_errors(const Subject& subject, const Json& before, const Json& after,
   }
 }
 
-void judge_picture(const Subject& subject, const Json& before, const Json& after, const PictureFacts* facts, bool hashes_tell,
-                   std::set<std::string>& changed) {
+uint64_t count_at(const Json& cell, const char* field) { return cell.at(field).is_null() ? 0 : cell.at(field).get<uint64_t>(); }
+
+bool shows_something(const Json& cell) { return cell.contains("range_linear") && cell.at("range_linear") >= blank_range; }
+
+// Whether the picture shows something, and something finite.
+void judge_content(const Subject& subject, const Json& before, const Json& after, std::set<std::string>& changed) {
   const std::string view = after.at("view");
-  const auto nonfinite = after.at("nonfinite_pixels").is_null() ? 0 : after.at("nonfinite_pixels").get<uint64_t>();
+  const uint64_t nonfinite = count_at(after, "nonfinite_pixels"), covered = count_at(after, "covered_pixels");
   if (nonfinite > subject.limits.max_nonfinite_pixels) {
     changed.insert("nonfinite");
     VerdictRow& row =
@@ -150,18 +154,25 @@ void judge_picture(const Subject& subject, const Json& before, const Json& after
             fmt::format("{}: {} pixels are infinite or not a number", name_of_cell(subject, view), nonfinite), view);
     row.after = static_cast<double>(nonfinite), row.limit = static_cast<double>(subject.limits.max_nonfinite_pixels);
   }
-  const auto covered = [](const Json& cell) {
-    return cell.at("covered_pixels").is_null() ? 0 : cell.at("covered_pixels").get<uint64_t>();
-  };
-  if (covered(after) == 0 && covered(before) > 0) {
+  if (before.is_null()) return;
+  const uint64_t covered_before = count_at(before, "covered_pixels");
+  if (covered == 0 && covered_before > 0) {
     changed.insert("blank");
     add(subject, "blank", Verdict::failed,
-        fmt::format("{}: the effect covers no pixel, it covered {}", name_of_cell(subject, view), covered(before)), view);
-  } else if (facts && facts->range < blank_range && covered(before) > 0) {
+        fmt::format("{}: the effect covers no pixel, it covered {}", name_of_cell(subject, view), covered_before), view);
+  } else if (shows_something(before) && !shows_something(after) && nonfinite == 0) {
     changed.insert("blank");
     add(subject, "blank", Verdict::failed,
-        fmt::format("{}: the picture is blank: all its pixels are of one colour", name_of_cell(subject, view)), view);
+        fmt::format("{}: the picture is blank: all pixels that the effect covers are of one colour",
+                    name_of_cell(subject, view)),
+        view);
   }
+}
+
+// Whether it is the picture that was there before.
+void judge_change(const Subject& subject, const Json& before, const Json& after, const std::optional<double>& change,
+                  bool hashes_tell, std::set<std::string>& changed) {
+  const std::string view = after.at("view");
   const bool same_hash = before.at("image_hash") == after.at("image_hash");
   if (subject.limits.same_image && !same_hash) {
     changed.insert("image_hash");
@@ -170,8 +181,7 @@ void judge_picture(const Subject& subject, const Json& before, const Json& after
         view);
   }
   const double most = subject.limits.max_picture_change;
-  const bool measured = facts && facts->most_change;
-  if (same_hash || nonfinite > 0 || (measured ? *facts->most_change <= most : !hashes_tell)) return;
+  if (same_hash || count_at(after, "nonfinite_pixels") > 0 || (change ? *change <= most : !hashes_tell)) return;
   // Its errors have been judged before: rows of this view.
   bool better = false, worse = false;
   for (const VerdictRow& row : subject.rows) {
@@ -183,11 +193,21 @@ void judge_picture(const Subject& subject, const Json& before, const Json& after
   }
   if (better && !worse) return;
   changed.insert("picture");
-  const std::string by = measured ? fmt::format(" by up to {:.4g} in linear light", *facts->most_change) : ", as its hash did";
+  const std::string by = change ? fmt::format(" by up to {:.4g} in linear light", *change) : ", as its hash did";
   const char* why = after.at("baseline").get<bool>() ? "it is what other variants are held to" : "no error got better by it";
   VerdictRow& row = add(subject, "picture", Verdict::worse,
                         fmt::format("{}: the picture changed{}, and {}", name_of_cell(subject, view), by, why), view);
-  if (measured) row.after = *facts->most_change, row.limit = most;
+  row.after = change;
+  if (change) row.limit = most;
+}
+
+// A variant that was not there before.
+void judge_presence(const Subject& subject, const CellPair& pair) {
+  add(subject, "cell", Verdict::not_compared, name_of_cell(subject) + " is new: there is nothing to compare it with");
+  const auto drawn = [](const Json& cell) { return !cell.is_null() && cell.at("status") != "failed"; };
+  const auto covers = [&](const Json& cell) { return drawn(cell) && count_at(cell, "covered_pixels") > 0; };
+  if (std::ranges::any_of(pair.after, drawn) && std::ranges::none_of(pair.after, covers))
+    add(subject, "blank", Verdict::failed, name_of_cell(subject) + ": the effect covers no pixel in any view");
 }
 
 // Views that gave different pictures and now give one: a frame that is not drawn again.
@@ -207,23 +227,13 @@ void judge_staleness(const Subject& subject, const CellPair& pair, std::set<std:
 
 }  // namespace
 
-PictureFacts picture_facts(const Image& picture, const Image* before) {
-  if (before && (before->width != picture.width || before->height != picture.height))
+double most_change(const Image& picture, const Image& before) {
+  if (before.width != picture.width || before.height != picture.height)
     throw Error(ErrorKind::failed, "gate", "picture", "the pictures before and after are of different sizes");
-  PictureFacts facts;
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  std::array<float, 3> least = {infinity, infinity, infinity}, most = {-infinity, -infinity, -infinity};
-  double change = 0;
-  for (size_t i = 0; i < picture.rgba.size(); ++i) {
-    const size_t channel = i % 4;
-    if (channel == 3) continue;
-    least[channel] = std::min(least[channel], picture.rgba[i]), most[channel] = std::max(most[channel], picture.rgba[i]);
-    if (before) change = std::max(change, std::abs(double{picture.rgba[i]} - double{before->rgba[i]}));
-  }
-  for (size_t channel = 0; channel < 3 && !picture.rgba.empty(); ++channel)
-    facts.range = std::max(facts.range, double{most[channel]} - double{least[channel]});
-  if (before) facts.most_change = change;
-  return facts;
+  double most = 0;
+  for (size_t i = 0; i < picture.rgba.size(); ++i)
+    if (i % 4 != 3) most = std::max(most, std::abs(double{picture.rgba[i]} - double{before.rgba[i]}));
+  return most;
 }
 
 std::vector<VerdictRow> judge_cells(const CellPair& pair, const Limits& limits) {
@@ -235,6 +245,7 @@ std::vector<VerdictRow> judge_cells(const CellPair& pair, const Limits& limits) 
   Subject subject{limits, {}, rows};
   subject.blank.backend = example->at("backend"), subject.blank.effect = example->at("effect");
   subject.blank.variant = example->at("variant");
+  const bool all_new = present(pair.before) == pair.before.end();
   std::set<std::string> changed;
   size_t compared = 0;
   for (size_t i = 0; i < pair.after.size(); ++i) {
@@ -247,19 +258,26 @@ std::vector<VerdictRow> judge_cells(const CellPair& pair, const Limits& limits) 
           fmt::format("{} cannot be measured: {}", name_of_cell(subject, after.at("view")),
                       after.at("reason").get<std::string>()),
           after.at("view"));
-    } else if (before.is_null() || before.at("status") == "failed") {
-      add(subject, "cell", Verdict::not_compared,
-          fmt::format("{} {}, so there is nothing to compare it with", name_of_cell(subject, after.at("view")),
-                      before.is_null() ? "is new" : "could not be measured before"),
-          after.at("view"));
     } else {
-      ++compared;
-      judge_counts(subject, before, after, changed);
-      judge_errors(subject, before, after, "baseline", limits.baseline, changed);
-      judge_errors(subject, before, after, "truth", limits.truth, changed);
-      judge_picture(subject, before, after, i < pair.facts.size() ? &pair.facts[i] : nullptr, pair.hashes_tell, changed);
+      const bool comparable = !before.is_null() && before.at("status") != "failed";
+      const Json was = comparable ? before : Json();
+      if (comparable) {
+        ++compared;
+        judge_counts(subject, was, after, changed);
+      } else if (!all_new) {
+        add(subject, "cell", Verdict::not_compared,
+            fmt::format("{} {}, so there is nothing to compare it with", name_of_cell(subject, after.at("view")),
+                        before.is_null() ? "is new" : "could not be measured before"),
+            after.at("view"));
+      }
+      judge_errors(subject, was, after, "baseline", limits.baseline, changed);
+      judge_errors(subject, was, after, "truth", limits.truth, changed);
+      judge_content(subject, was, after, changed);
+      const std::optional<double> change = i < pair.changes.size() ? pair.changes[i] : std::nullopt;
+      if (comparable) judge_change(subject, was, after, change, pair.hashes_tell, changed);
     }
   }
+  if (all_new) judge_presence(subject, pair);
   judge_staleness(subject, pair, changed);
   if (compared > 0)
     for (const char* what : {"fetches", "errors", "nonfinite", "blank"})

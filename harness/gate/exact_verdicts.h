@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 #include "harness/core/image.h"
@@ -11,24 +12,21 @@
 
 namespace lamina {
 
-// What is seen of a picture beyond its errors.
-struct PictureFacts {
-  double range = 0;  // greatest less least value over all pixels, of the channel where it is most; linear light
-  std::optional<double> most_change;  // greatest difference from the picture before, linear light; absent where unknown
-};
-// Throws Error(failed) for pictures of two sizes. `before` may be null.
-PictureFacts picture_facts(const Image& picture, const Image* before);
+// The greatest difference of colours between two pictures, linear light; one that is no number counts as none. Throws
+// Error(failed) for pictures of two sizes.
+double most_change(const Image& picture, const Image& before);
 
 // One variant on one backend: the cells of all its views, in one order before and after, as read from a record or made by
-// to_json(). Null: there is none. `facts` is beside `after`, or empty where pictures are unknown.
+// to_json(). Null: there is none. `changes` is beside `after`, or empty where no pictures were compared.
 struct CellPair {
   std::vector<nlohmann::json> before, after;
-  std::vector<PictureFacts> facts;
+  std::vector<std::optional<double>> changes;  // most_change()
   // One machine and driver drew both: then a hash that changed is a picture that changed, however little.
   bool hashes_tell = false;
 };
 
-// A row for each kind of figure that is the same in all views, and one for each view, pass and texture where it is not.
+// A row for each kind of figure that is the same in all views, and one for each view, pass and texture where it is not. What
+// was not there before is held to the limits' bounds all the same, and must show something finite.
 std::vector<VerdictRow> judge_cells(const CellPair& pair, const Limits& limits);
 
 }  // namespace lamina

@@ -7,22 +7,34 @@
 
 namespace lamina {
 
-Identity identity_of(const VariantManifest& variant, const Graph& graph) {
+namespace {
+
+std::string code_of(const GraphPass& pass) {
+  std::string code;
+  for (const GraphDraw& draw : pass.draws)
+    for (const auto& stage : draw.stages)
+      code += fmt::format("\n{} {} {}", pass.pass->name, stage->hash,
+                          hash_hex({reinterpret_cast<const char*>(stage->spirv.data()), stage->spirv.size() * 4}));
+  return code;
+}
+
+}  // namespace
+
+Identity identity_of(const VariantManifest& variant, const Graph& graph, const Graph* truth) {
   std::string whole = read_file(variant.file, "gate");
   const std::filesystem::path effect = variant.file.parent_path() / "effect.toml";
   if (std::filesystem::exists(effect)) whole += read_file(effect, "gate");
   Identity identity;
   for (const GraphPass& pass : graph.passes) {
-    std::string code;
-    for (const GraphDraw& draw : pass.draws)
-      for (const auto& stage : draw.stages)
-        code += fmt::format("\n{} {} {}", pass.pass->name, stage->hash,
-                            hash_hex({reinterpret_cast<const char*>(stage->spirv.data()), stage->spirv.size() * 4}));
     if (pass.once)
-      whole += code;
+      whole += code_of(pass);
     else
-      identity.frame_passes.push_back(hash_hex(code));
+      identity.frame_passes.push_back(hash_hex(code_of(pass)));
   }
+  std::string told;
+  if (truth)
+    for (const GraphPass& pass : truth->passes) told += code_of(pass);
+  identity.truth = hash_hex(told);
   identity.whole = hash_hex(whole);
   return identity;
 }

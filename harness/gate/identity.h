@@ -13,9 +13,11 @@ namespace lamina {
 struct Identity {
   std::string whole;  // a hash over the manifests of the variant and its effect, as bytes, and what is done once
   std::vector<std::string> frame_passes;  // a hash over the compiled shaders of each pass of the frame, in order
+  std::string truth;                      // a hash over those that tell the truth what each pixel shows
   bool operator==(const Identity&) const = default;
 };
-Identity identity_of(const VariantManifest& variant, const Graph& graph);
+// `truth` is the variant's graph of that purpose, or null where it has none.
+Identity identity_of(const VariantManifest& variant, const Graph& graph, const Graph* truth);
 
 // How many passes from the frame's first on are the same, and so is all that they read.
 size_t same_passes(const Identity& a, const Identity& b);

@@ -14,6 +14,7 @@ namespace lamina {
 // Least or greatest values of one kind of error: worst view, pixels that the effect covers. Absent: no bound of its own.
 struct ErrorLimits {
   std::optional<double> min_psnr_db, min_ssim, max_flip, max_rmse_linear, max_max_linear;
+  bool operator==(const ErrorLimits&) const = default;
 };
 
 // How much worse a figure may read before it counts as worse: device rounding, not taste.

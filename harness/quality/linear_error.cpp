@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Errors in linear light, r, g and b alike, unbounded. Sums are in double, in the order of the pixels.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "harness/quality/pixels.h"
 
@@ -35,6 +37,24 @@ double max_linear(const Image& test, const Image& reference, const Mask* mask) {
   double greatest = 0;
   for_differences("maximum", test, reference, mask, [&](double d) { greatest = std::max(greatest, std::abs(d)); });
   return greatest;
+}
+
+double range_linear(const Image& picture, const Mask* mask) {
+  check_picture("range", picture);
+  check_mask("range", mask, picture.width, picture.height);
+  const size_t pixels = picture.rgba.size() / 4;
+  counted_pixels("range", mask, pixels);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> least = {infinity, infinity, infinity}, most = {-infinity, -infinity, -infinity};
+  for (size_t pixel = 0; pixel < pixels; ++pixel) {
+    if (!counts(mask, pixel)) continue;
+    if (!is_finite_pixel(picture, pixel)) check_finite("range", picture, "picture");  // throws, with place and count
+    for (size_t channel = 0; channel < 3; ++channel) {
+      const double value = picture.rgba[4 * pixel + channel];
+      least[channel] = std::min(least[channel], value), most[channel] = std::max(most[channel], value);
+    }
+  }
+  return std::max({most[0] - least[0], most[1] - least[1], most[2] - least[2]});
 }
 
 size_t nonfinite_pixels(const Image& image) {

@@ -141,6 +141,7 @@ Json to_json(const CellRow& cell) {
                    {"truth", figures_to_json(cell.error_truth, owner)}};
   line["nonfinite_pixels"] = count(cell.nonfinite_pixels);
   line["covered_pixels"] = count(cell.covered_pixels);
+  if (cell.range_linear) line["range_linear"] = finite(*cell.range_linear, owner, "range_linear");
   line["image"] = cell.image;
   line["difference"] = cell.difference;
   line["flip"] = cell.flip;

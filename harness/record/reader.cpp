@@ -94,6 +94,7 @@ void check_cell(const Json& line, const std::string& where) {
     if (const Json& figures = line["error"][against]; !figures.is_null())
       check_figures(figures, where, fmt::format("error.{}.", against));
   check_truth(line, where);
+  if (line.contains("range_linear")) check(line, {{"range_linear", number}}, where);
   if (line.contains("before_image")) check(line, {{"before_image", text}}, where);  // of a gate over two trees
   check_worst_tile(line, where);
   if (line["status"] == "ok") {

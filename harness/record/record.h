@@ -63,6 +63,8 @@ struct CellRow {
   std::vector<AssumptionRow> assumptions;   // none where there is no truth
   uint64_t nonfinite_pixels = 0;
   uint64_t covered_pixels = 0;          // pixels in which the effect's final pass shaded at least once
+  std::optional<double> range_linear;   // greatest less least value over them, of the channel where it is most; absent where
+                                        // there are none, or a pixel is not finite
   std::string image, difference, flip;  // paths relative to the run's folder, "" where there is none
   std::string truth_image;              // the truth of the same view, likewise
   std::optional<WorstTile> worst_tile;  // against the baseline; absent where there is no FLIP map
@@ -81,8 +83,8 @@ struct BakeRow {
 
 // One line of the record. What is not known is null, never 0: figures of a failed cell that are still 0, times of a cell that
 // is not timed, fetches a pixel where no pixel is covered. PSNR of equal pictures is null with "identical": true.
-// "truth_image", "worst_tile" and "assumptions" are left out where there are none. Throws Error(failed) for a number that is
-// not finite, and as frame_samples_ms() does.
+// "range_linear", "truth_image", "worst_tile" and "assumptions" are left out where there are none. Throws Error(failed) for a
+// number that is not finite, and as frame_samples_ms() does.
 nlohmann::ordered_json to_json(const CellRow& cell);
 // one_ms, additivity and attribution are null where linearity is empty, which is a certificate that never got to measure.
 nlohmann::ordered_json to_json(const TimerRow& timer);

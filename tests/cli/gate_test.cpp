@@ -2,6 +2,7 @@
 // lamina gate from end to end: changes of the product that it must catch, each alone, what it must let pass, and bad input.
 // Times are left out: they belong to --calibrate.
 #include <algorithm>
+#include <set>
 
 #include "tests/cli/program.h"
 
@@ -29,10 +30,11 @@ class Gate : public ProgramTest {
     std::ofstream(tree() / file) << text.replace(at, from.size(), to);
   }
   // The copy against the product as it is. A small frame, without times.
-  Outcome gate(const std::string& more = "") {
+  Outcome gate(const std::string& more = "", const std::string& scene = "heart") {
     ::setenv("LAMINA_HOME", tree().c_str(), 1);
-    const Outcome outcome = lamina_program(
-        "gate heart --against " LAMINA_SOURCE_DIR " --size 64x64 --no-time --cache \"\" --out " + out().string() + " " + more);
+    const Outcome outcome =
+        lamina_program("gate " + scene + " --against " LAMINA_SOURCE_DIR " --size 64x64 --no-time --cache \"\" --out " +
+                       out().string() + " " + more);
     ::unsetenv("LAMINA_HOME");
     return outcome;
   }
@@ -48,6 +50,8 @@ struct Mutation {
 constexpr const char* taps = "shaders/layered_material/poisson_disc.glsl";
 constexpr const char* composite = "shaders/layered_material/composite.frag";
 constexpr const char* light_map = "variants/layered_material/light_map.toml";
+constexpr const char* mip_pass =
+    "[[pass]]\nname = \"light_mips\"\ndraw = \"mips\"\nwhen = \"mesh_or_lights_move\"\nwrite = [\"light_map\"]\n";
 constexpr Mutation mutations[] = {
     {"one_tap_more", taps, "  return middle + difference / 13.0;",
      "  difference += 1e-9 * textureGrad(source, center, footprint.uv_dx, footprint.uv_dy).rgb;\n  return middle + difference "
@@ -56,9 +60,7 @@ constexpr Mutation mutations[] = {
     {"one_tap_less", taps, "i < 12", "i < 11", "picture"},
     {"disc_scaled", taps, "disc_taps[i] * radius", "disc_taps[i] * 1.05 * radius", "picture"},
     {"weight_swapped", "shaders/layered_material/layers.glsl", "mix(outer, inner,", "mix(inner, outer,", "picture"},
-    {"mip_levels_missing", light_map,
-     "[[pass]]\nname = \"light_mips\"\ndraw = \"mips\"\nwhen = \"mesh_or_lights_move\"\nwrite = [\"light_map\"]\n", "",
-     "picture"},
+    {"mip_levels_missing", light_map, mip_pass, "", "picture"},
     {"target_of_8_bits", light_map, "format = \"rgba16_float\"\nmips", "format = \"rgba8_unorm\"\nmips", "fetches"},
     {"pass_run_twice", light_map, "name = \"dilate\"", "name = \"dilate\"\nrepeat = 2", "fetches"},
     {"blank_frame", composite, "out_color = vec4(color, 1.0)", "discard", "blank"},
@@ -132,6 +134,58 @@ TEST_F(Gate, LimitsOfTheGateFileHold) {
   EXPECT_SAYS(refused.output, "the gate file asks for at least");
 }
 
+// Its code is the same, its errors are not.
+TEST_F(Gate, AVariantIsDrawnWhereItsBaselineChanged) {
+  copy_tree();
+  replace(light_map, mip_pass, "");
+  const Outcome outcome = gate("--backend osmesa");
+  EXPECT_EQ(outcome.status, 1) << outcome.output;
+  std::set<std::string> judged;
+  for (const Json& row : record().verdicts)
+    if (row.at("variant") == "vertex_normal") judged.insert(row.at("what"));
+  EXPECT_TRUE(judged.contains("code"));
+  EXPECT_TRUE(judged.contains("psnr_db")) << testing::PrintToString(judged);
+}
+
+// The pictures are the same; what the truth is told of them is not.
+TEST_F(Gate, ErrorsAreJudgedWhereTheTruthChanged) {
+  copy_tree();
+  replace("shaders/aperture_lighting/points.frag", "vec4(texture(albedo, in_uv).rgb, 1.0)",
+          "vec4(0.5 * texture(albedo, in_uv).rgb, 1.0)");
+  const Outcome outcome = gate("--backend osmesa --truth-rays 64 --variant smoothstep_cap", "open_plane");
+  EXPECT_EQ(outcome.status, 1) << outcome.output;
+  const Record record = this->record();
+  EXPECT_TRUE(std::ranges::any_of(record.verdicts, [](const Json& row) {
+    return row.at("variant") == "smoothstep_cap" && row.at("what") == "rmse_linear to truth" && row.at("verdict") == "worse";
+  })) << outcome.output;
+}
+
+// Trees in which nothing changed are held to a gate file's bounds.
+TEST_F(Gate, BoundsHoldForCodeThatIsTheSame) {
+  copy_tree();
+  const auto limits = write("gate.toml", "[[limit]]\nvariant = \"vertex_normal\"\nmin_ssim = 0.99999\n");
+  const Outcome outcome = gate("--backend osmesa --limits " + limits.string());
+  EXPECT_EQ(outcome.status, 1) << outcome.output;
+  EXPECT_SAYS(outcome.output, "the gate file asks for at least");
+}
+
+// With nothing to compare it with, it must be finite all the same.
+TEST_F(Gate, ANewVariantIsNoPassByBeingNew) {
+  copy_tree();
+  std::ofstream(tree() / "shaders/layered_material/new.frag")
+      << "#include \"common/frame.glsl\"\n#include \"common/surface.glsl\"\n#include \"common/mesh_in.glsl\"\n"
+         "layout(location = 0) out vec4 color;\n"
+         "void main() { color = vec4(in_normal * uintBitsToFloat(0x7fc00000u), 1.0); }\n";
+  std::ofstream(tree() / "variants/layered_material/new.toml")
+      << "[variant]\nname = \"new\"\neffect = \"layered_material\"\n[[pass]]\nname = \"composite\"\ndraw = \"objects\"\n"
+         "vertex = \"common/object.vert\"\nfragment = \"layered_material/new.frag\"\nwrite = [\"frame\"]\n"
+         "depth = \"read_write\"\n";
+  const Outcome outcome = gate("--backend osmesa");
+  EXPECT_EQ(outcome.status, 1) << outcome.output;
+  EXPECT_SAYS(outcome.output, "new on osmesa is new");
+  EXPECT_SAYS(outcome.output, "pixels are infinite or not a number");
+}
+
 TEST_F(Gate, BadInputSaysWhatIsWrongAndIsNeverAPass) {
   copy_tree();
   const auto expect_refused = [](const Outcome& outcome, const std::string& words) {
@@ -179,6 +233,12 @@ TEST_F(Gate, StoredRecordsAreWrittenComparedAndRefused) {
   expect(against_record(write("empty.jsonl", "").string()), 2, "empty");
   // Another driver may round otherwise: hashes tell nothing there.
   expect(changed("\"driver\":\"Mesa", "\"driver\":\"Other"), 0, "another machine");
+  // But a blank picture is blank anywhere, though all variants agree on it.
+  copy_tree();
+  replace(composite, "out_color = vec4(color, 1.0)", "out_color = vec4(vec3(0.5), 1.0)");  // the background
+  ::setenv("LAMINA_HOME", tree().c_str(), 1);
+  expect(changed("\"driver\":\"Mesa", "\"driver\":\"Other"), 1, "the picture is blank");
+  ::unsetenv("LAMINA_HOME");
 }
 
 }  // namespace

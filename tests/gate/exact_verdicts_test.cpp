@@ -22,7 +22,7 @@ CellRow cell(const std::string& view = "front", const std::string& variant = "ve
 
 // The rows for one variant of two views; `change` is made to the cells after.
 template <class Change>
-std::vector<VerdictRow> rows_after(Change&& change, const Limits& limits = {}, PictureFacts facts = {1, 0.0},
+std::vector<VerdictRow> rows_after(Change&& change, const Limits& limits = {}, std::optional<double> changed_by = 0.0,
                                    const std::string& variant = "vertex_normal") {
   CellPair pair;
   for (const char* view : {"front", "side"}) {
@@ -30,7 +30,7 @@ std::vector<VerdictRow> rows_after(Change&& change, const Limits& limits = {}, P
     change(after);
     pair.before.push_back(Json(to_json(before)));
     pair.after.push_back(Json(to_json(after)));
-    pair.facts.push_back(facts);
+    pair.changes.push_back(changed_by);
   }
   return judge_cells(pair, limits);
 }
@@ -96,7 +96,7 @@ TEST(ExactVerdicts, ErrorsAreWorseBeyondTheirToleranceAlone) {
 TEST(ExactVerdicts, FromIdenticalToNotIsWorseAndBackIsBetter) {
   CellRow same = cell(), other = cell();
   same.error_covered->psnr_db = std::numeric_limits<double>::infinity();
-  CellPair pair{{Json(to_json(same))}, {Json(to_json(other))}, {{1, 0.0}}};
+  CellPair pair{{Json(to_json(same))}, {Json(to_json(other))}, {0.0}};
   EXPECT_EQ(count(judge_cells(pair, {}), "psnr_db", Verdict::worse), 1u);
   std::swap(pair.before, pair.after);
   EXPECT_EQ(count(judge_cells(pair, {}), "psnr_db", Verdict::better), 1u);
@@ -110,6 +110,44 @@ TEST(ExactVerdicts, BoundsOfTheGateFileHoldWhateverWasBefore) {
   EXPECT_EQ(status(rows), 1);
 }
 
+// What is new has nothing to be compared with, but what holds for every picture holds for it.
+TEST(ExactVerdicts, ANewVariantKeepsToBoundsAndShowsSomethingFinite) {
+  const auto rows_of_new = [](auto&& change, const Limits& limits = {}) {
+    CellPair pair{{nullptr, nullptr}, {}, {}};
+    for (const char* view : {"front", "side"}) {
+      CellRow after = cell(view);
+      change(after);
+      pair.after.push_back(Json(to_json(after)));
+    }
+    return judge_cells(pair, limits);
+  };
+  const auto nothing = [](CellRow&) {};
+  const auto good = rows_of_new(nothing);
+  EXPECT_EQ(good.size(), 1u);
+  EXPECT_EQ(count(good, "cell", Verdict::not_compared), 1u);
+  EXPECT_EQ(status(good), 3) << "nothing was compared";
+  Limits limits;
+  limits.baseline.min_ssim = 0.91;  // it has 0.9
+  EXPECT_EQ(count(rows_of_new(nothing, limits), "ssim", Verdict::failed), 2u);
+  EXPECT_EQ(count(rows_of_new([](CellRow& row) { row.nonfinite_pixels = 1; }), "nonfinite", Verdict::failed), 2u);
+  EXPECT_EQ(count(rows_of_new([](CellRow& row) { row.covered_pixels = 0; }), "blank", Verdict::failed), 1u);
+  EXPECT_EQ(status(rows_of_new([](CellRow& row) { row.covered_pixels = row.view == "side" ? 0 : 100; })), 3)
+      << "a view may look elsewhere";
+}
+
+// A cell that failed before tells as little as none.
+TEST(ExactVerdicts, AfterAFailureOnlyBoundsHold) {
+  CellRow before = cell();
+  before.failed = true, before.reason = "no device memory";
+  before.error_covered.reset();
+  CellRow after = cell();
+  const auto rows = [&] { return judge_cells({{Json(to_json(before))}, {Json(to_json(after))}, {}}, {}); };
+  EXPECT_EQ(count(rows(), "cell", Verdict::not_compared), 1u);
+  EXPECT_EQ(status(rows()), 3) << "nothing was compared";
+  after.nonfinite_pixels = 3;
+  EXPECT_EQ(count(rows(), "nonfinite", Verdict::failed), 1u);
+}
+
 TEST(ExactVerdicts, ErrorsToTheTruthAreJudgedApart) {
   const ErrorFigures good{30, 0.9, 0.1, 0.02, 0.3}, bad{30, 0.8, 0.1, 0.02, 0.3};
   CellRow before = cell(), after = cell();
@@ -120,7 +158,7 @@ TEST(ExactVerdicts, ErrorsToTheTruthAreJudgedApart) {
 
 TEST(ExactVerdicts, NonFinitePixelsBlankPicturesAndLostCoverFail) {
   EXPECT_EQ(count(rows_after([](CellRow& after) { after.nonfinite_pixels = 1; }), "nonfinite", Verdict::failed), 2u);
-  EXPECT_EQ(count(rows_after([](CellRow&) {}, {}, {0.0, 0.0}), "blank", Verdict::failed), 2u) << "one colour all over";
+  EXPECT_EQ(count(rows_after([](CellRow& after) { after.range_linear = 0; }), "blank", Verdict::failed), 2u) << "one colour";
   EXPECT_EQ(count(rows_after([](CellRow& after) { after.covered_pixels = 0; }), "blank", Verdict::failed), 2u);
 }
 
@@ -131,27 +169,27 @@ TEST(ExactVerdicts, ViewsThatShowOnePictureAreStale) {
 
 TEST(ExactVerdicts, APictureMayChangeWhereItsErrorsGetBetter) {
   const auto change = [](CellRow& after) { after.image_hash += "x"; };
-  EXPECT_EQ(count(rows_after(change, {}, {1, 0.01}), "picture", Verdict::worse), 2u);
-  EXPECT_EQ(status(rows_after(change, {}, {1, 0.001})), 0) << "rounding";
+  EXPECT_EQ(count(rows_after(change, {}, 0.01), "picture", Verdict::worse), 2u);
+  EXPECT_EQ(status(rows_after(change, {}, 0.001)), 0) << "rounding";
   EXPECT_EQ(status(rows_after(
                 [&](CellRow& after) {
                   change(after);
                   after.error_covered->ssim += 0.01;
                 },
-                {}, {1, 0.01})),
+                {}, 0.01)),
             0);
   EXPECT_EQ(status(rows_after(
                 [&](CellRow& after) {
                   change(after);
                   after.error_covered->ssim += 0.01, after.error_covered->flip += 0.01;
                 },
-                {}, {1, 0.01})),
+                {}, 0.01)),
             1)
       << "one error better, one worse";
 }
 
 TEST(ExactVerdicts, ABaselinesPictureIsHeldToWhatItWas) {
-  const auto rows = rows_after([](CellRow& after) { after.image_hash += "x"; }, {}, {1, 0.01}, "light_map");
+  const auto rows = rows_after([](CellRow& after) { after.image_hash += "x"; }, {}, 0.01, "light_map");
   EXPECT_EQ(count(rows, "picture", Verdict::worse), 2u);
 }
 
@@ -159,7 +197,7 @@ TEST(ExactVerdicts, HashesDecideWhereTheyAreAskedToOrTell) {
   Limits limits;
   limits.same_image = true;
   const auto change = [](CellRow& after) { after.image_hash += "x"; };
-  EXPECT_EQ(count(rows_after(change, limits, {1, 0.0}), "image_hash", Verdict::failed), 2u);
+  EXPECT_EQ(count(rows_after(change, limits, 0.0), "image_hash", Verdict::failed), 2u);
   CellRow before = cell(), after = cell();
   change(after);
   CellPair pair{{Json(to_json(before))}, {Json(to_json(after))}, {}};
@@ -179,17 +217,13 @@ TEST(ExactVerdicts, WhatVanishedOrFailedIsNeverAPass) {
   EXPECT_EQ(status(judge_cells({{failed}, {here}, {}}, {})), 3) << "failed before";
 }
 
-TEST(PictureFacts_, RangeAndGreatestChangeAreOverColoursAlone) {
+TEST(MostChange, IsOverColoursAlone) {
   Image before{2, 1, {0.1f, 0.2f, 0.3f, 0, 0.1f, 0.2f, 0.3f, 1}}, after = before;
-  after.rgba[4] = 0.6f, after.rgba[7] = 0.5f;
-  const PictureFacts facts = picture_facts(after, &before);
-  EXPECT_NEAR(facts.range, 0.5, 1e-6);
-  EXPECT_NEAR(*facts.most_change, 0.5, 1e-6);
-  EXPECT_FALSE(picture_facts(after, nullptr).most_change);
-  const Image flat{2, 1, {0.1f, 0.2f, 0.4f, 0, 0.1f, 0.2f, 0.4f, 1}};  // a colour that is no grey
-  EXPECT_EQ(picture_facts(flat, nullptr).range, 0);
+  EXPECT_EQ(most_change(after, before), 0);
+  after.rgba[4] = 0.6f, after.rgba[7] = 9;
+  EXPECT_NEAR(most_change(after, before), 0.5, 1e-6);
   const Image larger{2, 2, std::vector<float>(16, 0.0f)};
-  EXPECT_THROW(picture_facts(larger, &before), Error);
+  EXPECT_THROW(most_change(larger, before), Error);
 }
 
 TEST(GateOutcome_, ComesFromTheWorstRow) {

@@ -189,7 +189,8 @@ class ChangedTrees : public Pieces {
       const PassCounts now = frame.frame_counts().back(), was = counting.frame_counts().back();
       const auto more = more_fetches.find(variant.name);
       EXPECT_EQ(now.fetches(), was.fetches() + (more == more_fetches.end() ? 0 : more->second * was.fragments)) << variant.name;
-      identities_[variant.name] = {identity_of(variant, graph), identity_of(this->variant(variant.name), ready_.back()->graph)};
+      identities_[variant.name] = {identity_of(variant, graph, nullptr),
+                                   identity_of(this->variant(variant.name), ready_.back()->graph, nullptr)};
     }
   }
   std::filesystem::path folder_;

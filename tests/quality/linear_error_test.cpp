@@ -71,6 +71,18 @@ TEST(LinearError, RefusesWhatHasNoFigure) {
   }
 }
 
+TEST(RangeLinear, IsOfTheColourChannelWithTheMostOverCountedPixels) {
+  Image picture{3, 1, {0.1f, 0.2f, 0.4f, 0, 0.1f, 0.2f, 0.4f, 1, 0.2f, 0.8f, 0.3f, 1}};  // a colour that is no grey, twice
+  EXPECT_NEAR(range_linear(picture), 0.6, 1e-6);
+  const Mask two{3, 1, {1, 1, 0}}, none{3, 1, {0, 0, 0}};
+  EXPECT_EQ(range_linear(picture, &two), 0);
+  EXPECT_NE(refusal([&] { range_linear(picture, &none); }).find("no pixel is counted"), std::string::npos);
+  EXPECT_NE(refusal([] { range_linear({}); }).find("empty"), std::string::npos);
+  picture.rgba[8] = nan;
+  EXPECT_EQ(range_linear(picture, &two), 0) << "what is not counted does not count";
+  EXPECT_NE(refusal([&] { range_linear(picture); }).find("not finite"), std::string::npos);
+}
+
 TEST(NonfinitePixels, CountsPixelsNotValues) {
   EXPECT_EQ(nonfinite_pixels(flat_linear(5, 5, std::numeric_limits<float>::max())), 0);
   EXPECT_EQ(nonfinite_pixels({3, 1, {nan, nan, nan, nan, 1, 1, 1, 1, 1, 1, 1, inf}}), 2);

@@ -32,6 +32,7 @@ inline CellRow example_cell(std::string variant, std::string view, std::vector<d
                      {.texture = "outer_albedo", .format = "rgba8_srgb", .filter = "trilinear", .fetches = 200}};
   cell.fetches = 1500;
   cell.covered_pixels = 100;
+  cell.range_linear = 0.7;
   cell.fetches_per_pixel = 15;
   cell.image = "images/" + cell.variant + "-" + cell.view + ".png";
   if (!cell.baseline) {
