@@ -92,16 +92,17 @@ struct Judge {
                                (ratio.median - 1) * 100, (ratio.low - 1) * 100, (ratio.high - 1) * 100, margin * 100);
   }
 
-  // Samples that are no times are refused: neither a record nor a run may pass by having measured nothing.
+  // Samples that are no times are refused: neither a record nor a run may pass by having measured nothing. Too few of them, as
+  // on a busy machine, tell nothing either way.
   std::optional<Interval> interval_in(const Json& cell, const char* whose, const std::string& pass,
                                       const std::vector<double>& ms) {
-    const bool tells_time =
-        ms.size() >= min_rounds_for_95 && std::all_of(ms.begin(), ms.end(), [](double each) { return each > 0; });
-    if (tells_time) return widest_interval(ms, confidence);
+    const bool are_times = !ms.empty() && std::all_of(ms.begin(), ms.end(), [](double each) { return each > 0; });
+    if (are_times && ms.size() >= min_rounds_for_95) return widest_interval(ms, confidence);
     VerdictRow& row = add(cell, "time", pass);
-    row.verdict = Verdict::failed;
-    row.sentence = fmt::format("{} on {}: {} {} has no times to compare ({} samples, none may be 0)", row.variant, row.backend,
-                               whose, pass.empty() ? "frame" : "pass " + pass, ms.size());
+    row.verdict = are_times ? Verdict::ambiguous : Verdict::failed;
+    row.sentence =
+        fmt::format("{} on {}: {} {} has no times to compare ({} samples; {} are needed, and none may be 0)", row.variant,
+                    row.backend, whose, pass.empty() ? "frame" : "pass " + pass, ms.size(), min_rounds_for_95);
     return std::nullopt;
   }
 

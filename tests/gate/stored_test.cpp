@@ -80,6 +80,16 @@ TEST(Stored, TimesOfZeroAreNoPass) {
   }
 }
 
+// A busy machine leaves few rounds: nothing is known, which is no failure.
+TEST(Stored, TooFewTimesAreAmbiguous) {
+  Record now = record();
+  for (nlohmann::json& cell : now.cells)
+    for (nlohmann::json& pass : cell["passes"]) pass["ms"] = {5.0, 5.1, 5.0};
+  const std::vector<VerdictRow> rows = judge_stored(record(), now, {}, 0.05);
+  EXPECT_EQ(find(rows, "vertex_normal", "time")->verdict, Verdict::ambiguous);
+  EXPECT_EQ(outcome_of(rows).status, 3);
+}
+
 TEST(Stored, AVanishedVariantFails) {
   Record now = record();
   now.cells.pop_back();
