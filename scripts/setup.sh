@@ -6,7 +6,7 @@ packages=(
   g++ cmake ninja-build ccache mold pkg-config git python3 python3-glad   # building; python3-glad makes the OpenGL loader
   libvulkan-dev mesa-vulkan-drivers vulkan-validationlayers               # Vulkan and lavapipe
   libosmesa6-dev libegl-dev libgl1-mesa-dri                               # OpenGL in memory, and surfaceless
-  glslang-dev spirv-tools spirv-headers libspirv-cross-c-shared-dev       # shaders
+  glslang-dev glslang-tools spirv-tools spirv-headers libspirv-cross-c-shared-dev   # shaders; CMake asks for the tools too
   libopenimageio-dev libopencv-contrib-dev libtinygltf-dev                # images, metrics, models
   libglm-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev
   libembree-dev libtbb-dev                                                # casting rays for bakes and truths
