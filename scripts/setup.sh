@@ -11,7 +11,7 @@ packages=(
   libglm-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev
   libembree-dev libtbb-dev                                                # casting rays for bakes and truths
   libboost-dev                                                            # references to hundreds of bits
-  libgtest-dev libbenchmark-dev libxml2-utils python3-yaml               # tests, benchmarks
+  libgtest-dev libbenchmark-dev libxml2-utils python3-yaml time          # tests, benchmarks
 )
 
 install_missing_packages() {
