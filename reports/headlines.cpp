@@ -12,6 +12,8 @@ namespace {
 
 // From here on "times faster" reads better than a percentage; an editorial choice.
 constexpr double ratio_for_times = 1.5;
+// Nearer to 1 than this in every view, differences in SSIM are in digits that nobody reads; PSNR parts such variants. Likewise.
+constexpr double almost_one = 0.9985;
 
 std::string speed_words(const Interval& ratio, const std::string& baseline) {
   const double r = ratio.median;
@@ -31,10 +33,13 @@ std::string speed_words(const Interval& ratio, const std::string& baseline) {
 std::string loss_words(const SummaryRow& row) {
   if (!row.mean || !row.worst) return "";
   if (std::isinf(row.worst->psnr_db)) return row.ratio ? " with the same picture" : ", where its picture is the same";
-  // Three digits would call a picture perfect that is not.
-  const int digits = row.worst->ssim > 0.9985 ? 5 : 3;
-  return fmt::format("{} {:.{}f} (worst view {:.{}f})", row.ratio ? " at SSIM" : ", where its SSIM is", row.mean->ssim, digits,
-                     row.worst->ssim, digits);
+  if (row.worst->ssim > almost_one)  // SSIM has nothing more to tell there, and in few digits would call the picture perfect
+    return fmt::format("{} above {:.3f} and {}PSNR {:.1f} dB (worst view {:.1f})",
+                       row.ratio ? " at SSIM" : ", where its SSIM is",
+                       std::min(0.999, std::floor(1000 * row.worst->ssim) / 1000), row.ratio ? "" : "its ", row.mean->psnr_db,
+                       row.worst->psnr_db);
+  return fmt::format("{} {:.3f} (worst view {:.3f})", row.ratio ? " at SSIM" : ", where its SSIM is", row.mean->ssim,
+                     row.worst->ssim);
 }
 
 // What is known of the cost where no time is.

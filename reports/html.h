@@ -34,6 +34,8 @@ std::string html_gate(const Record& record);
 std::string html_passes(const Record& record);
 // The pictures and figures of every backend, view and point, the baseline's and the variants' side by side.
 std::string html_gallery(const Record& record, const PictureUrl& url);
+// A strip plot of every round's frame time of these cells on one axis, without a script; "" where no times are shown.
+std::string html_samples(const Record& record, const std::vector<const nlohmann::json*>& cells);
 // For every view with a truth, what each assumption costs by itself: pictures, figures, and which costs the most.
 std::string html_assumptions(const Record& record, const PictureUrl& url);
 // What was run and what was not: effects, failures, certificates, A/A arms, device, commit, hashes, command.

@@ -135,7 +135,9 @@ std::string html_gallery(const Record& record, const PictureUrl& url) {
   std::string html =
       "<h2>All figures and pictures</h2>\n<p class=\"note\">Errors are against the baseline, over the pixels that the effect "
       "covers. Differences are of the display values: black is none"
-      ". FLIP's map: <span class=\"legend\" role=\"img\" aria-label=\"black is 0, pale yellow is 1\">0<span class=\"magma\">"
+      ". Under a table stands every round's frame time, the first round at the bottom of its strip, with the median and its "
+      "interval. FLIP's map: <span class=\"legend\" role=\"img\" aria-label=\"black is 0, pale yellow is 1\">0<span "
+      "class=\"magma\">"
       "</span>1</span></p>\n";
   const bool with_truth =
       std::ranges::any_of(record.cells, [](const Json& cell) { return !cell.at("error").at("truth").is_null(); });
@@ -151,7 +153,7 @@ std::string html_gallery(const Record& record, const PictureUrl& url) {
         place++ < most_open ? " open" : "", escaped_html(what), escaped_html(entries_of(sample.at("params"))),
         escaped_html(what + ", " + entries_of(sample.at("params"))), head);
     for (const Json* cell : cells) html += figures_row(record, *cell, with_truth);
-    html += "</tbody></table></div>\n" + pictures(cells, gain, url) + "</details>\n";
+    html += "</tbody></table></div>\n" + html_samples(record, cells) + pictures(cells, gain, url) + "</details>\n";
   }
   return html;
 }

@@ -97,8 +97,7 @@ std::string html_charts(const std::vector<Record>& records) {
        sweeps},
       {"pictures", "Pictures", "This viewer needs a script; all pictures stand under \"All figures and pictures\"."},
       {"samples", "Every sample",
-       "This chart is drawn by a script; record.jsonl holds every sample, and the tables their "
-       "medians and intervals."},
+       "This chart is drawn by a script; every sample stands under the tables of \"All figures and pictures\" too."},
       {"strips", "Every strip of the gate",
        "This chart is drawn by a script; record.jsonl holds every strip, and the table of what each process measured their "
        "ratios.",

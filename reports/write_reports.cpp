@@ -47,7 +47,7 @@ fs::path write_reports(const std::vector<fs::path>& run_folders, const ReportOpt
       path = from_page;
     });
     for (const nlohmann::json& cell : records[i].cells)
-      for (const char* field : {"image", "difference", "flip", "truth_image"})
+      for (const char* field : {"image", "difference", "flip", "truth_image", "before_image"})
         if (!options.single_file && cell.contains(field) && cell.at(field) != "") write_pixel_script(out, cell.at(field));
   }
   write_file_atomically(out / "summary.md", summary);

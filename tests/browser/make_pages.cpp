@@ -7,6 +7,7 @@
 
 #include "harness/core/text.h"
 #include "reports/pictures.h"
+#include "tests/record/function_rows.h"
 #include "tests/reports/example_gate.h"
 
 namespace lamina {
@@ -154,6 +155,30 @@ Record evil_record() {
   return record;
 }
 
+// Cells with a truth, to which the fast variant is closer than the others, and a function of three variants on two backends, of
+// which one breaks its bounds.
+Record truth_and_functions_record() {
+  std::vector<CellRow> cells;
+  for (const Cost& cost : costs) {
+    CellRow& cell = cells.emplace_back(cell_of(cost, "front", "vulkan", 12));
+    name_pictures(cell, cost.variant);
+    cell.truth_image = "images/truth.png";
+    const double ssim = 1.75 - cost.ssim;
+    cell.error_truth =
+        ErrorFigures{.psnr_db = 40 * ssim, .ssim = ssim, .flip = 1 - ssim, .rmse_linear = 0.05, .max_linear = 0.5};
+  }
+  Record record = example_record(cells);
+  for (const std::string backend : {"vulkan", "osmesa"})
+    for (const auto& [variant, error, ns] :
+         {std::tuple{"exact_cap", 1e-6, 40.0}, {"fitted_cap", 0.02, 4.0}, {"naive_cap", 0.3, 10.0}}) {
+      const FunctionSubject subject = example_subject(variant, backend);
+      record.functions.push_back(to_json(with_bounds(example_function(subject, error))));
+      record.function_times.push_back(to_json(example_time(subject, ns)));
+      record.function_pictures.push_back(to_json(example_picture(subject)));
+    }
+  return record;
+}
+
 // A gate over two trees: what normal_map_taps looked like before is there too.
 Record gate_record() {
   Record record = compare_record("abc1234");
@@ -196,7 +221,8 @@ void write_record(Record& record, const fs::path& folder) {
   fs::create_directories(folder);
   paint_pictures(record, folder);
   std::string lines = record.run.dump() + '\n';
-  for (const auto* part : {&record.timers, &record.plans, &record.cells, &record.gates, &record.aas, &record.verdicts})
+  for (const auto* part : {&record.timers, &record.plans, &record.cells, &record.gates, &record.pairs, &record.aas,
+                           &record.verdicts, &record.functions, &record.function_times, &record.function_pictures})
     for (const Json& line : *part) lines += line.dump() + '\n';
   write_file_atomically(folder / "record.jsonl", lines);
 }
@@ -216,11 +242,15 @@ void make_pages(const fs::path& out) {
   }
   write_reports({out / "compare", out / "compare2"}, {.single_file = false, .out = out / "two"});
   write_reports({out / "compare"}, {.single_file = true, .out = out / "single"});
-  Record sweep = sweep_record(12, 2, true), large = sweep_record(500, 2, true), evil = evil_record(), gate = gate_record();
+  Record sweep = sweep_record(12, 2, true), large = sweep_record(500, 2, true), evil = evil_record(), gate = gate_record(),
+         truth = truth_and_functions_record();
   write_page(sweep, out / "sweep");
   write_page(large, out / "large");
   write_page(evil, out / "evil");
-  write_page(gate, out / "gate");
+  for (const auto& [record, name] : {std::pair{&gate, "gate"}, {&truth, "truth"}}) {
+    write_record(*record, out / name);
+    write_reports(out / name);
+  }
 }
 
 }  // namespace

@@ -113,6 +113,22 @@ TEST(HtmlReport, TablesHaveHeadersAndEveryTagCloses) {
   }
 }
 
+// On paper: the axis ends at the greatest sample, 8 ms, at 2000; three rounds stand from the bottom up, and a range stands for
+// the interval, since three are too few for one.
+TEST(HtmlReport, EveryRoundStandsInAStripThatNeedsNoScript) {
+  const std::vector<CellRow> cells = {example_cell("light_map", "front", {8, 7, 8}),
+                                      example_cell("vertex_normal", "front", {2, 4, 3})};
+  const std::string page = page_of(example_record(cells));
+  EXPECT_TRUE(has(page, "<small>every round, 0 to 8.000 ms</small>"));
+  EXPECT_TRUE(has(page,
+                  "<span>vertex_normal</span><svg viewBox=\"0 0 2000 100\" preserveAspectRatio=\"none\" role=\"img\" "
+                  "aria-label=\"3 rounds, 2.000 to 4.000 ms\"><path class=\"interval\" d=\"M500 0H1000V100H500z\"/>"
+                  "<path d=\"M750 0V100\"/><path class=\"dots\" d=\"M500 77h1M1000 50h1M750 23h1\"/></svg>"))
+      << page.substr(page.find("class=\"rounds\""), 1200);
+  EXPECT_EQ(count_of(page, "class=\"dots\""), 2u);
+  EXPECT_FALSE(has(page_of(example_record(cells, {example_timer("vulkan", false)})), "class=\"rounds\""));
+}
+
 TEST(HtmlReport, SaysFailuresWarningsAndWhatWasRun) {
   std::vector<CellRow> cells = example_cells();
   cells[3].failed = true;

@@ -163,6 +163,22 @@ TEST(Headlines, IdenticalPicturesAreCalledTheSame) {
   EXPECT_TRUE(has(headlines(summarize(example_record(cells))).at(0).words, "with the same picture"));
 }
 
+// An SSIM that reads as 1 would hide which of two near-perfect variants is the closer one.
+TEST(Headlines, NearAnSsimOfOnePsnrTells) {
+  std::vector<CellRow> cells = example_cells();
+  const auto words = [&](double ssim, double psnr_db) {
+    cells[2].error_covered->ssim = ssim, cells[2].error_covered->psnr_db = psnr_db;
+    cells[3].error_covered->ssim = 0.9999, cells[3].error_covered->psnr_db = psnr_db;
+    return headlines(summarize(example_record(cells))).at(0).words;
+  };
+  EXPECT_EQ(words(0.9996, 52),
+            "is 2.0 times faster than light_map on vulkan at SSIM above 0.999 and PSNR 52.0 dB (worst view 52.0).");
+  EXPECT_TRUE(has(words(0.9986, 47), "at SSIM above 0.998 and PSNR 47.0 dB"));
+  EXPECT_TRUE(has(words(0.9984, 47), "at SSIM 0.999 (worst view 0.998)."));
+  cells[3].error_covered->ssim = 1;
+  EXPECT_TRUE(has(words(1, 90), "at SSIM above 0.999 and PSNR 90.0 dB")) << "rounded to 1, yet not the same picture";
+}
+
 TEST(MarkdownSummary, HoldsWhatWasRunThePlanAndThePasses) {
   Record record = example_record(example_cells());
   record.plans.push_back(
