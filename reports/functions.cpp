@@ -69,10 +69,11 @@ uint64_t sum_of(const FunctionSummary& row, const char* count) {
   return sum;
 }
 
-// "0.5 on vulkan and 0.6 on osmesa", or just "0.5" where all backends say the same.
+// "0.5 on vulkan and 0.6 on osmesa", or just "0.5" where all the function's `backends` say the same.
 using ByBackend = std::vector<std::pair<std::string, std::string>>;  // backend, words
-std::string joined(const ByBackend& all) {
-  const bool same = std::ranges::all_of(all, [&](const auto& one) { return one.second == all[0].second; });
+std::string joined(const ByBackend& all, size_t backends) {
+  const bool same =
+      all.size() == backends && std::ranges::all_of(all, [&](const auto& one) { return one.second == all[0].second; });
   std::vector<std::string> parts;
   for (const auto& [backend, words] : all) parts.push_back(same ? words : words + " on " + backend);
   if (same) parts.resize(1);
@@ -134,12 +135,14 @@ std::vector<Headline> function_headlines(const FunctionReport& report) {
     }
   std::vector<Headline> all;
   for (const auto& [variant, words] : variants) {
-    std::string text = joined(words.verdicts) + ".";
-    if (!words.errors.empty()) text += fmt::format(" It errs by up to {} of {}", joined(words.errors), report.scale);
+    std::string text = joined(words.verdicts, report.backends.size()) + ".";
+    if (!words.errors.empty())
+      text += fmt::format(" It errs by up to {} of {}", joined(words.errors, report.backends.size()), report.scale);
     if (!words.times.empty())
-      text += fmt::format("{} a call takes {}", words.errors.empty() ? " Here" : ";", joined(words.times));
+      text +=
+          fmt::format("{} a call takes {}", words.errors.empty() ? " Here" : ";", joined(words.times, report.backends.size()));
     if (!text.ends_with('.')) text += ".";
-    if (!words.faults.empty()) text += fmt::format(" Over all sets it gives {}.", joined(words.faults));
+    if (!words.faults.empty()) text += fmt::format(" Over all sets it gives {}.", joined(words.faults, report.backends.size()));
     all.push_back({.variant = variant, .words = text});
   }
   return all;

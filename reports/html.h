@@ -36,6 +36,8 @@ std::string html_passes(const Record& record);
 std::string html_gallery(const Record& record, const PictureUrl& url);
 // A strip plot of every round's frame time of these cells on one axis, without a script; "" where no times are shown.
 std::string html_samples(const Record& record, const std::vector<const nlohmann::json*>& cells);
+// What a difference picture is: "difference, times 4".
+std::string difference_words(const Record& record);
 // For every view with a truth, what each assumption costs by itself: pictures, figures, and which costs the most.
 std::string html_assumptions(const Record& record, const PictureUrl& url);
 // What was run and what was not: effects, failures, certificates, A/A arms, device, commit, hashes, command.

@@ -46,7 +46,7 @@ std::string truth_picture(const std::vector<const Json*>& cells, const PictureUr
   return "";
 }
 
-std::string pictures(const std::vector<const Json*>& cells, const std::string& gain, const PictureUrl& url) {
+std::string pictures(const std::vector<const Json*>& cells, const std::string& difference, const PictureUrl& url) {
   std::string html = truth_picture(cells, url);
   for (const Json* cell : cells) {
     const std::string variant = text_of(*cell, "variant"), view = text_of(*cell, "view");
@@ -57,7 +57,7 @@ std::string pictures(const std::vector<const Json*>& cells, const std::string& g
                     cell->at("baseline").get<bool>() ? variant + ", the baseline" : variant, url);
     html +=
         picture(*cell, text_of(*cell, "difference"), fmt::format("difference of {} from the baseline, view {}", variant, view),
-                fmt::format("{}: difference{}", variant, gain.empty() ? ", scaled" : ", times " + gain), url);
+                fmt::format("{}: {}", variant, difference), url);
     html +=
         picture(*cell, text_of(*cell, "flip"), fmt::format("FLIP map of {}, view {}", variant, view), variant + ": FLIP", url);
   }
@@ -117,6 +117,11 @@ std::string figures_row(const Record& record, const Json& cell, bool with_truth)
 
 }  // namespace
 
+std::string difference_words(const Record& record) {
+  const std::string gain = text_at(record.run, "/settings/difference_gain");
+  return gain.empty() ? "difference, scaled" : "difference, times " + gain;
+}
+
 bool same_shot(const Json& a, const Json& b) {
   return std::ranges::all_of(std::array{"effect", "backend", "scene", "width", "height", "params", "view"},
                              [&](const char* field) { return a.at(field) == b.at(field); });
@@ -131,7 +136,7 @@ std::string shot_key(const Json& cell) {
 
 std::string html_gallery(const Record& record, const PictureUrl& url) {
   if (record.cells.empty()) return "";
-  const std::string gain = text_at(record.run, "/settings/difference_gain");
+  const std::string difference = difference_words(record);
   std::string html =
       "<h2>All figures and pictures</h2>\n<p class=\"note\">Errors are against the baseline, over the pixels that the effect "
       "covers. Differences are of the display values: black is none"
@@ -153,7 +158,7 @@ std::string html_gallery(const Record& record, const PictureUrl& url) {
         place++ < most_open ? " open" : "", escaped_html(what), escaped_html(entries_of(sample.at("params"))),
         escaped_html(what + ", " + entries_of(sample.at("params"))), head);
     for (const Json* cell : cells) html += figures_row(record, *cell, with_truth);
-    html += "</tbody></table></div>\n" + html_samples(record, cells) + pictures(cells, gain, url) + "</details>\n";
+    html += "</tbody></table></div>\n" + html_samples(record, cells) + pictures(cells, difference, url) + "</details>\n";
   }
   return html;
 }

@@ -25,8 +25,9 @@ std::string findings(const Record& record, const std::vector<SummaryRow>& rows) 
       html += fmt::format("<li><strong>{}</strong>{} {}</li>\n", escaped_html(one.variant), after, escaped_html(one.words));
     return html.empty() ? "" : "<ul class=\"headlines\">\n" + html + "</ul>\n";
   };
-  return list(answers(rows), ":") + html_gate_answer(record) + list(headlines(rows), "") +
-         list(crossover_headlines(record), ":");
+  // A sweep was made for its crossovers, which come before figures that are means over all its points.
+  return list(answers(rows), ":") + html_gate_answer(record) + list(crossover_headlines(record), ":") +
+         list(headlines(rows), "");
 }
 
 std::string one_record(const Record& record, const std::string& name, const PictureUrl& url, const std::string& charts) {

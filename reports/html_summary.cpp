@@ -7,6 +7,14 @@
 namespace lamina {
 namespace {
 
+// A cell of figures may break between a mean and its worst or its interval, and nowhere else.
+std::string figures_cell(const std::string& words) {
+  std::string html = escaped_html(words);
+  for (size_t at = html.find(' '); at != std::string::npos; at = html.find(' ', at + 1))
+    if (html[at + 1] != '(' && html[at + 1] != '[') html.replace(at, 1, "&nbsp;");
+  return html;
+}
+
 template <class Cells>
 std::string figures_row(const Cells& cells, size_t names, size_t last_names, const char* attributes = "") {
   std::string html = fmt::format("<tr{}>", attributes);
@@ -14,7 +22,7 @@ std::string figures_row(const Cells& cells, size_t names, size_t last_names, con
     html += i == 0                           ? fmt::format("<th scope=\"row\">{}</th>", escaped_html(cells[i]))
             : i < names                      ? fmt::format("<td>{}</td>", escaped_html(cells[i]))
             : i + last_names >= cells.size() ? fmt::format("<td class=\"name\">{}</td>", escaped_html(cells[i]))
-                                             : fmt::format("<td class=\"num\">{}</td>", escaped_html(cells[i]));
+                                             : fmt::format("<td class=\"num\">{}</td>", figures_cell(cells[i]));
   return html + "</tr>\n";
 }
 

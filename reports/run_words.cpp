@@ -21,8 +21,8 @@ std::vector<Json> elements_of(const Json& owner, const char* name) {
   return objects;
 }
 
-// `what`: "on vulkan", and what the timer timed where that is not frames.
-std::string words_of(const Json& timer, const std::string& what) {
+// `what`: "on vulkan", and what the timer timed where that is not frames; `times`: which then are not shown.
+std::string words_of(const Json& timer, const std::string& what, const char* times = "times") {
   std::string measured;
   if (const auto& linearity = timer.at("linearity"); !linearity.empty()) {
     std::vector<std::string> works, factors;
@@ -37,8 +37,8 @@ std::string words_of(const Json& timer, const std::string& what) {
   if (const auto& attribution = timer.at("attribution"); !attribution.is_null())
     measured += fmt::format("; a pass's share is off by at most {:.1f}% in another order", 100 * attribution.get<double>());
   if (timer.at("ok").get<bool>()) return fmt::format("the timer's certificate {} holds{}", what, measured);
-  return fmt::format("the timer's certificate {} FAILED ({}), so no times are shown{}", what,
-                     timer.at("reason").get<std::string>(), measured);
+  return fmt::format("the timer's certificate {} FAILED ({}), so no {} are shown{}", what,
+                     timer.at("reason").get<std::string>(), times, measured);
 }
 
 }  // namespace
@@ -96,7 +96,8 @@ std::vector<Certificate> certificates(const Record& record) {
     const std::string backend = timer.at("backend");
     all.push_back({.backend = backend,
                    .ok = timer.at("ok"),
-                   .words = words_of(timer, fmt::format("on {} for calls of {}", backend, text_at(timer, "/function")))});
+                   .words = words_of(timer, fmt::format("on {} for calls of {}", backend, text_at(timer, "/function")),
+                                     "times of calls there")});
   }
   return all;
 }

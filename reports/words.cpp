@@ -95,7 +95,7 @@ std::string one_line(std::string_view text) {
 std::vector<std::string> summary_columns(bool truth) {
   std::vector<std::string> columns = {"variant",    "backend", "frame ms [95%]", "ratio [95%]",
                                       "fetches/px", "PSNR dB", "SSIM",           "FLIP"};
-  if (truth) columns.insert(columns.end(), {"PSNR dB to truth", "FLIP to truth", "RMSE to truth"});
+  if (truth) columns.insert(columns.end(), {"PSNR dB to truth", "SSIM to truth", "FLIP to truth", "RMSE to truth"});
   columns.push_back("worst view");
   return columns;
 }
@@ -122,10 +122,11 @@ std::vector<std::string> summary_cells(const SummaryRow& row, bool truth) {
   if (truth && row.mean_to_truth && row.worst_to_truth)
     cells.insert(
         cells.end(),
-        {psnr(*row.mean_to_truth, *row.worst_to_truth), mean_and_worst(row.mean_to_truth->flip, row.worst_to_truth->flip, 4),
+        {psnr(*row.mean_to_truth, *row.worst_to_truth), mean_and_worst(row.mean_to_truth->ssim, row.worst_to_truth->ssim, 4),
+         mean_and_worst(row.mean_to_truth->flip, row.worst_to_truth->flip, 4),
          fmt::format("{:.3g} ({:.3g})", row.mean_to_truth->rmse_linear, row.worst_to_truth->rmse_linear)});
   else if (truth)
-    cells.insert(cells.end(), 3, unknown);
+    cells.insert(cells.end(), 4, unknown);
   cells.push_back(row.mean ? row.worst_view : row.baseline ? "" : unknown);
   return cells;
 }

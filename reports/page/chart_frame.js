@@ -8,8 +8,8 @@ const decades = ([low, high], factor = 1) =>
     d3.range(Math.ceil(Math.log10(low / factor)), Math.floor(Math.log10(high / factor)) + 1).map(e => factor * 10 ** e);
 
 const margins = {
-  left: 60,
-  right: 15,
+  left: 70,
+  right: 24,
   top: 40,
   bottom: 55
 };
@@ -47,7 +47,8 @@ function draw_plot(place, title, options, most = 560) {
 // A place for a plot in a grid.
 const plot_place = grid => grid.appendChild(element('div', {className: 'plot'}));
 
-// Writes each name where it covers no dot, no interval, no line and no other name: to the right if it can, else around the dot.
+// Writes each name where it covers no dot, no interval, no line and no other name: to the right if it can, else around the dot;
+// a thin line leads to a name that stands away from its dot.
 function name_points(svg, points) {
   const x = svg.scale('x').apply, y = svg.scale('y').apply;
   const width_of_svg = +svg.getAttribute('width'), height_of_svg = +svg.getAttribute('height');
@@ -70,7 +71,7 @@ function name_points(svg, points) {
     text.attr('text-anchor', 'start').attr('font-weight', p.frontier ? 600 : null);
     const width = text.node().getComputedTextLength(), height = 14;
     const right = x(p.high) + 7, left = x(p.low) - 7 - width, middle = x(p.x) - width / 2;
-    const above = y(p.y) - 22, beside = y(p.y) - 7, below = y(p.y) + 8;
+    const above = y(p.y) - 22, beside = y(p.y) - 7, below = y(p.y) + 8, far_above = y(p.y) - 40, far_below = y(p.y) + 26;
     const boxes = [
       [right, beside],
       [left, beside],
@@ -80,10 +81,31 @@ function name_points(svg, points) {
       [right, below],
       [left, above],
       [left, below],
+      [middle, far_above],
+      [middle, far_below],
+      [right, far_above],
+      [right, far_below],
+      [left, far_above],
+      [left, far_below],
     ].map(([a, b]) => [a, b, a + width, b + height]);
-    const box = boxes[d3.minIndex(boxes, b => 1000 * outside(b) + d3.sum(taken, t => shared(b, t)))];
+    const end = b => [Math.max(b[0], Math.min(b[2], x(p.x))), Math.max(b[1] + 2, Math.min(b[3], y(p.y)))];
+    const away = b => Math.hypot(end(b)[0] - x(p.x), end(b)[1] - y(p.y));
+    const box = boxes[d3.minIndex(boxes, b => 1000 * outside(b) + 10 * d3.sum(taken, t => shared(b, t)) + away(b))];
     taken.push(box);
     text.attr('x', box[0]).attr('y', box[3] - 3);
+    const beside_it = box[1] === beside, length = away(box);
+    if (beside_it || length < 10) continue;
+    const [to_x, to_y] = end(box), edge = 5 / length;
+    d3.select(svg)
+        .append('line')
+        .attr('class', 'leader')
+        .attr('x1', x(p.x) + edge * (to_x - x(p.x)))
+        .attr('y1', y(p.y) + edge * (to_y - y(p.y)))
+        .attr('x2', to_x)
+        .attr('y2', to_y)
+        .attr('stroke', 'currentColor')
+        .attr('stroke-opacity', 0.5)
+        .attr('pointer-events', 'none');
   }
 }
 

@@ -53,7 +53,8 @@ function choose_near(change) {
 }
 // What parts a point from the others; all that is known of it where it is the only one.
 const varies = path => page.points.length < 2 || page.points.some(point => point[path] !== page.points[0][path]);
+const unit_of = path => page.sweeps.find(sweep => sweep.path === path)?.unit;
 const point_words = point => Object.entries(page.points[point])
                                  .filter(([path]) => varies(path))
-                                 .map(([path, value]) => `${path} ${digits(value)}`)
+                                 .map(([path, value]) => `${path} ${digits(value)}${unit_of(path) ? ` ${unit_of(path)}` : ''}`)
                                  .join(', ');

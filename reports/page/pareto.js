@@ -4,6 +4,8 @@ if (page) {
   const section = section_of('pareto');
   const shown = {cost: 'ms', against: 'baseline', metric: 0, view: null};  // view null: the mean over all
   if (!page.rows.some(row => row.ms)) shown.cost = 'fetches';
+  // A sweep that counts at some of its points has no mean over all of them.
+  if (shown.cost === 'fetches' && !page.rows.some(row => row.fetches !== null)) shown.view = page.views[0];
   const bit_of = () =>
       ((shown.against === 'truth' ? page.metrics.length : 0) + shown.metric) * 2 + (shown.cost === 'ms' ? 0 : 1);
 
@@ -12,7 +14,14 @@ if (page) {
   const nines =
       [0, 0.5, 0.8, 0.9, 0.95, 0.98, ...d3.range(2, 6).flatMap(k => [1, 0.5, 0.2].map(f => +(1 - f * 10 ** -k).toFixed(7)))];
   const scales = {
-    ssim: {place: v => -Math.log10(1 - v), value: at => 1 - 10 ** -at, least: 0.6, perfect: 1, words: '1', ticks: () => nines},
+    ssim: {
+      place: v => -Math.log10(1 - v),
+      value: at => 1 - 10 ** -at,
+      least: 0.6,
+      perfect: 1,
+      words: '1',
+      ticks: ([low, high]) => high - low < 2 ? nines : [0, 0.5, 0.9, 0.99, 0.999, 0.9999, 0.99999, 0.999999]
+    },
     psnr_db: {
       place: v => v,
       value: at => at,
@@ -182,7 +191,7 @@ if (page) {
       textContent: drawn ? 'Filled dots on the line are worth having: nothing closer is as cheap. Hollow ones are dominated. ' +
               'Bars are 95% intervals of the time; a dot leads to its pictures. The axis of errors is stretched so that small ' +
               'ones stay apart; what is perfect stands at its end.' + at_point + without_place :
-                           'The record has nothing to draw here: no such cost or error is known.'
+                           'The record has nothing to draw here: no such cost or error is known.' + at_point
     }));
   }
   drawn_on_choice(draw);

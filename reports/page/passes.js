@@ -3,8 +3,8 @@
 if (page) {
   const section = section_of('passes');
   // A legend of these names alone, of which each has its colour by its place in all.
-  const legend_of = (names, all) =>
-      ({legend: true, domain: names, range: names.map(name => `var(--series-${all.indexOf(name) % 10})`)});
+  const colour_of = (name, all) => `var(--series-${all.indexOf(name) % 10})`;
+  const legend_of = (names, all) => ({legend: true, domain: names, range: names.map(name => colour_of(name, all))});
   const bars = (place, title, label, rows, x, fill, words, all) => draw_plot(place, title, {
     height: 110 + 34 * unique(rows.map(row => row.variant)).length,
     marginLeft: 130,
@@ -41,7 +41,8 @@ if (page) {
             plot_place(grid), 'Fetches a pixel, by texture and format', 'fetches a covered pixel', shares, 'per_pixel', 'key',
             s => `${s.variant}: ${s.texture}\n${s.format}, ${s.filter}\n${digits(s.per_pixel)} a pixel, in ${s.pass}`,
             unique(shares.map(s => s.key)));
-      const costs = passes.filter(p => p.ns_per_fetch !== null);
+      const costs = passes.filter(p => p.ns_per_fetch !== null).map(p => ({...p, label: p.pass + (p.once ? ' (once)' : '')}));
+      const labels = unique(costs.map(p => p.label));
       if (costs.length)
         draw_plot(plot_place(grid), 'What a fetch costs, all of its pass counted in', {
           height: 110 + 34 * unique(costs.map(p => p.variant)).length,
@@ -57,15 +58,22 @@ if (page) {
             nice: true
           },
           y: {label: null, domain: unique(costs.map(p => p.variant)), type: 'band'},
-          color: legend_of(unique(costs.map(p => p.pass)), names),
-          marks: [Plot.dot(costs, {
-            y: 'variant',
-            x: 'ns_per_fetch',
-            fill: 'pass',
-            r: 5,
-            tip: true,
-            title: p => `${p.variant}: ${p.pass}${p.once ? ' (once)' : ''}\n${digits(p.ns_per_fetch)} ns a fetch`
-          })],
+          color: {
+            legend: true,
+            domain: labels,
+            range: labels.map(label => colour_of(costs.find(p => p.label === label).pass, names))
+          },
+          marks: labels.map(
+              // A pass a line within its variant's band, so that passes that cost alike stand beside each other.
+              (label, i) => Plot.dot(costs.filter(p => p.label === label), {
+                y: 'variant',
+                x: 'ns_per_fetch',
+                fill: 'label',
+                r: 4.5,
+                dy: labels.length < 2 ? 0 : 22 * i / (labels.length - 1) - 11,
+                tip: true,
+                title: p => `${p.variant}: ${p.label}\n${digits(p.ns_per_fetch)} ns a fetch`
+              })),
         });
     }
     if (page.passes.length && page.points.length > 1)

@@ -37,7 +37,7 @@ if (page && section_of('sweeps')) {
   }
 
   function draw_group(grid, cells, crossovers) {
-    const {record, effect, backend} = cells[0], unit = page.sweeps.find(sweep => sweep.path === shown.parameter)?.unit;
+    const {record, effect, backend} = cells[0], unit = unit_of(shown.parameter);
     const value = cell => page.points[cell.point][shown.parameter];
     const points = cells
                        .map(cell => ({
@@ -79,7 +79,7 @@ if (page && section_of('sweeps')) {
         Plot.tip(sorted, Plot.pointer({
           x: 'x',
           y: 'y',
-          title: p => `${p.variant}\n${shown.parameter} ${digits(p.x)}\n${shown.quantity.words} ${digits(p.y)}`
+          title: p => `${p.variant}\n${shown.parameter} ${digits(p.x)} ${unit ?? ''}\n${shown.quantity.words} ${digits(p.y)}`
         })),
       ],
     });

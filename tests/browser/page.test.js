@@ -79,7 +79,7 @@ test('a legend holds what its chart shows, in the colours of the chart beside it
                               one => [...one.querySelectorAll('span[class*="swatch"]')].map(
                                   swatch => [swatch.textContent, swatch.querySelector('svg').getAttribute('fill')])));
   assert.deepEqual(legends[0], [['composite', 'var(--series-0)'], ['light', 'var(--series-1)']]);
-  assert.deepEqual(legends[2], [...legends[0], ['seeds', 'var(--series-2)']], 'what is done once is in no frame');
+  assert.deepEqual(legends[2], [...legends[0], ['seeds (once)', 'var(--series-2)']], 'what is done once is in no frame');
   await page.context().close();
 });
 
@@ -211,7 +211,7 @@ test('scrubbing the parameter moves through the pictures', async () => {
   await page.locator('#sweeps input[type=range]').focus();
   for (let i = 0; i < 3; ++i) await page.keyboard.press('ArrowRight');
   assert.match(await picture(), /-0-3\.png$/);
-  assert.equal(await page.locator('#sweeps output').textContent(), 'objects.heart.thickness 3');
+  assert.equal(await page.locator('#sweeps output').textContent(), 'objects.heart.thickness 3 texels');
   assert.match(await page.locator('#sweeps').textContent(), /keeps SSIM at least 0.98 up to thickness 4.8 texels/);
   await page.locator('#pictures .scrub input').focus();
   await page.keyboard.press('End');

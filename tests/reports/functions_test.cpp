@@ -129,6 +129,8 @@ TEST(Functions, WordsTellBackendsApartWhereTheyDiffer) {
       "exact_cap) on vulkan and 100 ns (2.0 times slower than exact_cap) on osmesa.");
   EXPECT_TRUE(has(words(reports[0], "fitted_cap"), "on vulkan and was not timed on osmesa."))
       << words(reports[0], "fitted_cap");
+  EXPECT_TRUE(has(words(reports[0], "fitted_cap"), "a call takes 4 ns (10.0 times faster than exact_cap) on vulkan."))
+      << "a time of one backend is not that of both: " << words(reports[0], "fitted_cap");
 }
 
 TEST(Functions, WithoutATimerThereAreErrorsButNeitherTimesNorAChart) {

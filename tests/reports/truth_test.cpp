@@ -46,7 +46,7 @@ TEST(Truth, TheTableHasItsColumnsOnlyWhereThereIsOne) {
   const Record with = example_record(cells_with_truth()), without = example_record(example_cells());
   for (const std::string& text : {page_of(with), markdown_summary(with)}) {
     for (const char* part :
-         {"PSNR dB to truth", "FLIP to truth", "RMSE to truth", "41.0 (41.0)", "21.0 (21.0)", "0.25 (0.375)"})
+         {"PSNR dB to truth", "SSIM to truth", "FLIP to truth", "RMSE to truth", "41.0 (41.0)", "21.0 (21.0)", "0.25 (0.375)"})
       EXPECT_TRUE(has(text, part)) << part;
   }
   EXPECT_FALSE(has(page_of(without), "truth"));
