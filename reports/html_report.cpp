@@ -33,7 +33,12 @@ std::string findings(const Record& record, const std::vector<SummaryRow>& rows) 
 std::string one_record(const Record& record, const std::string& name, const PictureUrl& url, const std::string& charts) {
   const std::vector<SummaryRow> rows = summarize(record);
   std::string html = name.empty() ? "" : fmt::format("<h2>{}</h2>\n", escaped_html(name));
-  html += warnings(record) + findings(record, rows) + html_summary(rows) + html_gate(record) + charts;
+  html += warnings(record) + findings(record, rows) + html_summary(rows);
+  if (!record.pairs.empty())
+    html +=
+        "<p class=\"note\">A gate times the same pass of two trees strip by strip, not whole frames: its times stand below, "
+        "as they were and as they are.</p>\n";
+  html += html_gate(record) + charts;
   if (const std::string passes = html_passes(record); !passes.empty()) html += "<h2>Every pass</h2>\n" + passes;
   html += html_assumptions(record, url) + html_functions(record, name, url) + html_gallery(record, url);
   return html + html_run(record);

@@ -22,11 +22,16 @@ int across(double ms, double end_ms) { return static_cast<int>(std::lround(units
 std::string strip(const std::vector<double>& samples_ms, double end_ms, const std::string& label) {
   const Interval interval = interval_or_range(samples_ms);
   const int low = across(interval.low, end_ms), high = across(interval.high, end_ms);
+  // From dot to dot by how far it is, which is shorter than where it is.
   std::string dots;
-  for (size_t i = 0; i < samples_ms.size(); ++i)
-    dots += fmt::format(
-        "M{} {}h1", across(samples_ms[i], end_ms),
+  int x = 0, y = 0;
+  for (size_t i = 0; i < samples_ms.size(); ++i) {
+    const int to_x = across(samples_ms[i], end_ms);
+    const int to_y = static_cast<int>(
         std::lround(units_high * (0.9 - 0.8 * (static_cast<double>(i) + 0.5) / static_cast<double>(samples_ms.size()))));
+    dots += fmt::format("m{}{}{}h1", to_x - x, to_y < y ? "" : " ", to_y - y);
+    x = to_x + 1, y = to_y;
+  }
   return fmt::format(
       "<svg viewBox=\"0 0 {} {}\" preserveAspectRatio=\"none\" role=\"img\" aria-label=\"{}\"><path class=\"interval\" "
       "d=\"M{} 0H{}V{}H{}z\"/><path d=\"M{} 0V{}\"/><path class=\"dots\" d=\"{}\"/></svg>",

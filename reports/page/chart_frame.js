@@ -70,7 +70,7 @@ function name_points(svg, points) {
     const text = d3.select(svg).append('text').text(p.name).attr('fill', 'currentColor').attr('pointer-events', 'none');
     text.attr('text-anchor', 'start').attr('font-weight', p.frontier ? 600 : null);
     const width = text.node().getComputedTextLength(), height = 14;
-    const right = x(p.high) + 7, left = x(p.low) - 7 - width, middle = x(p.x) - width / 2;
+    const right = x(p.high) + 9, left = x(p.low) - 9 - width, middle = x(p.x) - width / 2;
     const above = y(p.y) - 22, beside = y(p.y) - 7, below = y(p.y) + 8, far_above = y(p.y) - 40, far_below = y(p.y) + 26;
     const boxes = [
       [right, beside],

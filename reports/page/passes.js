@@ -63,17 +63,22 @@ if (page) {
             domain: labels,
             range: labels.map(label => colour_of(costs.find(p => p.label === label).pass, names))
           },
-          marks: labels.map(
-              // A pass a line within its variant's band, so that passes that cost alike stand beside each other.
-              (label, i) => Plot.dot(costs.filter(p => p.label === label), {
-                y: 'variant',
-                x: 'ns_per_fetch',
-                fill: 'label',
-                r: 4.5,
-                dy: labels.length < 2 ? 0 : 22 * i / (labels.length - 1) - 11,
-                tip: true,
-                title: p => `${p.variant}: ${p.label}\n${digits(p.ns_per_fetch)} ns a fetch`
-              })),
+          // A variant's passes stand on a slant within its band, so that those that cost alike do not hide each other.
+          marks: d3.groups(
+                       costs,
+                       p => {
+                         const own = costs.filter(other => other.variant === p.variant), last = own.length - 1;
+                         return last ? 18 * own.indexOf(p) / last - 9 : 0;
+                       })
+                     .map(([dy, dots]) => Plot.dot(dots, {
+                       y: 'variant',
+                       x: 'ns_per_fetch',
+                       fill: 'label',
+                       r: 4.5,
+                       dy,
+                       tip: true,
+                       title: p => `${p.variant}: ${p.label}\n${digits(p.ns_per_fetch)} ns a fetch`
+                     })),
         });
     }
     if (page.passes.length && page.points.length > 1)

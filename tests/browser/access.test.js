@@ -13,7 +13,9 @@ before(async () => (browser = await launch()));
 after(() => browser.close());
 const axe = readFileSync(join(dirname(fileURLToPath(import.meta.url)), 'node_modules/axe-core/axe.min.js'), 'utf8');
 
-for (const [name, widths] of [['compare', [400, 1200, 2400]], ['sweep', [400, 1200, 2400]], ['two', [400]], ['gate', [400, 1200]]])
+for (const [name, widths] of [
+         ['compare', [400, 1200, 2400]], ['sweep', [400, 1200, 2400]], ['two', [400]], ['gate', [400, 1200]],
+         ['truth', [400, 1200, 2400]], ['evil', [400]]])
   for (const width of widths)
     for (const scheme of ['light', 'dark'])
       test(`${name} at ${width} px, ${scheme}`, async () => {

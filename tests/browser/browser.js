@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A headless chromium whose pages note what goes wrong: console errors, exceptions, and requests that leave the disk.
+import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {chromium} from 'playwright-core';
 
@@ -22,3 +23,14 @@ export async function open(browser, name, options = {}) {
   await page.goto(`file://${join(folder, name, 'index.html')}`);
   return page;
 }
+
+// The lines of the record of the folder `name`.
+export const record = name =>
+    readFileSync(join(folder, name, 'record.jsonl'), 'utf8').trim().split('\n').map(line => JSON.parse(line));
+export const median = values => {
+  const sorted = [...values].sort((a, b) => a - b), half = sorted.length >> 1;
+  return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+};
+// Chooses from the list of this label in a section.
+export const choose = (page, section, label, words) =>
+    page.locator(`#${section} label.control`, {hasText: label}).first().locator('select').selectOption({label: words});

@@ -1,87 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page does what it says, by mouse and by keyboard, and shows the record's numbers.
 import assert from 'node:assert/strict';
-import {readFileSync, statSync} from 'node:fs';
+import {statSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 
-import {folder, launch, open} from './browser.js';
+import {choose, folder, launch, median, open, record} from './browser.js';
 
 let browser;
 before(async () => (browser = await launch()));
 after(() => browser.close());
-
-const record = name =>
-    readFileSync(join(folder, name, 'record.jsonl'), 'utf8').trim().split('\n').map(line => JSON.parse(line));
-const median = values => {
-  const sorted = [...values].sort((a, b) => a - b), half = sorted.length >> 1;
-  return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
-};
-const choose = (page, section, label, words) =>
-    page.locator(`#${section} label.control`, {hasText: label}).first().locator('select').selectOption({label: words});
-
-test('every chart draws, and nothing goes wrong', async () => {
-  for (const name of ['compare', 'gate', 'single', 'two', 'sweep', 'evil']) {
-    const page = await open(browser, name);
-    const own = {sweep: ['sweeps'], gate: ['strips']};
-    for (const section of ['pareto', 'passes', 'samples', ...(own[name] ?? [])]) {
-      const charts = page.locator(`#${section} svg[role=group]`);
-      assert.ok(await charts.count() > 0, `${name}: #${section} has no chart`);
-      for (const chart of await charts.all())
-        assert.ok(await chart.locator('circle, path, rect, line').count() > 2, `${name}: #${section} is empty`);
-    }
-    assert.deepEqual(page.faults, [], name);
-    await page.context().close();
-  }
-});
-
-test('the pareto chart\'s figures are the record\'s', async () => {
-  const cells = record('compare').filter(line => line.kind === 'cell');
-  const page = await open(browser, 'compare');
-  await choose(page, 'pareto', 'Over', 'view grazing');
-  const words =
-      await page.locator('#pareto circle[role=button]').evaluateAll(dots => dots.map(dot => dot.getAttribute('aria-label')));
-  const shown = cells.filter(cell => cell.view === 'grazing' && cell.status === 'ok');
-  assert.equal(words.length, shown.length);
-  for (const cell of shown) {
-    const ms = median(cell.passes[0].ms.map((first, i) => first + cell.passes[1].ms[i]));
-    const ssim = cell.baseline ? 1 : cell.error.baseline.ssim;
-    assert.ok(
-        words.some(
-            label => label.startsWith(cell.variant) && label.includes(`, ${+ ms.toPrecision(4)} [`) &&
-                label.includes(`SSIM ${+ ssim.toPrecision(4)} `)),
-        `${cell.variant}: ${ms} ${ssim} in ${words}`);
-  }
-  assert.ok(words.find(label => label.startsWith('normal_map_taps')).includes('dominated'));
-  assert.ok(words.find(label => label.startsWith('vertex_normal')).includes('worth having'));
-  await choose(page, 'pareto', 'Cost', 'fetches a pixel');
-  await choose(page, 'pareto', 'Error', 'FLIP');
-  const label = await page.locator('#pareto circle[aria-label^="vertex_normal"]').first().getAttribute('aria-label');
-  assert.match(label, /8 fetches\/px, FLIP 0.05 to the baseline/);
-  await page.context().close();
-});
-
-test('the chart names what has no place on it', async () => {
-  const page = await open(browser, 'compare');
-  assert.match(await page.locator('#pareto .caption').textContent(), /Without a place, .* not known: broken on osmesa\.$/);
-  const two = await open(browser, 'two');
-  assert.match(
-      await two.locator('#pareto .caption').textContent(), /not known: A: abc1234, broken on osmesa; B: def5678, broken/);
-  await page.context().close();
-  await two.context().close();
-});
-
-test('a legend holds what its chart shows, in the colours of the chart beside it', async () => {
-  const page = await open(browser, 'compare');
-  const legends = await page.locator('#passes div[class*="swatches"]')
-                      .evaluateAll(
-                          all => all.map(
-                              one => [...one.querySelectorAll('span[class*="swatch"]')].map(
-                                  swatch => [swatch.textContent, swatch.querySelector('svg').getAttribute('fill')])));
-  assert.deepEqual(legends[0], [['composite', 'var(--series-0)'], ['light', 'var(--series-1)']]);
-  assert.deepEqual(legends[2], [...legends[0], ['seeds (once)', 'var(--series-2)']], 'what is done once is in no frame');
-  await page.context().close();
-});
 
 test('a gate\'s answer, what regressed and every check are on the page, with and without a script', async () => {
   for (const script of [true, false]) {
@@ -145,26 +73,6 @@ test('slider and flip work by mouse and keyboard', async () => {
   await page.context().close();
 });
 
-test('a gate\'s strips are drawn, process by process, beside the interval of all', async () => {
-  const page = await open(browser, 'gate');
-  const section = page.locator('#strips');
-  assert.match(await section.locator('h4').textContent(), /vertex_normal on vulkan, view front, pass composite: slower$/);
-  assert.equal(await section.locator('g[data-marks="dot"] circle').count(), 16);
-  const names = await section.locator('g[data-marks="y-axis tick label"] text').allTextContents();
-  assert.deepEqual(names, ['process 1', 'process 2', 'all']);
-  await choose(page, 'strips', 'Comparison', 'A/A vertex_normal on vulkan, view front, pass composite');
-  assert.deepEqual(
-      await section.locator('g[data-marks="y-axis tick label"] text').allTextContents(), ['process 1', 'process 2'],
-      'an A/A arm is judged by its frame');
-  const bare = await open(browser, 'gate', {script: false});
-  await bare.locator('summary', {hasText: 'What each process measured'}).click();
-  const table = await bare.locator('table', {hasText: 'by the strips of one process'}).textContent();
-  for (const words of ['+10.0% [+8.0%, +12.0%]', '+9.00% ± 0.0', '+11.00% ± 0.0', '+0.00% ± 0.0'])
-    assert.ok(table.includes(words), `${words} is not in: ${table}`);
-  assert.deepEqual(page.faults, []);
-  for (const each of [page, bare]) await each.context().close();
-});
-
 test('a gate\'s pictures begin with before and after', async () => {
   const page = await open(browser, 'gate');
   const left = page.locator('#pictures label.control', {hasText: 'Left'}).locator('select');
@@ -174,6 +82,10 @@ test('a gate\'s pictures begin with before and after', async () => {
   const sources = await page.locator('#pictures .compare img').evaluateAll(images => images.map(image => image.src));
   assert.match(sources[0], /before-light_map\.png$/);
   assert.match(sources[1], /normal_map_taps-vulkan-front\.png$/);
+  await page.locator('#pictures .compare .stage').focus();
+  await page.keyboard.press('ArrowRight');
+  await page.waitForSelector('#pictures .values');
+  assert.match(await page.locator('#pictures .values').first().textContent(), /^sRGB \d+, \d+, 10$/, 'pixels of before');
   await left.selectOption({label: 'light_map (baseline)'});
   assert.match(await page.locator('#pictures .compare img').first().getAttribute('src'), /light_map-vulkan-front\.png$/);
   await choose(page, 'pictures', 'Right', 'vertex_normal');
@@ -217,6 +129,46 @@ test('scrubbing the parameter moves through the pictures', async () => {
   await page.keyboard.press('End');
   assert.match(await picture(), /-0-11\.png$/);
   assert.deepEqual(page.faults, []);
+  await page.context().close();
+});
+
+const ms_words = ms => ms.toFixed(ms >= 100 ? 1 : ms >= 10 ? 2 : 3);
+test('the tables hold the record\'s figures, cell by cell', async () => {
+  for (const script of [true, false]) {
+    const page = await open(browser, 'compare', {script});
+    const tables =
+        await page.locator('details.group')
+            .evaluateAll(
+                groups => groups.map(
+                    group => [group.querySelector('summary').textContent, group.querySelector('table').textContent]));
+    const cells = record('compare').filter(line => line.kind === 'cell');
+    for (const cell of cells) {
+      const [, table] = tables.find(([words]) => words.startsWith(`${cell.effect} on ${cell.backend}, view ${cell.view} `));
+      const figures = cell.status === 'failed' ? [cell.reason] : [
+        ms_words(median(cell.passes[0].ms.map((first, i) => first + cell.passes[1].ms[i]))),
+        cell.fetches_per_pixel.toFixed(1),
+        ...(cell.baseline ? [] :
+                            [
+                              cell.error.baseline.ssim.toFixed(4),
+                              cell.error.baseline.flip.toFixed(4),
+                              cell.error.baseline.psnr_db.toFixed(1),
+                              cell.ratio_to_baseline.median.toFixed(3),
+                            ]),
+      ];
+      for (const figure of [cell.variant, ...figures]) assert.ok(table.includes(figure), `${figure} is not in ${table}`);
+    }
+    await page.context().close();
+  }
+});
+
+test('every round stands in a strip without a script', async () => {
+  const cells = record('compare').filter(line => line.kind === 'cell');
+  const page = await open(browser, 'compare', {script: false});
+  const strip = page.locator('details[open] .rounds svg').first();
+  await strip.scrollIntoViewIfNeeded();
+  assert.ok((await strip.boundingBox()).width > 200);
+  assert.match(await strip.getAttribute('aria-label'), new RegExp(`^${cells[0].passes[0].ms.length} rounds, `));
+  assert.equal((await strip.locator('.dots').getAttribute('d')).match(/m/g).length, cells[0].passes[0].ms.length);
   await page.context().close();
 });
 

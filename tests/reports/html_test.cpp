@@ -123,7 +123,7 @@ TEST(HtmlReport, EveryRoundStandsInAStripThatNeedsNoScript) {
   EXPECT_TRUE(has(page,
                   "<span>vertex_normal</span><svg viewBox=\"0 0 2000 100\" preserveAspectRatio=\"none\" role=\"img\" "
                   "aria-label=\"3 rounds, 2.000 to 4.000 ms\"><path class=\"interval\" d=\"M500 0H1000V100H500z\"/>"
-                  "<path d=\"M750 0V100\"/><path class=\"dots\" d=\"M500 77h1M1000 50h1M750 23h1\"/></svg>"))
+                  "<path d=\"M750 0V100\"/><path class=\"dots\" d=\"m500 77h1m499-27h1m-251-27h1\"/></svg>"))
       << page.substr(page.find("class=\"rounds\""), 1200);
   EXPECT_EQ(count_of(page, "class=\"dots\""), 2u);
   EXPECT_FALSE(has(page_of(example_record(cells, {example_timer("vulkan", false)})), "class=\"rounds\""));
