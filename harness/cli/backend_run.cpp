@@ -61,9 +61,9 @@ void BackendRun::count(Progress& progress) {
   }
 }
 
-Frame* BackendRun::frame(std::string_view variant) {
+ReadyFrame* BackendRun::frame(std::string_view variant) {
   for (Variant& candidate : variants_)
-    if (candidate.manifest->name == variant && candidate.ready) return &candidate.ready->frame;
+    if (candidate.manifest->name == variant && candidate.ready) return candidate.ready.get();
   return nullptr;
 }
 

@@ -27,7 +27,7 @@ class BackendRun {
   RoundsResult time(Progress& progress, bool timer_ok);
 
   // The variant's frame; null where it failed or is not compared.
-  Frame* frame(std::string_view variant);
+  ReadyFrame* frame(std::string_view variant);
 
   // One row a variant and view, the baseline's first.
   std::vector<CellRow> rows() const;

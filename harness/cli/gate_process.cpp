@@ -33,16 +33,16 @@ bool GateProcess::certify(Backend& backend, const std::filesystem::path& shaders
 
 void GateProcess::end(const EmitLine& emit) { emit({{"messages", backend->take_messages()}, {"rounds_s", rounds_s}}); }
 
-Frame& ProcessFrames::get(Tree& tree, const VariantManifest& variant, size_t copy) {
+ReadyFrame& ProcessFrames::get(Tree& tree, const VariantManifest& variant, size_t copy) {
   std::unique_ptr<ReadyFrame>& ready = made_[{&tree, &variant, copy}];
   if (!ready)
     ready = std::make_unique<ReadyFrame>(process_.resources, tree.plan, variant, tree.shaders.at(process_.backend->info().api));
-  return ready->frame;
+  return *ready;
 }
 
-void TimedFrames::add(std::string_view name, Frame& frame, size_t same_passes) {
+void TimedFrames::add(std::string_view name, ReadyFrame& ready, size_t same_passes) {
   names.emplace_back(name);
-  frames.push_back({&frame, same_passes});
+  frames.push_back({&ready.frame, same_passes, ready.pass_ms});
 }
 
 PairsRow TimedFrames::row(const GateProcess& process) const {

@@ -42,7 +42,7 @@ class ProcessFrames {
   explicit ProcessFrames(GateProcess& process) : process_(process) {}
 
   // Another `copy` of the same tree and variant is another frame.
-  Frame& get(Tree& tree, const VariantManifest& variant, size_t copy = 0);
+  ReadyFrame& get(Tree& tree, const VariantManifest& variant, size_t copy = 0);
 
  private:
   GateProcess& process_;
@@ -56,7 +56,7 @@ struct TimedFrames {
   std::vector<PairedFrame> frames;
   std::unique_ptr<PairedFrames> paired;
 
-  void add(std::string_view name, Frame& frame, size_t same_passes = 0);
+  void add(std::string_view name, ReadyFrame& ready, size_t same_passes = 0);
   PairsRow row(const GateProcess& process) const;
 };
 

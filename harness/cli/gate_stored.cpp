@@ -39,7 +39,7 @@ void measure_state(const Scene& scene, Tree& tree, const std::vector<const Effec
   for (size_t i = 0; i < effects.size() && process.certified; ++i) {
     TimedFrames timed{effects[i]->name, "", {}, {}, nullptr};
     for (const VariantManifest& variant : effects[i]->variants)
-      if (Frame* frame = runs[i]->frame(variant.name)) timed.add(variant.name, *frame);
+      if (ReadyFrame* frame = runs[i]->frame(variant.name)) timed.add(variant.name, *frame);
     if (!timed.frames.empty()) all.push_back(std::move(timed));
   }
   if (!all.empty()) time_rounds(process, all, [&](const TimedFrames&) { return process.watch.elapsed_s() >= task.until_s; });
@@ -88,7 +88,7 @@ void add_times(std::vector<Json>& cells, const std::vector<PairsRow>& pairs, boo
     const std::vector<double> whole = frame_samples_ms(passes_of(cell));
     if (!whole.empty()) cell["median_ms"] = median(whole);
     if (ratios.empty() || cell.at("baseline").get<bool>()) continue;
-    cell["ratio_to_baseline"] = interval_to_json(ratio_interval(pool(ratios), 0.95), variant, "ratio_to_baseline");
+    cell["ratio_to_baseline"] = interval_to_json(ratio_interval(settle(pool(ratios)), 0.95), variant, "ratio_to_baseline");
   }
 }
 

@@ -7,7 +7,7 @@ ReadyFrame::ReadyFrame(SceneResources& resources, const Plan& plan, const Varian
     : graph(make_graph(plan, configuration_with(plan, variant), resources.scene(), shaders)),
       frame(resources, graph, Build::timed) {
   frame.run_once(Timing::off);
-  frame.run(0, Timing::off);
+  pass_ms = frame.run(0, Timing::bracketed).pass_ms;
 }
 
 }  // namespace lamina

@@ -13,6 +13,7 @@ struct ReadyFrame {
 
   Graph graph;
   Frame frame;
+  std::vector<double> pass_ms;  // of that first frame, beside frame.frame_names(): compiling is in it
 };
 
 }  // namespace lamina

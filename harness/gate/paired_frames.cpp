@@ -2,6 +2,7 @@
 #include "harness/gate/paired_frames.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "harness/measure/statistics.h"
@@ -25,7 +26,24 @@ uint32_t repeats_for(double ms, const PieceOptions& options) {
 PairedFrames::PairedFrames(Backend& backend, const std::vector<PairedFrame>& frames, size_t view, const PieceOptions& options)
     : backend_(backend) {
   for (const PairedFrame& each : frames) frames_.push_back(each.frame);
-  for (size_t frame = 0; frame < frames.size(); ++frame) cut(frame, frames[frame].same_passes, view, options);
+  std::vector<std::vector<size_t>> passes;  // [frame]
+  std::vector<double> least_ms;             // beside passes_
+  for (size_t frame = 0; frame < frames.size(); ++frame) {
+    passes.push_back(passes_of(frame));
+    least_ms.resize(passes_.size(), std::numeric_limits<double>::infinity());
+    for (size_t i = 0; i < passes[frame].size(); ++i)
+      least_ms[passes[frame][i]] = std::min(least_ms[passes[frame][i]], frames[frame].pass_ms.at(i));
+  }
+  for (size_t pass = 0; pass < passes_.size(); ++pass)
+    cuts_[pass].strips = strips_for(least_ms[pass], options), cuts_[pass].repeats = repeats_for(least_ms[pass], options);
+  for (size_t frame = 0; frame < frames.size(); ++frame) {
+    for (size_t i = 0; i < std::min(frames[frame].same_passes, passes[frame].size()); ++i)
+      passes_[passes[frame][i]].same[frame] = true;
+    std::vector<uint32_t> parts;
+    for (const size_t pass : passes[frame]) parts.push_back(cuts_[pass].strips);
+    for (Frame::Slice& slice : frames_[frame]->slices(view, parts))
+      cuts_[passes[frame][slice.pass]].pieces[frame].push_back(std::move(slice.piece));
+  }
   for (size_t pass = 0; pass < passes_.size(); ++pass)
     passes_[pass].cut = cuts_[pass].strips > 1 &&
                         std::all_of(cuts_[pass].pieces.begin(), cuts_[pass].pieces.end(), [](const std::vector<Pass>& pieces) {
@@ -38,30 +56,18 @@ size_t PairedFrames::pass_named(const std::string& name, size_t occurrence) {
     if (passes_[i].name == name && cuts_[i].occurrence == occurrence) return i;
   passes_.push_back({name, false, std::vector<bool>(frames_.size()), std::vector<std::vector<double>>(frames_.size()),
                      std::vector<std::vector<StripPair>>(frames_.size())});
-  cuts_.push_back({occurrence, 0, 1, std::vector<std::vector<Pass>>(frames_.size())});
+  cuts_.push_back({occurrence, 1, 1, std::vector<std::vector<Pass>>(frames_.size())});
   return passes_.size() - 1;
 }
 
-void PairedFrames::cut(size_t frame, size_t same_passes, size_t view, const PieceOptions& options) {
+std::vector<size_t> PairedFrames::passes_of(size_t frame) {
   const std::vector<std::string>& names = frames_[frame]->frame_names();
   std::vector<size_t> passes;
   for (size_t i = 0; i < names.size(); ++i) {
     const auto here = names.begin() + static_cast<std::ptrdiff_t>(i);
     passes.push_back(pass_named(names[i], static_cast<size_t>(std::count(names.begin(), here, names[i]))));
   }
-  if (std::ranges::any_of(passes, [&](size_t pass) { return cuts_[pass].strips == 0; })) {
-    const FrameTimes times = frames_[frame]->run(view, Timing::bracketed);
-    for (size_t i = 0; i < passes.size(); ++i) {
-      if (cuts_[passes[i]].strips != 0) continue;
-      cuts_[passes[i]].strips = strips_for(times.pass_ms[i], options);
-      cuts_[passes[i]].repeats = repeats_for(times.pass_ms[i], options);
-    }
-  }
-  for (size_t i = 0; i < std::min(same_passes, passes.size()); ++i) passes_[passes[i]].same[frame] = true;
-  std::vector<uint32_t> parts;
-  for (const size_t pass : passes) parts.push_back(cuts_[pass].strips);
-  for (Frame::Slice& slice : frames_[frame]->slices(view, parts))
-    cuts_[passes[slice.pass]].pieces[frame].push_back(std::move(slice.piece));
+  return passes;
 }
 
 void PairedFrames::start_again() {

@@ -41,11 +41,13 @@ struct PieceOptions {
 struct PairedFrame {
   Frame* frame = nullptr;  // must outlive its pairs and have run once
   size_t same_passes = 0;  // from its first on, that are known to be the same as those of the first frame
+  std::vector<double> pass_ms;  // what its passes lasted when it ran, beside its frame_names()
 };
 
 class PairedFrames {
  public:
-  // Passes are paired by name, and by order among those of one name; the first frame that has a pass decides how it is cut.
+  // Passes are paired by name, and by order among those of one name. How a pass is cut is decided by the frame in which it lasted
+  // least: another may have been compiled while it ran.
   PairedFrames(Backend& backend, const std::vector<PairedFrame>& frames, size_t view, const PieceOptions& options = {});
 
   // Times the round's pieces of every frame; a pass that is repeated counts with the mean. Throws Error(failed) on device loss.
@@ -64,7 +66,7 @@ class PairedFrames {
     std::vector<std::vector<Pass>> pieces;  // [frame]
   };
   size_t pass_named(const std::string& name, size_t occurrence);
-  void cut(size_t frame, size_t same_passes, size_t view, const PieceOptions& options);
+  std::vector<size_t> passes_of(size_t frame);  // beside its frame_names()
   bool runs(size_t pass, size_t frame) const;  // in the next round
   struct Timed {
     double ms = 0;

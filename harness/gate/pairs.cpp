@@ -133,6 +133,7 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
                                  std::string_view frame, Part part) {
     TimeComparison& comparison = to.emplace_back();
     comparison.margin = margin;
+    comparison.of_others = !part && processes.front()->passes.size() > 1;
     for (const PairsRow* process : processes) comparison.processes.push_back(estimate_of(*process, frame, part));
   };
   for (const auto& [key, processes] : by_cell) {

@@ -14,15 +14,15 @@ struct Claim {
   double chance = 1;  // of claiming it by luck, both sides together
 };
 
-Claim strongest_claim(const RatioEstimate& pooled, double margin) {
+Claim strongest_claim(const RatioEstimate& ratio, double margin) {
   const double edge = std::log1p(margin);
   // The chance of lying this far beyond the edge, `beyond` being log ratios.
   const auto chance = [&](double beyond) {
-    if (pooled.error == 0) return beyond > 0 ? 0.0 : 1.0;
-    return boost::math::cdf(boost::math::complement(boost::math::students_t(pooled.freedom), beyond / pooled.error));
+    if (ratio.error == 0) return beyond > 0 ? 0.0 : 1.0;
+    return boost::math::cdf(boost::math::complement(boost::math::students_t(ratio.freedom), beyond / ratio.error));
   };
-  const double slower = chance(pooled.log_ratio - edge), faster = chance(-pooled.log_ratio - edge);
-  Claim claim{Verdict::same, std::max(chance(edge - pooled.log_ratio), chance(edge + pooled.log_ratio))};
+  const double slower = chance(ratio.log_ratio - edge), faster = chance(-ratio.log_ratio - edge);
+  Claim claim{Verdict::same, std::max(chance(edge - ratio.log_ratio), chance(edge + ratio.log_ratio))};
   if (slower < claim.chance) claim = {Verdict::slower, slower};
   if (faster < claim.chance) claim = {Verdict::faster, faster};
   claim.chance = std::min(1.0, 2 * claim.chance);
@@ -31,18 +31,24 @@ Claim strongest_claim(const RatioEstimate& pooled, double margin) {
 
 }  // namespace
 
-Interval ratio_interval(const RatioEstimate& pooled, double confidence) {
-  const double reach = pooled.error * boost::math::quantile(boost::math::students_t(pooled.freedom), 1 - (1 - confidence) / 2);
-  return {std::exp(pooled.log_ratio), std::exp(pooled.log_ratio - reach), std::exp(pooled.log_ratio + reach), pooled.strips,
+Interval ratio_interval(const RatioEstimate& ratio, double confidence) {
+  const double reach = ratio.error * boost::math::quantile(boost::math::students_t(ratio.freedom), 1 - (1 - confidence) / 2);
+  return {std::exp(ratio.log_ratio), std::exp(ratio.log_ratio - reach), std::exp(ratio.log_ratio + reach), ratio.strips,
           confidence};
 }
 
 std::vector<TimeVerdict> judge_times(std::span<const TimeComparison> comparisons, double family_error) {
-  std::vector<RatioEstimate> pooled;
-  std::vector<Claim> claims;
+  std::vector<PooledRatio> pooled, parts;
   for (const TimeComparison& comparison : comparisons) {
     pooled.push_back(pool(comparison.processes));
-    claims.push_back(strongest_claim(pooled.back(), comparison.margin));
+    if (!comparison.of_others) parts.push_back(pooled.back());
+  }
+  const SharedDisagreement shared = shared_disagreement(parts);
+  std::vector<RatioEstimate> ratios;
+  std::vector<Claim> claims;
+  for (size_t i = 0; i < comparisons.size(); ++i) {
+    ratios.push_back(settle(pooled[i], shared));
+    claims.push_back(strongest_claim(ratios.back(), comparisons[i].margin));
   }
   std::vector<size_t> order(comparisons.size());
   std::iota(order.begin(), order.end(), size_t{0});
@@ -54,7 +60,7 @@ std::vector<TimeVerdict> judge_times(std::span<const TimeComparison> comparisons
     const size_t i = order[k];
     decided = decided && claims[i].chance <= error;
     verdicts[i].verdict = decided ? claims[i].verdict : Verdict::ambiguous;
-    verdicts[i].ratio = ratio_interval(pooled[i], 1 - error);
+    verdicts[i].ratio = ratio_interval(ratios[i], 1 - error);
   }
   return verdicts;
 }

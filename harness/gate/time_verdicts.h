@@ -9,14 +9,15 @@
 #include <span>
 #include <vector>
 
+#include "harness/gate/pooled_ratio.h"
 #include "harness/gate/verdict.h"
-#include "harness/measure/ratio_estimate.h"
 
 namespace lamina {
 
 struct TimeComparison {
   std::vector<RatioEstimate> processes;
-  double margin = 0;  // as a share, above 0
+  double margin = 0;       // as a share, above 0
+  bool of_others = false;  // a whole whose parts are compared too: it says nothing that they do not
 };
 
 struct TimeVerdict {
@@ -24,10 +25,11 @@ struct TimeVerdict {
   Interval ratio;                        // pooled; `rounds` counts strips
 };
 
-// `family_error`, between 0 and 1: the chance of any wrong verdict, over all of them. Throws as pool() does.
+// `family_error`, between 0 and 1: the chance of any wrong verdict, over all of them, which must come from the same processes.
+// Throws as pool() does.
 std::vector<TimeVerdict> judge_times(std::span<const TimeComparison> comparisons, double family_error);
 
-// The interval of a pooled ratio, by Student's t; `confidence` between 0 and 1.
-Interval ratio_interval(const RatioEstimate& pooled, double confidence);
+// The interval of a ratio, by Student's t; `confidence` between 0 and 1.
+Interval ratio_interval(const RatioEstimate& ratio, double confidence);
 
 }  // namespace lamina

@@ -16,7 +16,6 @@ namespace {
 constexpr double bend = 0.7;
 constexpr size_t least_strips = 3;
 constexpr size_t least_of_an_order = 4;  // fewer tell nothing of the order
-constexpr double least_error = 1e-9;     // so that exact times can be pooled
 constexpr double median_to_sigma = 1.4826;
 constexpr double mean_to_sigma = 1.2533;
 
@@ -100,26 +99,6 @@ RatioEstimate estimate_ratio(std::span<const StripPair> strips) {
   estimate.error =
       scale * (slope > 0 ? std::sqrt(square) / slope : std::sqrt(whole_square) / static_cast<double>(ratios.size()));
   return estimate;
-}
-
-RatioEstimate pool(std::span<const RatioEstimate> processes) {
-  if (processes.empty()) throw Error(ErrorKind::failed, "gate", "time", "there are no rounds to judge by");
-  const auto weight = [](const RatioEstimate& each) { return std::pow(std::max(each.error, least_error), -2); };
-  RatioEstimate pooled{0, 0, 0, 0};
-  double weights = 0, square = 0;
-  for (const RatioEstimate& each : processes) {
-    if (!std::isfinite(each.log_ratio) || !std::isfinite(each.error))
-      throw Error(ErrorKind::failed, "gate", "time", "a ratio of times is not finite, which is no measurement");
-    pooled.log_ratio += weight(each) * each.log_ratio, weights += weight(each);
-    pooled.strips += each.strips, pooled.freedom += each.freedom;
-  }
-  pooled.log_ratio /= weights;
-  for (const RatioEstimate& each : processes) square += weight(each) * std::pow(each.log_ratio - pooled.log_ratio, 2);
-  const double others = static_cast<double>(processes.size() - 1), within = 1 / weights;
-  const double whole = others > 0 ? within * std::max(1.0, square / others) : within, between = whole - within;
-  if (between > 0) pooled.freedom = whole * whole / (between * between / others + within * within / pooled.freedom);
-  pooled.error = std::sqrt(whole);
-  return pooled;
 }
 
 }  // namespace lamina

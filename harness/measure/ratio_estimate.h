@@ -31,11 +31,4 @@ RatioEstimate estimate_ratio(std::span<const StripPair> strips);
 // The degrees of freedom of an estimate from so many strips.
 double freedom_of(size_t strips);
 
-// Of several processes, weighted by their errors. Repeats in one process are not independent: each has its own layout of code
-// and memory, which moves a ratio by a percent. So where processes differ by more than their errors, the pooled error grows by
-// as much (R. T. Birge, "The calculation of errors by the method of least squares", Physical Review 40, 1932), and has the
-// fewer degrees of freedom the more of it comes from there (F. E. Satterthwaite, "An approximate distribution of estimates of
-// variance components", Biometrics Bulletin 2, 1946). Throws Error(failed) for none, or one that is not finite.
-RatioEstimate pool(std::span<const RatioEstimate> processes);
-
 }  // namespace lamina

@@ -42,6 +42,9 @@ class Pieces : public EachBackend {
     ready.frame->run(0, Timing::off);
     return *ready.frame;
   }
+  static PairedFrame timed(Frame& frame, size_t same_passes = 0) {
+    return {&frame, same_passes, frame.run(0, Timing::bracketed).pass_ms};
+  }
   Scene scene_ = quad_scene({4, 0.5f, glm::vec3(0.5f), glm::vec3(0.25f)});
   Plan plan_;
   std::unique_ptr<ShaderCache> shaders_;
@@ -100,7 +103,7 @@ TEST_P(Pieces, AnAreaOutsideTheTargetsIsRefused) {
 
 TEST_P(Pieces, RoundsHoldASampleOfEveryPassOfEveryFrame) {
   Frame &a = ready("light_map"), &b = ready("light_map");
-  PairedFrames paired(*backend_, {{&a}, {&b}}, 0, {.piece_ms = 1e-4, .most_strips = 8, .most_repeats = 1});
+  PairedFrames paired(*backend_, {timed(a), timed(b)}, 0, {.piece_ms = 1e-4, .most_strips = 8, .most_repeats = 1});
   std::mt19937_64 random(1);
   for (int round = 0; round < 8; ++round) paired.run_round(random);
   EXPECT_EQ(paired.rounds(), 8u);
@@ -133,9 +136,20 @@ TEST_P(Pieces, RoundsHoldASampleOfEveryPassOfEveryFrame) {
   }
 }
 
+// 12 ms are four strips of 5 ms at least, 100 ms with compiling in them would be sixteen.
+TEST_P(Pieces, APassIsCutByTheFrameInWhichItLastedLeast) {
+  Frame &a = ready("vertex_normal"), &b = ready("vertex_normal");
+  for (const auto& [of_a, of_b] : {std::pair(100.0, 12.0), std::pair(12.0, 100.0)}) {
+    PairedFrames paired(*backend_, {{&a, 0, {of_a}}, {&b, 0, {of_b}}}, 0);
+    std::mt19937_64 random(1);
+    for (size_t round = 0; round < rounds_a_frame; ++round) paired.run_round(random);
+    EXPECT_EQ(paired.passes().front().strips[1].size(), 4u) << of_a;
+  }
+}
+
 TEST_P(Pieces, FramesOfDifferentPassesArePairedByName) {
   Frame &a = ready("light_map"), &b = ready("vertex_normal");
-  PairedFrames paired(*backend_, {{&a}, {&b}}, 0);
+  PairedFrames paired(*backend_, {timed(a), timed(b)}, 0);
   std::mt19937_64 random(1);
   paired.run_round(random);
   for (const PairedPass& pass : paired.passes()) {
@@ -151,7 +165,8 @@ TEST_P(Pieces, PassesThatAreTheSameAreNotRunAgain) {
   const size_t passes = a.frame_names().size();
   ASSERT_GE(passes, 3u);
   const PieceOptions pieces{.piece_ms = 1e-4, .most_strips = 8, .most_repeats = 1};
-  PairedFrames two(*backend_, {{&a}, {&b, passes - 1}}, 0, pieces), three(*backend_, {{&a}, {&b, passes - 1}, {&c}}, 0, pieces);
+  PairedFrames two(*backend_, {timed(a), timed(b, passes - 1)}, 0, pieces),
+      three(*backend_, {timed(a), timed(b, passes - 1), timed(c)}, 0, pieces);
   std::mt19937_64 random(1);
   for (int round = 0; round < 8; ++round) two.run_round(random), three.run_round(random);
   for (size_t i = 0; i < passes; ++i) {

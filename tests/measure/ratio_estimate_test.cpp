@@ -119,37 +119,5 @@ TEST(RatioEstimate, TwoHeapsAreUncertain) {
   EXPECT_GT(estimate_ratio(strips).error, 0.02);
 }
 
-TEST(Pool, ProcessesThatAgreeAreWeightedByTheirErrors) {
-  const RatioEstimate equal = pool(std::vector<RatioEstimate>{{0.02, 0.01, 50}, {0.02, 0.01, 60}});
-  EXPECT_NEAR(equal.log_ratio, 0.02, 1e-12);
-  EXPECT_NEAR(equal.error, 0.01 / std::sqrt(2.0), 1e-12);
-  EXPECT_EQ(equal.strips, 110u);
-  const RatioEstimate unequal = pool(std::vector<RatioEstimate>{{0.00, 0.01, 50}, {0.01, 0.02, 50}});
-  EXPECT_NEAR(unequal.log_ratio, 0.01 / 5, 1e-12) << "weights 4 and 1";
-}
-
-// An error that comes from two processes' difference alone has one degree of freedom; one from their strips has all of them.
-TEST(Pool, AnErrorFromTheProcessesHasFewDegreesOfFreedom) {
-  EXPECT_NEAR(pool(std::vector<RatioEstimate>{{0, 0.01, 50, 48}, {0, 0.01, 50, 48}}).freedom, 96, 1e-9);
-  EXPECT_NEAR(pool(std::vector<RatioEstimate>{{0, 1e-6, 50, 48}, {0.1, 1e-6, 50, 48}}).freedom, 1, 1e-3);
-  // Chi square 2 over one degree of freedom: half of the variance from either, T^2 / ((T/2)^2 / 1 + (T/2)^2 / 96).
-  EXPECT_NEAR(pool(std::vector<RatioEstimate>{{0, 0.01, 50, 48}, {0.02, 0.01, 50, 48}}).freedom, 4 / (1 + 1 / 96.0), 1e-9);
-}
-
-// Two processes 0.1 apart, each with an error of 0.01: chi square is 2 (0.05 / 0.01)^2 = 50, over one degree of freedom.
-TEST(Pool, ProcessesThatDoNotAgreeMakeTheErrorLarger) {
-  const RatioEstimate pooled = pool(std::vector<RatioEstimate>{{0, 0.01, 500}, {0.1, 0.01, 500}});
-  EXPECT_NEAR(pooled.log_ratio, 0.05, 1e-12);
-  EXPECT_NEAR(pooled.error, 0.01 / std::sqrt(2.0) * std::sqrt(50.0), 1e-12);
-  const RatioEstimate exact = pool(std::vector<RatioEstimate>{{0, 0, 10}, {0.1, 0, 10}});
-  EXPECT_GT(exact.error, 0.04) << "times without noise too";
-}
-
-TEST(Pool, NothingAndWhatIsNotFiniteAreRefused) {
-  EXPECT_THROW(pool(std::vector<RatioEstimate>{}), Error);
-  EXPECT_THROW(pool(std::vector<RatioEstimate>{{0, 0.1, 9}, {std::nan(""), 0.1, 9}}), Error);
-  EXPECT_THROW(pool(std::vector<RatioEstimate>{{0, std::numeric_limits<double>::infinity(), 9}}), Error);
-}
-
 }  // namespace
 }  // namespace lamina
