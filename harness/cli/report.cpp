@@ -14,7 +14,8 @@ int run_report(const ReportCommand& options) {
   for (const std::filesystem::path& given : options.records) {
     const bool file = !std::filesystem::is_directory(given);
     if (file && given.filename() != "record.jsonl")
-      throw Error(ErrorKind::bad_input, "report", given.string(), "is neither a run's folder nor a record.jsonl");
+      throw Error(ErrorKind::bad_input, "report", given.string(),
+                  "is neither a run's folder nor a record.jsonl; give the folder that a run left (--out)");
     folders.push_back(file ? std::filesystem::absolute(given).parent_path() : given);
   }
   const bool together = !options.out.empty();

@@ -2,7 +2,7 @@
 // What the charts have in common: size, axes, ticks, and names that stay off each other.
 const superscript = text => text.replace(/./g, c => '⁰¹²³⁴⁵⁶⁷⁸⁹'[c] ?? '⁻');
 const tick = value =>
-    value >= 0.001 && value < 10000 ? `${+value.toPrecision(3)}` : `10${superscript(`${Math.round(Math.log10(value))}`)}`;
+    value >= 0.001 && value < 10000 ? `${+ value.toPrecision(3)}` : `10${superscript(`${Math.round(Math.log10(value))}`)}`;
 // factor times the powers of ten between low and high.
 const decades = ([low, high], factor = 1) =>
     d3.range(Math.ceil(Math.log10(low / factor)), Math.floor(Math.log10(high / factor)) + 1).map(e => factor * 10 ** e);
@@ -67,27 +67,18 @@ function name_points(svg, points) {
       Math.max(0, Math.min(a[2], b[2]) - Math.max(a[0], b[0])) * Math.max(0, Math.min(a[3], b[3]) - Math.max(a[1], b[1]));
   const outside = box => Math.max(0, frame.left - box[0], box[2] - frame.right, frame.top - box[1], box[3] - frame.bottom);
   for (const p of points) {
-    const text = d3.select(svg).append('text').text(p.name).attr('fill', 'currentColor').attr('pointer-events', 'none');
+    // Beneath the dots, and so beneath what hovering shows.
+    const text = d3.select(svg)
+                     .insert('text', 'g[data-marks="dot"]')
+                     .text(p.name)
+                     .attr('fill', 'currentColor')
+                     .attr('pointer-events', 'none');
     text.attr('text-anchor', 'start').attr('font-weight', p.frontier ? 600 : null);
     const width = text.node().getComputedTextLength(), height = 14;
-    const right = x(p.high) + 9, left = x(p.low) - 9 - width, middle = x(p.x) - width / 2;
-    const above = y(p.y) - 22, beside = y(p.y) - 7, below = y(p.y) + 8, far_above = y(p.y) - 40, far_below = y(p.y) + 26;
-    const boxes = [
-      [right, beside],
-      [left, beside],
-      [middle, above],
-      [middle, below],
-      [right, above],
-      [right, below],
-      [left, above],
-      [left, below],
-      [middle, far_above],
-      [middle, far_below],
-      [right, far_above],
-      [right, far_below],
-      [left, far_above],
-      [left, far_below],
-    ].map(([a, b]) => [a, b, a + width, b + height]);
+    const right = x(p.high) + 9, left = x(p.low) - 9 - width, middle = x(p.x) - width / 2, beside = y(p.y) - 7;
+    const rows = d3.range(5).flatMap(i => [y(p.y) - 22 - 16 * i, y(p.y) + 8 + 16 * i]);
+    const boxes = [[right, beside], [left, beside], ...d3.cross([middle, right, left], rows)].map(
+        ([a, b]) => [a, b, a + width, b + height]);
     const end = b => [Math.max(b[0], Math.min(b[2], x(p.x))), Math.max(b[1] + 2, Math.min(b[3], y(p.y)))];
     const away = b => Math.hypot(end(b)[0] - x(p.x), end(b)[1] - y(p.y));
     const box = boxes[d3.minIndex(boxes, b => 1000 * outside(b) + 10 * d3.sum(taken, t => shared(b, t)) + away(b))];
@@ -97,7 +88,7 @@ function name_points(svg, points) {
     if (beside_it || length < 10) continue;
     const [to_x, to_y] = end(box), edge = 5 / length;
     d3.select(svg)
-        .append('line')
+        .insert('line', 'g[data-marks="dot"]')
         .attr('class', 'leader')
         .attr('x1', x(p.x) + edge * (to_x - x(p.x)))
         .attr('y1', y(p.y) + edge * (to_y - y(p.y)))
