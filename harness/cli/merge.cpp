@@ -4,6 +4,7 @@
 
 #include "harness/cli/commands.h"
 #include "harness/cli/sweep_end.h"
+#include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/sweep/sweep_record.h"
 
@@ -19,16 +20,43 @@ void copy_pictures(const std::vector<std::filesystem::path>& folders, const std:
   }
 }
 
+// A folder's record; what is no folder is one itself.
+std::filesystem::path record_of(const std::filesystem::path& given) {
+  if (std::filesystem::is_directory(given)) return given / "record.jsonl";
+  if (!std::filesystem::exists(given))
+    throw Error(ErrorKind::bad_input, "merge", given.string(), "is not there; name the folders of a sweep's shards");
+  return given;
+}
+
+// What `out` holds may go only where it is in the joined record: an earlier join of the same sweep.
+void check_nothing_is_lost(const std::filesystem::path& out, std::vector<std::filesystem::path> files, const Joined& joined) {
+  const std::filesystem::path there = out / "record.jsonl";
+  if (!std::filesystem::exists(there) || std::filesystem::is_empty(there)) return;
+  const auto refuse = [&](const std::string& why) {
+    throw Error(ErrorKind::bad_input, "merge", out.string(), why + "; choose another folder with --out, or remove this one");
+  };
+  files.push_back(there);
+  size_t cells = 0;
+  try {
+    cells = join_records(files).cells;
+  } catch (const Error& error) {
+    refuse(fmt::format("holds a record that these do not continue ({})", error.what()));
+  }
+  if (cells > joined.cells) refuse(fmt::format("holds {} cells that these records lack", cells - joined.cells));
+}
+
 }  // namespace
 
 int run_merge(const std::vector<std::filesystem::path>& records, const std::filesystem::path& out) {
   std::vector<std::filesystem::path> folders, files;
   for (const std::filesystem::path& given : records) {
-    folders.push_back(std::filesystem::is_directory(given) ? given : given.parent_path());
-    files.push_back(folders.back() / "record.jsonl");
+    files.push_back(record_of(given));
+    folders.push_back(files.back().parent_path());
   }
   const Joined joined = join_records(files);
   make_run_folder("merge", out);
+  const FolderLock lock("merge", out);
+  check_nothing_is_lost(out, files, joined);
   copy_pictures(folders, out);
   const std::filesystem::path file = out / "record.jsonl";
   std::string text;

@@ -18,13 +18,21 @@
 namespace lamina {
 namespace {
 
-// The signal that asked to stop; the cell that runs is finished first.
+// The signal that asked to stop; the cell that runs is finished first. A second one ends the program at once, which loses that
+// cell and nothing else.
 volatile std::sig_atomic_t stopped_by = 0;
+
+void ask_to_stop(int signal) {
+  stopped_by = signal;
+  std::signal(signal, SIG_DFL);
+  constexpr char said[] = "\nlamina: finishing the cell; once more stops at once\n";
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, said, sizeof said - 1);
+}
 
 class StopSignals {
  public:
   StopSignals() {
-    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int number) { stopped_by = number; });
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, ask_to_stop);
     std::signal(SIGXFSZ, SIG_IGN);  // a file that may grow no more is an error of the write, like a full disk
   }
   ~StopSignals() {
@@ -153,6 +161,11 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
     const TimerRow timer = certify_timer(*backend, sweep.library.shaders);
     sweep.record.append(to_json(timer));
     timer_ok = timer.ok;
+    if (!timer_ok)
+      fmt::print(stderr,
+                 "lamina: {}: the timer's certificate failed ({}), so these cells get errors and no times; for times run again "
+                 "into another folder, on a machine that is less busy\n",
+                 name, timer.reason);
   }
   ShaderCache shaders(backend->info().api, sweep.library.shaders);
   bool go_on = true;
@@ -203,6 +216,7 @@ int run_sweep(const SweepOptions& options) {
   const std::vector<DeviceInfo> devices = devices_of(options);
 
   make_run_folder("sweep", options.compare.out);
+  const FolderLock lock("sweep", options.compare.out);
   const std::filesystem::path file = options.compare.out / "record.jsonl";
   const nlohmann::ordered_json run = run_line(options, scene, effects, devices, inputs_hash(options, scene));
   const nlohmann::ordered_json sweep_line = to_json(sweep_row(options, scenes.points(), limits));

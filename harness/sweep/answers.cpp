@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <span>
+#include <tuple>
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
@@ -30,13 +33,17 @@ class Sentence {
  public:
   explicit Sentence(const Curve& curve)
       : name_(short_name(curve.parameter)), unit_(curve.unit.empty() ? "" : " " + curve.unit) {
+    if (name_.ends_with("_" + curve.unit)) name_.resize(name_.size() - curve.unit.size() - 1);  // it is told behind the number
     for (const auto& [path, value] : curve.held) tail_ += fmt::format(", at {} {}", short_name(path), words(value));
     tail_ += " on " + curve.backend;
   }
   std::string at(const Crossing& crossing) const {
     return fmt::format("{} {}{} (within {:.2g})", name_, words(crossing.at), unit_, crossing.tolerance);
   }
-  std::string range(double from, double to) const { return fmt::format("{} {} to {}{}", name_, words(from), words(to), unit_); }
+  std::string range(double from, double to) const {
+    return from == to ? fmt::format("{} {}{}", name_, words(from), unit_)
+                      : fmt::format("{} {} to {}{}", name_, words(from), words(to), unit_);
+  }
   const std::string& tail() const { return tail_; }
 
  private:
@@ -96,93 +103,163 @@ void add_limit(const Curve& curve, const Limit& limit, std::vector<CrossoverRow>
   }
 }
 
-// How much better (above 0) one is than the other, sample by sample; NaN where that is not known, and where they are equal, so
-// that a crossing is looked for between samples that say something.
-std::vector<double> advantage(const Curve& one, const Curve& other, const Metric& metric) {
-  std::vector<double> difference;
+// By how much one is better or cheaper (above 0) than the other, sample by sample; NaN where that is not known, and where they
+// are alike, so that a crossing is looked for between samples that say something.
+struct Advantage {
+  std::vector<double> y;
+  size_t alike = 0, compared = 0;  // samples
+  bool everywhere() const { return alike == 0; }
+};
+
+Advantage better_by(const Curve& one, const Curve& other, const Metric& metric) {
+  Advantage advantage;
   for (size_t i = 0; i < one.x.size(); ++i) {
-    const double value = (metric.more_is_better ? 1 : -1) * (one.y.at(metric.name)[i] - other.y.at(metric.name)[i]);
-    difference.push_back(value == 0 ? nan : value);
+    const double ours = one.y.at(metric.name)[i], theirs = other.y.at(metric.name)[i];
+    advantage.alike += ours == theirs;
+    advantage.compared += !std::isnan(ours) && !std::isnan(theirs);
+    advantage.y.push_back(ours == theirs ? nan : (metric.more_is_better ? 1 : -1) * (ours - theirs));
   }
-  return difference;
+  return advantage;
 }
 
-// How much cheaper one is, where the intervals of the ratios do not overlap. The baseline's ratio is 1 by definition.
-std::vector<double> saving(const Curve& one, const Curve& other) {
+// Alike are those whose ratios' intervals overlap. The baseline's ratio is 1 by definition.
+Advantage cheaper_by(const Curve& one, const Curve& other) {
+  Advantage advantage;
   const auto ratio = [](const Curve& curve, const char* which, size_t i) { return curve.baseline ? 1 : curve.y.at(which)[i]; };
-  std::vector<double> difference;
   for (size_t i = 0; i < one.x.size(); ++i) {
     const bool apart = ratio(one, "ratio.high", i) < ratio(other, "ratio.low", i) ||
                        ratio(other, "ratio.high", i) < ratio(one, "ratio.low", i);
-    difference.push_back(apart ? ratio(other, "ratio", i) - ratio(one, "ratio", i) : nan);
+    const bool timed = !std::isnan(ratio(one, "ratio", i)) && !std::isnan(ratio(other, "ratio", i));
+    advantage.compared += timed;
+    advantage.alike += timed && !apart;
+    advantage.y.push_back(apart ? ratio(other, "ratio", i) - ratio(one, "ratio", i) : nan);
   }
-  return difference;
+  return advantage;
 }
 
-// Where a difference is above 0, from `begin` (a crossing, or none where it is so from the first sample on) to `end`.
+// Where one is ahead: between two crossings, or the first or last sample that tells.
 struct Stretch {
+  double from = 0, to = 0;
   std::optional<Crossing> begin, end;
 };
 
-std::vector<Stretch> stretches_above(const Known& known) {
+std::vector<Stretch> stretches_ahead(const std::vector<double>& x, const Advantage& advantage) {
   std::vector<Stretch> stretches;
+  const Known known(x, advantage.y);
   if (known.x.empty()) return stretches;
-  bool above = known.y.front() > 0;
-  if (above) stretches.push_back({});
+  if (known.y.front() > 0) stretches.push_back({known.x.front(), known.x.back(), {}, {}});
   for (const Crossing& crossing : crossings(known.x, known.y, 0)) {
-    above = crossing.rising;
-    if (above)
-      stretches.push_back({crossing, {}});
+    if (crossing.rising)
+      stretches.push_back({crossing.at, known.x.back(), crossing, {}});
     else
-      stretches.back().end = crossing;
+      stretches.back().to = crossing.at, stretches.back().end = crossing;
   }
   return stretches;
 }
 
 // Where both are.
 std::vector<Stretch> common(const std::vector<Stretch>& a, const std::vector<Stretch>& b) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto at = [](const std::optional<Crossing>& crossing, double open) { return crossing ? crossing->at : open; };
   std::vector<Stretch> both;
   for (const Stretch& one : a)
     for (const Stretch& other : b) {
-      const Stretch overlap{at(one.begin, -infinity) < at(other.begin, -infinity) ? other.begin : one.begin,
-                            at(one.end, infinity) < at(other.end, infinity) ? one.end : other.end};
-      if (at(overlap.begin, -infinity) < at(overlap.end, infinity)) both.push_back(overlap);
+      const Stretch &late = one.from < other.from ? other : one, &early = one.to < other.to ? one : other;
+      if (late.from <= early.to && (late.from < early.to || (!late.begin && !early.end)))
+        both.push_back({late.from, early.to, late.begin, early.end});
     }
   return both;
 }
 
-void add_stretches(const Curve& one, const Curve& other, const std::string& metric, const std::string& what, const Known& known,
-                   const std::vector<Stretch>& stretches, std::vector<CrossoverRow>& rows) {
-  const Sentence sentence(one);
-  for (const Stretch& stretch : stretches) {
-    CrossoverRow row = start(one, other.variant, metric);
-    std::string where = "over all of " + sentence.range(known.x.front(), known.x.back());
-    if (const std::optional<Crossing>& told = stretch.begin ? stretch.begin : stretch.end) {
-      row.at = told->at, row.tolerance = told->tolerance;
-      where = stretch.begin ? "from " + sentence.at(*stretch.begin) + (stretch.end ? "" : " on") : "";
-      if (stretch.end) where += (stretch.begin ? " to " : "up to ") + sentence.at(*stretch.end);
-    }
-    row.sentence = fmt::format("{} is {} than {} {}{}", one.variant, what, other.variant, where, sentence.tail());
-    rows.push_back(row);
-  }
+// "from thickness 9.1 texels (within 0.2) on".
+std::string words_of(const Stretch& stretch, const Curve& curve, bool everywhere) {
+  const Sentence sentence(curve);
+  const bool from_first = stretch.from == curve.x.front(), to_last = stretch.to == curve.x.back();
+  if (!stretch.begin && !stretch.end)
+    return (everywhere && from_first && to_last ? "over all of "
+            : stretch.from == stretch.to        ? "at "
+                                                : "over ") +
+           sentence.range(stretch.from, stretch.to);
+  const std::string from = stretch.begin ? sentence.at(*stretch.begin) : sentence.range(stretch.from, stretch.from);
+  const std::string to = stretch.end ? sentence.at(*stretch.end) : sentence.range(stretch.to, stretch.to);
+  if (!stretch.begin && from_first) return "up to " + to;
+  return "from " + from + (!stretch.end && to_last ? " on" : " to " + to);
 }
 
-// From where on one is better, cheaper, or both, than the other.
-void add_pair(const Curve& one, const Curve& other, const Metric& metric, std::vector<CrossoverRow>& rows) {
-  if (one.x != other.x) return;  // one lacks points that the other has: a record that is not whole
-  const Known cheaper(one.x, saving(one, other));
-  const std::vector<Stretch> cheap = stretches_above(cheaper);
-  add_stretches(one, other, "ratio", "cheaper", cheaper, cheap, rows);
-  if (one.baseline || other.baseline) return;  // nothing is better than what errors are measured against
-  const Known better(one.x, advantage(one, other, metric));
-  const std::vector<Stretch> good = stretches_above(better);
-  add_stretches(one, other, metric.name, fmt::format("better by {}", metric.words), better, good, rows);
-  if (!cheaper.x.empty())
-    add_stretches(one, other, fmt::format("{},ratio", metric.name), fmt::format("both cheaper and better by {}", metric.words),
-                  better, common(good, cheap), rows);
-}
+// An answer about two variants, and whether the one is nowhere behind the other.
+struct PairAnswer {
+  CrossoverRow row;
+  bool in_order = false;
+};
+
+class Pairs {
+ public:
+  Pairs(std::span<const Curve> curves, const Metric& metric) : metric_(metric) {
+    for (const Curve& one : curves)
+      for (const Curve& other : curves)
+        if (&one != &other && one.x == other.x) add(one, other);  // else a record that is not whole
+  }
+
+  // What follows from two others is left out: a over c, where a is nowhere behind b, nor b behind c.
+  std::vector<CrossoverRow> rows() const {
+    std::vector<CrossoverRow> rows;
+    for (const PairAnswer& answer : answers_) {
+      const auto follows_by = [&](const PairAnswer& first) {
+        return first.row.variant == answer.row.variant && first.row.metric == answer.row.metric &&
+               first.row.other != answer.row.other && ahead_.contains({first.row.metric, first.row.variant, first.row.other}) &&
+               ahead_.contains({first.row.metric, first.row.other, answer.row.other});
+      };
+      if (!answer.in_order || std::none_of(answers_.begin(), answers_.end(), follows_by)) rows.push_back(answer.row);
+    }
+    return rows;
+  }
+
+ private:
+  // From where on one is better, cheaper, or both, than the other.
+  void add(const Curve& one, const Curve& other) {
+    const Advantage cost = cheaper_by(one, other);
+    const std::vector<Stretch> cheap = stretches_ahead(one.x, cost);
+    const std::string overlap =
+        cost.everywhere() ? "" : fmt::format("; at {} of {} timed points their intervals overlap", cost.alike, cost.compared);
+    add_stretches(one, other, "ratio", "cheaper", told_once(one, other, cheap), cost.everywhere(), cost.everywhere(), overlap);
+    // Nothing is better than what errors are measured against.
+    if ((one.baseline || other.baseline) && !std::string_view(metric_.name).starts_with("truth.")) return;
+    const Advantage quality = better_by(one, other, metric_);
+    const std::vector<Stretch> good = stretches_ahead(one.x, quality);
+    const std::string equal =
+        quality.everywhere() ? "" : fmt::format("; at {} of {} points they are equal", quality.alike, quality.compared);
+    add_stretches(one, other, metric_.name, fmt::format("better by {}", metric_.words), told_once(one, other, good),
+                  quality.everywhere(), quality.compared == one.x.size(), equal);
+    add_stretches(one, other, fmt::format("{},ratio", metric_.name),
+                  fmt::format("both cheaper and better by {}", metric_.words), common(good, cheap),
+                  cost.everywhere() && quality.everywhere(), cost.everywhere() && quality.everywhere(), equal + overlap);
+  }
+
+  // Where one is ahead up to a crossing the other is from there on, which is told of one of them: of the variant where the
+  // other is the baseline, else of the later.
+  static std::vector<Stretch> told_once(const Curve& one, const Curve& other, std::vector<Stretch> stretches) {
+    std::erase_if(stretches, [&](const Stretch& stretch) {
+      return !other.baseline && (one.baseline ? stretch.begin || stretch.end : !stretch.begin && stretch.end);
+    });
+    return stretches;
+  }
+
+  void add_stretches(const Curve& one, const Curve& other, const std::string& metric, const std::string& what,
+                     const std::vector<Stretch>& stretches, bool everywhere, bool in_order, const std::string& tail) {
+    for (const Stretch& stretch : stretches) {
+      PairAnswer& answer = answers_.emplace_back();
+      answer.row = start(one, other.variant, metric);
+      if (const std::optional<Crossing>& told = stretch.begin ? stretch.begin : stretch.end)
+        answer.row.at = told->at, answer.row.tolerance = told->tolerance;
+      answer.row.sentence = fmt::format("{} is {} than {} {}{}{}", one.variant, what, other.variant,
+                                        words_of(stretch, one, everywhere), Sentence(one).tail(), tail);
+      answer.in_order = in_order && !stretch.begin && !stretch.end && !one.baseline && !other.baseline;
+      if (answer.in_order) ahead_.insert({metric, one.variant, other.variant});
+    }
+  }
+
+  const Metric& metric_;
+  std::vector<PairAnswer> answers_;
+  std::set<std::tuple<std::string, std::string, std::string>> ahead_;  // metric, one, other: of those in order
+};
 
 bool one_group(const Curve& a, const Curve& b) {
   return a.backend == b.backend && a.effect == b.effect && a.parameter == b.parameter && a.held == b.held;
@@ -212,10 +289,10 @@ std::vector<CrossoverRow> answers(const std::vector<Curve>& curves, const std::v
     while (end < curves.size() && one_group(curves[begin], curves[end])) ++end;
     for (size_t i = begin; i < end; ++i)
       for (const Limit& limit : limits)
-        if (!curves[i].baseline) add_limit(curves[i], limit, rows);
-    for (size_t i = begin; i < end && !limits.empty(); ++i)
-      for (size_t other = begin; other < end; ++other)
-        if (other != i) add_pair(curves[i], curves[other], *metric_named(limits.front().metric), rows);
+        if (!curves[i].baseline || limit.metric.starts_with("truth.")) add_limit(curves[i], limit, rows);
+    if (limits.empty()) continue;
+    const Pairs pairs(std::span<const Curve>(curves).subspan(begin, end - begin), *metric_named(limits.front().metric));
+    for (CrossoverRow& row : pairs.rows()) rows.push_back(std::move(row));
   }
   return rows;
 }

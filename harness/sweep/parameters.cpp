@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/sweep/parameters.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -163,9 +165,32 @@ void add_view(Collector& out, const Scene& scene, size_t i) {
                 [i](Scene& s) -> float& { return s.views[i].fov_y_degrees; });
 }
 
-// "objects.*.thickness" for "objects.NAME.thickness" of several objects.
+// The last `count` parts of a path: 2 of "objects.heart.thickness" are "heart.thickness".
+std::string last_parts(const std::string& path, size_t count) {
+  size_t begin = path.size();
+  for (size_t part = 0; part < count && begin > 0; ++part) {
+    const size_t dot = path.rfind('.', begin - 1);
+    begin = dot == std::string::npos ? 0 : dot;
+  }
+  return path.substr(begin + (begin > 0 && begin < path.size() ? 1 : 0));
+}
+
+// The paths whose ends are nearest to `path`, which may lack the beginning: "'objects.a.thickness' or 'objects.b.thickness'";
+// "" where none is near.
+std::string nearest_paths(const std::vector<Parameter>& parameters, const std::string& path) {
+  constexpr size_t most_named = 3;
+  const size_t parts = 1 + static_cast<size_t>(std::count(path.begin(), path.end(), '.'));
+  std::vector<std::string> ends;
+  for (const Parameter& parameter : parameters) ends.push_back(last_parts(parameter.path, parts));
+  const std::string nearest = nearest_name(path, ends);
+  std::vector<std::string> named;
+  for (size_t i = 0; i < ends.size() && named.size() < most_named; ++i)
+    if (!nearest.empty() && ends[i] == nearest) named.push_back("'" + parameters[i].path + "'");
+  return fmt::format("{}", fmt::join(named, " or "));
+}
+
+// "objects.*.thickness" for "objects.NAME.thickness", of one object too: what is written for one scene then serves another.
 void add_for_all(Collector& out, const Scene& scene) {
-  if (scene.objects.size() < 2) return;
   const std::vector<Parameter> single = out.all;
   std::vector<std::string> done;
   for (const Parameter& first : single)
@@ -178,7 +203,6 @@ void add_for_all(Collector& out, const Scene& scene) {
       for (const Object& other : scene.objects)
         for (const Parameter& candidate : single)
           if (candidate.path == "objects." + other.name + "." + name) same.push_back(candidate);
-      if (same.size() < 2) continue;
       done.push_back(name);
       Parameter all = first;
       all.path = "objects.*." + name;
@@ -219,15 +243,12 @@ std::vector<Parameter> parameters_of(const Scene& scene, const Library& library)
 }
 
 const Parameter& parameter_named(const std::vector<Parameter>& parameters, const std::string& path) {
-  std::vector<std::string> paths;
-  for (const Parameter& parameter : parameters) {
+  for (const Parameter& parameter : parameters)
     if (parameter.path == path) return parameter;
-    paths.push_back(parameter.path);
-  }
-  const std::string nearest = nearest_name(path, paths);
+  const std::string nearest = nearest_paths(parameters, path);
   throw Error(ErrorKind::bad_input, "sweep", "--set " + path,
-              nearest.empty() ? "there is no such parameter; 'lamina list --parameters SCENE' names all"
-                              : unknown_name("parameter", path, paths) + "; 'lamina list --parameters SCENE' names all");
+              fmt::format("unknown parameter '{}'{}; 'lamina list --parameters SCENE' names all", path,
+                          nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest)));
 }
 
 void check_value(const Parameter& parameter, double value) {

@@ -27,8 +27,8 @@ struct Parameter {
 
 inline constexpr const char* time_path = "scene.time";
 
-// In the order of the scene: the scene's own, then objects ("objects.*.NAME" sets all that have it, where more than one has),
-// lights, views; then the variants' in the library's order.
+// In the order of the scene: the scene's own, then objects ("objects.*.NAME" sets all that have it), lights, views; then the
+// variants' in the library's order.
 std::vector<Parameter> parameters_of(const Scene& scene, const Library& library);
 
 // Throws Error(bad_input, "sweep", ...): for a path that is none, with the nearest; for a value out of its range or not whole.

@@ -72,6 +72,12 @@ class Values {
     return values;
   }
 
+  const std::vector<double>& distinct(const std::vector<double>& values) const {
+    if (std::set<double>(values.begin(), values.end()).size() != values.size())
+      refuse("has steps that 12 digits do not tell apart; take larger ones");
+    return values;
+  }
+
   size_t steps(double count) const {
     if (count + 1 > static_cast<double>(most_values)) refuse(fmt::format("has more than {} values", most_values));
     return static_cast<size_t>(std::floor(count + slack));
@@ -82,7 +88,7 @@ class Values {
     std::vector<double> values;
     const size_t last = steps((to - from) / step);
     for (size_t i = 0; i <= last; ++i) values.push_back(rounded(from + static_cast<double>(i) * step));
-    return values;
+    return distinct(values);
   }
 
   std::vector<double> multiplied(double from, double to, double factor) const {
@@ -91,7 +97,7 @@ class Values {
     std::vector<double> values;
     const size_t last = steps(std::log(to / from) / std::log(factor));
     for (size_t i = 0; i <= last; ++i) values.push_back(rounded(from * std::pow(factor, static_cast<double>(i))));
-    return values;
+    return distinct(values);
   }
 
   std::string option_;

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/sweep/sweep_record.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 
 #include "harness/core/error.h"
@@ -52,6 +57,18 @@ Json parsed(const std::string& line, const std::string& where) {
 
 }  // namespace
 
+FolderLock::FolderLock(const std::string& stage, const std::filesystem::path& folder)
+    : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (folder_ < 0 || ::flock(folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  ::close(folder_);
+  throw Error(ErrorKind::bad_input, stage, folder.string(),
+              "another sweep or merge is writing here; wait until it has ended, or choose another folder with --out");
+}
+
+FolderLock::~FolderLock() {
+  if (folder_ >= 0) ::close(folder_);
+}
+
 PointIndex::PointIndex(const SweepPoints& points) {
   for (const SweptParameter& parameter : points.parameters) paths_.push_back(parameter.path);
   for (size_t point = 0; point < points.count(); ++point) points_.emplace(points.at(point), point);
@@ -75,6 +92,7 @@ std::optional<Earlier> continue_record(const std::filesystem::path& file, const 
   Earlier earlier;
   std::ifstream stream(file, std::ios::binary);
   std::string line;
+  std::string first_line, other_limits;    // the second line, where its limits are not those of `sweep`
   size_t keep = 0, number = 0, whole = 0;  // bytes to keep; lines; bytes of whole lines
   while (std::getline(stream, line) && !stream.eof()) {
     const std::string where = fmt::format("{}:{}", file.string(), ++number);
@@ -92,8 +110,12 @@ std::optional<Earlier> continue_record(const std::filesystem::path& file, const 
       if (run.at("settings").value("time", "none") != "none")  // times of two machines do not mix
         have["machine"] = json.value("machine", Json()), want["machine"] = run.at("machine");
       expect(have, want, "run");
+      first_line = line;
     } else if (number == 2) {
-      expect(json, sweep, "sweep");
+      Json have = json;
+      have["limits"] = sweep.at("limits");
+      expect(have, sweep, "sweep");
+      if (have != json) other_limits = line;
     }
     whole += line.size() + 1;
     if (kind == "crossover") {
@@ -111,6 +133,14 @@ std::optional<Earlier> continue_record(const std::filesystem::path& file, const 
   // Without both first lines there is nothing to go on from.
   if (number < 2) return std::nullopt;
   std::filesystem::resize_file(file, keep);
+  if (!other_limits.empty()) {
+    nlohmann::ordered_json with_limits = nlohmann::ordered_json::parse(other_limits);
+    with_limits["limits"] = nlohmann::ordered_json::array();
+    for (const Json& limit : sweep.at("limits"))
+      with_limits["limits"].push_back({{"metric", limit.at("metric")}, {"limit", limit.at("limit")}});
+    const size_t cells = first_line.size() + 1 + other_limits.size() + 1;
+    write_file_atomically(file, first_line + '\n' + with_limits.dump() + '\n' + read_file(file, "record").substr(cells));
+  }
   return earlier;
 }
 

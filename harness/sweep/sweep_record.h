@@ -39,10 +39,24 @@ struct Earlier {
   bool finished = false;        // it had its answers
 };
 
+// Keeps other sweeps and merges out of a run's folder for as long as it lives: two that write one record would spoil it. Ends
+// with the process, however that ends. Where the file system knows no such locks there is none.
+class FolderLock {
+ public:
+  // Throws Error(bad_input, stage, ...) where another has it.
+  FolderLock(const std::string& stage, const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int folder_ = -1;
+};
+
 // Makes the record in `file` ready to be appended to: what follows its last newline is cut off, and so are its answers, which
-// come last and are found again. Nothing where there is no file, or not a whole first line in it. `run` and `sweep` are the
-// lines that a run of now would begin with; throws Error(bad_input) where those in the file say that other inputs, settings,
-// devices or another program made it.
+// come last and are found again, by the limits of `sweep`, which are put into the file. Nothing where there is no file, or not
+// two whole lines in it. `run` and `sweep` are the lines that a run of now would begin with; throws Error(bad_input) where
+// those in the file say that other inputs, settings, devices or another program made it.
 std::optional<Earlier> continue_record(const std::filesystem::path& file, const nlohmann::json& run,
                                        const nlohmann::json& sweep, const SweepPoints& points);
 

@@ -235,6 +235,7 @@ TEST_F(SweepTest, InterruptedItFinishesTheCellAndSaysHowToGoOn) {
   }
   ::kill(child, SIGINT);
   EXPECT_EQ(wait_for(child), 128 + SIGINT);
+  EXPECT_SAYS(read_file(said, "test"), "finishing the cell; once more stops at once");
   EXPECT_SAYS(read_file(said, "test"), "Go on with the same command");
   const std::string stopped = read_file(file("out"), "test");
   EXPECT_TRUE(stopped.ends_with('\n'));
@@ -277,6 +278,43 @@ TEST_F(SweepTest, ShardsMergeToTheRecordOfOneRun) {
   EXPECT_EQ(short_of.status, 1);
   EXPECT_SAYS(short_of.output,
               "surface/darker on vulkan: 3 of 10 points are missing: lights.key.intensity 0.5; lights.key.intensity 2;");
+
+  // What is there is not written over by what holds less, or something else.
+  const std::string before = read_file(file("merged"), "test");
+  const std::string part = (folder_ / "part-1").string();
+  const Outcome less = lamina_program("merge " + part + " --out " + (folder_ / "merged").string());
+  EXPECT_EQ(less.status, 2);
+  EXPECT_SAYS(less.output, "holds 36 cells that these records lack");
+  EXPECT_EQ(read_file(file("merged"), "test"), before);
+  ASSERT_EQ(sweep("other", "--set darker.amount=0,1").status, 0);
+  const std::string others = read_file(file("other"), "test");
+  const Outcome other = lamina_program("merge " + part + " --out " + (folder_ / "other").string());
+  EXPECT_EQ(other.status, 2);
+  EXPECT_SAYS(other.output, "holds a record that these do not continue");
+  EXPECT_EQ(read_file(file("other"), "test"), others);
+  EXPECT_EQ(lamina_program("merge " + folders + "--out " + (folder_ / "merged").string()).status, 0) << "the same again";
+  const Outcome nowhere = lamina_program("merge " + part + "-x --out " + (folder_ / "nowhere").string());
+  EXPECT_EQ(nowhere.status, 2);
+  EXPECT_SAYS(nowhere.output, "part-1-x: is not there");
+}
+
+TEST_F(SweepTest, TwoAtOnceInOneFolderAreRefused) {
+  const pid_t first = start(command("out", "--set lights.key.intensity=0:1:0.01 --fetches none --pictures none"));
+  for (int i = 0; i < 30000 && !std::filesystem::exists(file("out")); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const Outcome second = sweep("out", "--set lights.key.intensity=0:1:0.01 --fetches none --pictures none");
+  EXPECT_EQ(second.status, 2) << second.output;
+  EXPECT_SAYS(second.output, "is writing here");
+  EXPECT_EQ(wait_for(first), 0);
+  EXPECT_EQ(read_record(file("out")).cells.size(), 101u * 3 * 2);
+}
+
+TEST_F(SweepTest, OtherLimitsNeedNoCellAgain) {
+  ASSERT_EQ(sweep("out", "--set darker.amount=0:1:0.5").status, 0);
+  const Outcome outcome = sweep("out", "--set darker.amount=0:1:0.5", "--limit max_linear=0.0625");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_SAYS(outcome.output, "18 cells are there, 0 to go");
+  EXPECT_SAYS(read_file(folder_ / "out" / "summary.md", "test"), "the greatest difference at most 0.0625");
 }
 
 TEST_F(SweepTest, TimedPointsHaveRatiosAndOthersHaveNone) {

@@ -95,6 +95,83 @@ TEST(Answers, EqualPicturesAtOneEndAreNoCrossing) {
   EXPECT_FALSE(find(rows, "normal_map_taps", "vertex_normal", "ssim"));
 }
 
+// Alike at 0 and 1, apart from 2 on: what is said of the rest does not reach there.
+TEST(Answers, WhereTwoAreAlikeIsTold) {
+  std::vector<CellRow> cells;
+  for (const double x : whole_numbers(4)) {
+    cells.push_back(sweep_cell("light_map", x, 1, 1));
+    cells.push_back(sweep_cell("vertex_normal", x, 0.9, x < 2 ? 0.5 : 0.25));
+    cells.push_back(sweep_cell("normal_map_taps", x, x < 2 ? 0.9 : 0.8, 0.5));
+  }
+  const auto rows = answers(curves_of(sweep_record(whole_numbers(4), cells)), {{"ssim", 0.5}});
+  const std::string told = "than normal_map_taps over thickness 2 to 4 texels on vulkan; at 2 of 5 points they are equal";
+  const CrossoverRow* better = find(rows, "vertex_normal", "normal_map_taps", "ssim");
+  const CrossoverRow* cheaper = find(rows, "vertex_normal", "normal_map_taps", "ratio");
+  const CrossoverRow* both = find(rows, "vertex_normal", "normal_map_taps", "ssim,ratio");
+  ASSERT_TRUE(better && cheaper && both);
+  EXPECT_EQ(better->sentence, "vertex_normal is better by SSIM " + told);
+  EXPECT_EQ(cheaper->sentence,
+            "vertex_normal is cheaper than normal_map_taps over thickness 2 to 4 texels on vulkan; at 2 of 5 "
+            "timed points their intervals overlap");
+  EXPECT_EQ(both->sentence,
+            "vertex_normal is both cheaper and better by SSIM " + told + "; at 2 of 5 timed points their intervals overlap");
+}
+
+// Better from 2 on, but timed at 8 and 16 alone: both is known from 8 on.
+TEST(Answers, BothIsNotToldWhereNothingWasTimed) {
+  std::vector<CellRow> cells;
+  for (const double x : whole_numbers(16)) {
+    const bool timed = x == 8 || x == 16;
+    const auto ratio = [&](double value) { return timed ? std::optional(value) : std::nullopt; };
+    cells.push_back(sweep_cell("vertex_normal", x, 0.9 + x / 1000, ratio(0.25)));
+    cells.push_back(sweep_cell("normal_map_taps", x, 0.902, ratio(0.5)));
+  }
+  const auto rows = answers(curves_of(sweep_record(whole_numbers(16), cells)), {{"ssim", 0.5}});
+  const CrossoverRow* both = find(rows, "vertex_normal", "normal_map_taps", "ssim,ratio");
+  ASSERT_TRUE(both);
+  EXPECT_NE(both->sentence.find("over thickness 8 to 16 texels"), std::string::npos) << both->sentence;
+}
+
+// Of an order that holds everywhere neighbours are told, and what each is to the baseline; a crossing is told once.
+TEST(Answers, WhatFollowsFromOtherAnswersIsLeftOut) {
+  std::vector<CellRow> cells;
+  for (const double x : whole_numbers(4)) {
+    cells.push_back(sweep_cell("light_map", x, 1, 1));
+    cells.push_back(sweep_cell("first", x, 0.9, 0.25));
+    cells.push_back(sweep_cell("second", x, 0.8, 0.5));
+    cells.push_back(sweep_cell("third", x, 0.7, 0.75));
+    cells.push_back(sweep_cell("steep", x, 0.95 - x / 10, 0.9));  // as good as first at 0.5, as second at 1.5, as third at 2.5
+  }
+  const auto rows = answers(curves_of(sweep_record(whole_numbers(4), cells)), {{"ssim", 0.5}});
+  for (const char* metric : {"ssim", "ratio", "ssim,ratio"}) {
+    EXPECT_TRUE(find(rows, "first", "second", metric)) << metric;
+    EXPECT_TRUE(find(rows, "second", "third", metric)) << metric;
+    EXPECT_FALSE(find(rows, "first", "third", metric)) << metric;
+  }
+  for (const char* variant : {"first", "second", "third"}) EXPECT_TRUE(find(rows, variant, "light_map", "ratio")) << variant;
+  for (const char* variant : {"first", "second", "third"}) {
+    EXPECT_TRUE(find(rows, variant, "steep", "ssim")) << variant;
+    EXPECT_FALSE(find(rows, "steep", variant, "ssim")) << variant;
+  }
+}
+
+// The baseline has errors against the truth too.
+TEST(Answers, AgainstTheTruthTheBaselineIsOneOfThem) {
+  std::vector<CellRow> cells;
+  for (const double x : whole_numbers(4))
+    for (const char* variant : {"light_map", "vertex_normal"}) {
+      CellRow& cell = cells.emplace_back(sweep_cell(variant, x, 0.9));
+      cell.error_truth =
+          ErrorFigures{.psnr_db = 40, .ssim = cell.baseline ? 1 - x / 10 : 0.85, .flip = 0, .rmse_linear = 0, .max_linear = 0};
+    }
+  const auto rows = answers(curves_of(sweep_record(whole_numbers(4), cells)), {{"truth.ssim", 0.75}});
+  const CrossoverRow *kept = find(rows, "light_map", "", "truth.ssim"),
+                     *better = find(rows, "vertex_normal", "light_map", "truth.ssim");
+  ASSERT_TRUE(kept && better);
+  EXPECT_NEAR(*kept->at, 2.5, 1e-9);
+  EXPECT_NEAR(*better->at, 1.5, 1e-9);
+}
+
 TEST(Answers, AFailedCellIsAGapThatIsTold) {
   std::vector<CellRow> cells;
   for (const double x : whole_numbers(4)) cells.push_back(sweep_cell("vertex_normal", x, 1 - x / 100));

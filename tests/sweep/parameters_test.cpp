@@ -68,6 +68,35 @@ TEST(Parameters, UnknownPathsNameTheNearest) {
   }
 }
 
+// Who leaves the beginning of a path out is told the whole of it; where several fit as well, they are all named.
+TEST(Parameters, PathsWithoutTheirBeginningNameTheNearestToo) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"thickness", "did you mean 'objects.heart.thickness' or 'objects.*.thickness'"},
+      {"heart.scatering", "did you mean 'objects.heart.scattering'"},
+      {"intensity", "did you mean 'lights.key.intensity' or 'lights.fill.intensity' or 'lights.rim.intensity'"},
+      {"nothing.like.any.of.them", "unknown parameter 'nothing.like.any.of.them'; 'lamina list"}};
+  for (const auto& [path, words] : cases) try {
+      parameter_named(parameters_of(heart(), library()), path);
+      ADD_FAILURE() << path;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+}
+
+TEST(Parameters, AWildcardSetsEveryObjectThatHasTheNumber) {
+  Scene scene = heart();
+  scene.objects.push_back(scene.objects[0]);
+  scene.objects[1].name = "other";
+  scene.objects.push_back(scene.objects[0]);
+  scene.objects[2].name = "plain", scene.objects[2].layers.reset();
+  parameter_named(parameters_of(scene, library()), "objects.*.thickness").set(scene, 5);
+  EXPECT_EQ(scene.objects[0].layers->thickness_texels, 5);
+  EXPECT_EQ(scene.objects[1].layers->thickness_texels, 5);
+  Scene one = heart();
+  parameter_named(parameters_of(one, library()), "objects.*.thickness").set(one, 6);
+  EXPECT_EQ(one.objects[0].layers->thickness_texels, 6);
+}
+
 TEST(Parameters, ValuesOutOfRangeAreRefusedWithTheRange) {
   const auto all = parameters_of(heart(), library());
   try {

@@ -32,9 +32,9 @@ TEST(Points, ListsKeepTheirOrder) { EXPECT_EQ(values("3,1,2"), (std::vector<doub
 TEST(Points, APathMayHoldAnEqualsSign) { EXPECT_EQ(parse_swept("objects.a=b.scale=1,2").path, "objects.a=b.scale"); }
 
 TEST(Points, WhatLeadsNowhereIsRefused) {
-  for (const char* bad :
-       {"a.b", "=1", "a.b=", "a.b=1,,2", "a.b=x", "a.b=0:1", "a.b=0:1:0", "a.b=0:1:-1", "a.b=0:1:x2", "a.b=1:8:x1",
-        "a.b=1:8:x-2", "a.b=1:8:x0.5", "a.b=1,1", "a.b=nan", "a.b=0:inf:1", "a.b=0:1e9:1", "a.b=0:1:1:1"})
+  for (const char* bad : {"a.b", "=1", "a.b=", "a.b=1,,2", "a.b=x", "a.b=0:1", "a.b=0:1:0", "a.b=0:1:-1", "a.b=0:1:x2",
+                          "a.b=1:8:x1", "a.b=1:8:x-2", "a.b=1:8:x0.5", "a.b=1,1", "a.b=nan", "a.b=0:inf:1", "a.b=0:1e9:1",
+                          "a.b=0:1:1:1", "a.b=1:1.00000000000005:1e-14", "a.b=1:1.0000000000001:x1.00000000000002"})
     EXPECT_THROW(parse_swept(bad), Error) << bad;
 }
 

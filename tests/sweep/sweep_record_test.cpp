@@ -101,6 +101,34 @@ TEST_F(SweepRecordTest, OtherInputsAreRefusedByName) {
   EXPECT_THROW(take_up(write("shard.jsonl", shard_text(1, 2))), Error) << "another shard";
 }
 
+// Answers are found again anyway, so a record goes on by other limits, which it then has.
+TEST_F(SweepRecordTest, OtherLimitsAreTakenOver) {
+  const std::string text = shard_text(0, 1);
+  const auto file = write("record.jsonl", text);
+  SweepRow row = sweep_row(x_);
+  row.limits = {{"flip", 0.125}};
+  const Json sweep = to_json(row);
+  const auto earlier = continue_record(file, sweep_run_line(), sweep, points_of(sweep));
+  ASSERT_TRUE(earlier);
+  EXPECT_EQ(earlier->cells.size(), 8u);
+  const size_t second = text.find('\n') + 1, third = text.find('\n', second) + 1;
+  EXPECT_EQ(read_file(file, "test"), text.substr(0, second) + to_json(row).dump() + "\n" + text.substr(third));
+}
+
+TEST_F(SweepRecordTest, OneFolderIsWrittenByOneRun) {
+  {
+    const FolderLock lock("sweep", folder_);
+    try {
+      const FolderLock second("merge", folder_);
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+      EXPECT_NE(std::string(error.what()).find("is writing here"), std::string::npos) << error.what();
+    }
+  }
+  const FolderLock afterwards("sweep", folder_);
+}
+
 TEST_F(SweepRecordTest, DamageInTheMiddleIsRefused) {
   std::string text = shard_text(0, 1);
   const size_t third = text.find('\n', text.find('\n') + 1) + 1;
