@@ -34,9 +34,9 @@ struct Key {
   auto operator<=>(const Key&) const = default;
 };
 
-// The passes that are judged by themselves: those of the frame before and after that take enough of it, and may differ.
-std::vector<Part> judged_parts(const PairsRow& row) {
-  const size_t before = *index_of(row, frame_before), after = *index_of(row, frame_after);
+// What is judged of a frame beside the one before: the passes of both that take enough of it, and may differ.
+std::vector<Part> judged_parts(const PairsRow& row, std::string_view frame) {
+  const size_t before = *index_of(row, frame_before), after = *index_of(row, frame);
   const double whole = sum_ms(row, before, whole_frame);
   std::vector<Part> parts;
   for (size_t pass = 0; pass < row.passes.size(); ++pass) {
@@ -108,7 +108,7 @@ double worst_error(const PairsRow& row, const LimitsFile& limits) {
   double worst = 0;
   if (index_of(row, frame_again)) worst = estimate_of(row, frame_again).error;
   if (index_of(row, frame_after))
-    for (const Part part : judged_parts(row)) worst = std::max(worst, estimate_of(row, frame_after, part).error);
+    for (const Part part : judged_parts(row, frame_after)) worst = std::max(worst, estimate_of(row, frame_after, part).error);
   return worst / limits.of(row.effect, row.variant, row.backend).max_slowdown;
 }
 
@@ -129,22 +129,23 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
   for (const PairsRow& row : pairs) by_cell[{row.backend, row.effect, row.variant, row.view}].push_back(&row);
 
   std::vector<TimeComparison> comparisons, same_comparisons;
-  const auto add_comparison = [](std::vector<TimeComparison>& to, const std::vector<const PairsRow*>& processes, double margin,
-                                 std::string_view frame, Part part) {
-    TimeComparison& comparison = to.emplace_back();
-    comparison.margin = margin;
-    comparison.of_others = !part && processes.front()->passes.size() > 1;
-    for (const PairsRow* process : processes) comparison.processes.push_back(estimate_of(*process, frame, part));
+  std::vector<PooledRatio> passes;  // a whole frame says nothing that its passes do not
+  const auto ratios_of = [](const std::vector<const PairsRow*>& processes, std::string_view frame, Part part) {
+    std::vector<RatioEstimate> ratios;
+    for (const PairsRow* process : processes) ratios.push_back(estimate_of(*process, frame, part));
+    return ratios;
   };
   for (const auto& [key, processes] : by_cell) {
     const PairsRow& first = *processes.front();
     const double margin = limits.of(key.effect, key.variant, key.backend).max_slowdown;
     if (index_of(first, frame_again)) {
       report.same_arms.push_back({key.backend, key.effect, key.variant, {}, Verdict::same});
-      add_comparison(same_comparisons, processes, margin, frame_again, whole_frame);
+      same_comparisons.push_back({ratios_of(processes, frame_again, whole_frame), margin});
+      for (const Part part : judged_parts(first, frame_again))
+        if (part) passes.push_back(pool(ratios_of(processes, frame_again, part)));
     }
     if (!index_of(first, frame_after)) continue;
-    for (const Part part : judged_parts(first)) {
+    for (const Part part : judged_parts(first, frame_after)) {
       VerdictRow& row = report.rows.emplace_back();
       row.backend = key.backend, row.effect = key.effect, row.variant = key.variant, row.view = key.view, row.what = "time";
       if (part) row.pass = first.passes[*part].name;
@@ -152,11 +153,13 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
       for (const PairsRow* process : processes) wholes.push_back(sum_ms(*process, *index_of(*process, frame_before), part));
       row.before = median(wholes);
       row.limit = margin;
-      add_comparison(comparisons, processes, margin, frame_after, part);
+      comparisons.push_back({ratios_of(processes, frame_after, part), margin});
+      if (part) passes.push_back(pool(comparisons.back().processes));
     }
   }
-  const std::vector<TimeVerdict> verdicts = judge_times(comparisons, family_error);
-  const std::vector<TimeVerdict> same_verdicts = judge_times(same_comparisons, family_error);
+  const SharedDisagreement shared = shared_disagreement(passes);
+  const std::vector<TimeVerdict> verdicts = judge_times(comparisons, shared, family_error);
+  const std::vector<TimeVerdict> same_verdicts = judge_times(same_comparisons, shared, family_error);
   bool believable = true;
   for (size_t i = 0; i < same_verdicts.size(); ++i) {
     report.same_arms[i].verdict = same_verdicts[i].verdict, report.same_arms[i].ratio = same_verdicts[i].ratio;

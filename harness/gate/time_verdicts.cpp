@@ -37,18 +37,13 @@ Interval ratio_interval(const RatioEstimate& ratio, double confidence) {
           confidence};
 }
 
-std::vector<TimeVerdict> judge_times(std::span<const TimeComparison> comparisons, double family_error) {
-  std::vector<PooledRatio> pooled, parts;
-  for (const TimeComparison& comparison : comparisons) {
-    pooled.push_back(pool(comparison.processes));
-    if (!comparison.of_others) parts.push_back(pooled.back());
-  }
-  const SharedDisagreement shared = shared_disagreement(parts);
+std::vector<TimeVerdict> judge_times(std::span<const TimeComparison> comparisons, const SharedDisagreement& shared,
+                                     double family_error) {
   std::vector<RatioEstimate> ratios;
   std::vector<Claim> claims;
-  for (size_t i = 0; i < comparisons.size(); ++i) {
-    ratios.push_back(settle(pooled[i], shared));
-    claims.push_back(strongest_claim(ratios.back(), comparisons[i].margin));
+  for (const TimeComparison& comparison : comparisons) {
+    ratios.push_back(settle(pool(comparison.processes), shared));
+    claims.push_back(strongest_claim(ratios.back(), comparison.margin));
   }
   std::vector<size_t> order(comparisons.size());
   std::iota(order.begin(), order.end(), size_t{0});

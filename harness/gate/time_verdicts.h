@@ -16,8 +16,7 @@ namespace lamina {
 
 struct TimeComparison {
   std::vector<RatioEstimate> processes;
-  double margin = 0;       // as a share, above 0
-  bool of_others = false;  // a whole whose parts are compared too: it says nothing that they do not
+  double margin = 0;  // as a share, above 0
 };
 
 struct TimeVerdict {
@@ -25,9 +24,10 @@ struct TimeVerdict {
   Interval ratio;                        // pooled; `rounds` counts strips
 };
 
-// `family_error`, between 0 and 1: the chance of any wrong verdict, over all of them, which must come from the same processes.
-// Throws as pool() does.
-std::vector<TimeVerdict> judge_times(std::span<const TimeComparison> comparisons, double family_error);
+// `shared`: what all comparisons of the gate say of how its processes disagree. `family_error`, between 0 and 1: the chance of
+// any wrong verdict, over all of them. Throws as pool() does.
+std::vector<TimeVerdict> judge_times(std::span<const TimeComparison> comparisons, const SharedDisagreement& shared,
+                                     double family_error);
 
 // The interval of a ratio, by Student's t; `confidence` between 0 and 1.
 Interval ratio_interval(const RatioEstimate& ratio, double confidence);

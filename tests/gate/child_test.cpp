@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <unistd.h>
+
+#include <set>
 
 #include "harness/core/error.h"
 
@@ -37,6 +40,19 @@ TEST(Child, ErrorsAndSignalsBecomeWordsAndWhatCameBeforeIsKept) {
   EXPECT_EQ(killed.lines.size(), 1u);
   EXPECT_NE(killed.failure.find("signal 9"), std::string::npos);
   EXPECT_NE(run_in_child([](const EmitLine&) { ::_exit(7); }).failure.find("status 7"), std::string::npos);
+}
+
+// Forked processes that mapped alike would all measure one layout.
+TEST(Child, EachLaysOutItsMemoryAnew) {
+  std::set<uint64_t> places;
+  for (int i = 0; i < 8; ++i) {
+    const ChildResult result = run_in_child([](const EmitLine& emit) {
+      void* mapped = ::mmap(nullptr, 1 << 20, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+      emit({{"at", reinterpret_cast<uint64_t>(mapped)}});
+    });
+    places.insert(result.lines.at(0).at("at").get<uint64_t>());
+  }
+  EXPECT_GE(places.size(), 7u);
 }
 
 // Each waits for the other's byte, which would never come if they ran one after the other; both hand over more than a pipe

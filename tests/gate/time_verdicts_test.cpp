@@ -18,7 +18,13 @@ TimeComparison comparison(double ratio, double error, size_t processes = 3, doub
   return {std::vector<RatioEstimate>(processes, {std::log(ratio), error, 200, 198}), margin};
 }
 Verdict verdict_of(const TimeComparison& comparison, double error = 0.05) {
-  return judge_times(std::vector{comparison}, error)[0].verdict;
+  return judge_times(std::vector{comparison}, {}, error)[0].verdict;
+}
+
+SharedDisagreement shared_by(const std::vector<TimeComparison>& comparisons) {
+  std::vector<PooledRatio> pooled;
+  for (const TimeComparison& each : comparisons) pooled.push_back(pool(each.processes));
+  return shared_disagreement(pooled);
 }
 
 TEST(TimeVerdicts, RatiosWithoutErrorFallWhereTheyLie) {
@@ -59,12 +65,12 @@ TEST(TimeVerdicts, ManyComparisonsAskForMore) {
     return comparison(std::exp(edge + reach * 0.01), 0.01, 1);
   };
   for (const auto& [chance, found] : {std::pair(0.0048, true), std::pair(0.0052, false)})
-    for (const TimeVerdict& verdict : judge_times(std::vector<TimeComparison>(10, at(chance)), 0.05))
+    for (const TimeVerdict& verdict : judge_times(std::vector<TimeComparison>(10, at(chance)), {}, 0.05))
       EXPECT_EQ(verdict.verdict, found ? Verdict::slower : Verdict::ambiguous) << chance;
   // 0.04 is too weak as the first of two and strong enough as the last.
-  for (const TimeVerdict& verdict : judge_times(std::vector{at(0.04), at(0.04)}, 0.05))
+  for (const TimeVerdict& verdict : judge_times(std::vector{at(0.04), at(0.04)}, {}, 0.05))
     EXPECT_EQ(verdict.verdict, Verdict::ambiguous);
-  for (const TimeVerdict& verdict : judge_times(std::vector{at(0.04), at(0.001)}, 0.05))
+  for (const TimeVerdict& verdict : judge_times(std::vector{at(0.04), at(0.001)}, {}, 0.05))
     EXPECT_EQ(verdict.verdict, Verdict::slower);
 }
 
@@ -78,7 +84,7 @@ TEST(TimeVerdicts, ProcessesMustAgree) {
 
 TEST(TimeVerdicts, TheIntervalIsAsWideAsTheConfidenceAsks) {
   const std::vector<TimeComparison> alone = {comparison(1.05, 0.01, 1)}, among(20, comparison(1.05, 0.01, 1));
-  const Interval one = judge_times(alone, 0.05)[0].ratio, many = judge_times(among, 0.05)[0].ratio;
+  const Interval one = judge_times(alone, {}, 0.05)[0].ratio, many = judge_times(among, {}, 0.05)[0].ratio;
   EXPECT_NEAR(one.median, 1.05, 1e-12);
   EXPECT_NEAR(one.low, 1.05 * std::exp(-0.01972), 1e-5);
   EXPECT_NEAR(one.high, 1.05 * std::exp(0.01972), 1e-5);
@@ -106,7 +112,7 @@ TEST(TimeVerdicts, FalseAlarmsOnNoiseStayBelowTheErrorAskedFor) {
     for (TimeComparison& each : comparisons)
       for (RatioEstimate& process : each.processes) process.log_ratio = noise(random);
     bool alarm = false;
-    for (const TimeVerdict& verdict : judge_times(comparisons, 0.05))
+    for (const TimeVerdict& verdict : judge_times(comparisons, shared_by(comparisons), 0.05))
       alarm = alarm || verdict.verdict == Verdict::slower || verdict.verdict == Verdict::faster;
     alarms += alarm;
   }
@@ -131,7 +137,7 @@ TEST(TimeVerdicts, ABusyMachineRaisesNoAlarm) {
         process = {restless * bursts(random), restless * of_few(random) / 3, 4, freedom_of(4)};
     }
     bool alarm = false;
-    for (const TimeVerdict& verdict : judge_times(comparisons, 0.05))
+    for (const TimeVerdict& verdict : judge_times(comparisons, shared_by(comparisons), 0.05))
       alarm = alarm || verdict.verdict == Verdict::slower || verdict.verdict == Verdict::faster;
     alarms += alarm;
   }
