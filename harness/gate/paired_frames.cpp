@@ -16,9 +16,10 @@ uint32_t strips_for(double ms, const PieceOptions& options) {
   return wanted < 0.5 ? 1 : static_cast<uint32_t>(std::round(wanted)) * static_cast<uint32_t>(rounds_a_frame);
 }
 
-uint32_t repeats_for(double ms, const PieceOptions& options) {
-  return static_cast<uint32_t>(
-      std::clamp(options.piece_ms / std::max(ms, 1e-6), 1.0, static_cast<double>(options.most_repeats)));
+// As often as makes the strips of a whole frame as many as of the longest pass: a short one costs little and is judged alike.
+uint32_t repeats_for(uint32_t strips, const PieceOptions& options) {
+  const uint32_t once = std::max(strips, static_cast<uint32_t>(rounds_a_frame));  // what is not cut runs in every round
+  return std::clamp(options.most_strips / once, 1u, options.most_repeats);
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ PairedFrames::PairedFrames(Backend& backend, const std::vector<PairedFrame>& fra
       least_ms[passes[frame][i]] = std::min(least_ms[passes[frame][i]], frames[frame].pass_ms.at(i));
   }
   for (size_t pass = 0; pass < passes_.size(); ++pass)
-    cuts_[pass].strips = strips_for(least_ms[pass], options), cuts_[pass].repeats = repeats_for(least_ms[pass], options);
+    cuts_[pass].strips = strips_for(least_ms[pass], options), cuts_[pass].repeats = repeats_for(cuts_[pass].strips, options);
   for (size_t frame = 0; frame < frames.size(); ++frame) {
     for (size_t i = 0; i < std::min(frames[frame].same_passes, passes[frame].size()); ++i)
       passes_[passes[frame][i]].same[frame] = true;

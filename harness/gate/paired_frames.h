@@ -35,7 +35,7 @@ struct PairedPass {
 struct PieceOptions {
   double piece_ms = 5;        // what a strip should last, at least
   uint32_t most_strips = 16;  // of a pass
-  uint32_t most_repeats = 4;  // of a pass that is shorter than a strip, in each round
+  uint32_t most_repeats = 4;  // of the strips of a short pass, in each round
 };
 
 struct PairedFrame {

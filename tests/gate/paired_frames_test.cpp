@@ -140,10 +140,22 @@ TEST_P(Pieces, RoundsHoldASampleOfEveryPassOfEveryFrame) {
 TEST_P(Pieces, APassIsCutByTheFrameInWhichItLastedLeast) {
   Frame &a = ready("vertex_normal"), &b = ready("vertex_normal");
   for (const auto& [of_a, of_b] : {std::pair(100.0, 12.0), std::pair(12.0, 100.0)}) {
-    PairedFrames paired(*backend_, {{&a, 0, {of_a}}, {&b, 0, {of_b}}}, 0);
+    PairedFrames paired(*backend_, {{&a, 0, {of_a}}, {&b, 0, {of_b}}}, 0, {.most_repeats = 1});
     std::mt19937_64 random(1);
     for (size_t round = 0; round < rounds_a_frame; ++round) paired.run_round(random);
     EXPECT_EQ(paired.passes().front().strips[1].size(), 4u) << of_a;
+  }
+}
+
+// Sixteen strips of a whole frame, however short the pass: of 2 ms whole, of 12 ms in four, of 40 ms in eight.
+TEST_P(Pieces, AShortPassIsRepeated) {
+  Frame &a = ready("vertex_normal"), &b = ready("vertex_normal");
+  for (const double ms : {2.0, 12.0, 40.0, 200.0}) {
+    PairedFrames paired(*backend_, {{&a, 0, {ms}}, {&b, 0, {ms}}}, 0);
+    std::mt19937_64 random(1);
+    for (size_t round = 0; round < rounds_a_frame; ++round) paired.run_round(random);
+    EXPECT_EQ(paired.passes().front().strips[1].size(), 16u) << ms;
+    EXPECT_EQ(paired.passes().front().ms[1].size(), 4u) << ms;
   }
 }
 
