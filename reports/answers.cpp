@@ -15,6 +15,7 @@ namespace {
 struct Standing {
   std::string variant;
   bool baseline = false;
+  double ssim = 0;  // on the first backend where it is worth having
   std::vector<std::string> worth_on, unknown_on;
   std::vector<std::pair<std::string, std::string>> beaten_on;  // backend, by whom
 };
@@ -50,13 +51,22 @@ std::vector<Standing> standings(const std::vector<SummaryRow>& rows, const std::
       if (known == all.end()) known = all.insert(known, {.variant = group[i]->variant, .baseline = group[i]->baseline});
       if (!contenders[i].cost || !contenders[i].error)
         known->unknown_on.push_back(first.backend);
-      else if (by[i] == i)
+      else if (by[i] == i) {
+        const CostAndErrors figures = figures_of(*group[i]);
+        if (known->worth_on.empty())
+          known->ssim = (reference == Reference::baseline ? figures.to_baseline : figures.to_truth)->ssim;
         known->worth_on.push_back(first.backend);
-      else
+      } else
         known->beaten_on.emplace_back(first.backend, group[by[i]]->variant);
     }
   }
   return all;
+}
+
+// " (SSIM 0.9942)", so that it is seen how little may part two that are both worth having; near 1 there are more digits to it.
+std::string worth_words(const Standing& one, Reference reference) {
+  if (one.baseline && reference == Reference::baseline) return " (the baseline)";
+  return fmt::format(" ({}SSIM {:.{}f})", one.baseline ? "the baseline, " : "", one.ssim, one.ssim > 0.9995 ? 6 : 4);
 }
 
 // "by light_map", and where, unless there is one backend.
@@ -81,8 +91,7 @@ std::optional<Headline> answer(const std::vector<SummaryRow>& rows, const std::s
   std::vector<std::string> backends, worth, unknown;
   std::vector<std::pair<std::string, std::vector<std::string>>> dominated;  // by what and where; what is
   for (const Standing& one : standings(rows, effect, reference, timed ? Cost::time : Cost::fetches, backends)) {
-    if (!one.worth_on.empty())
-      worth.push_back(one.variant + (one.baseline ? " (the baseline)" : "") + on(one.worth_on, backends.size()));
+    if (!one.worth_on.empty()) worth.push_back(one.variant + worth_words(one, reference) + on(one.worth_on, backends.size()));
     if (!one.beaten_on.empty()) {
       const std::string by = beaten_words(one, backends.size());
       auto known = std::ranges::find_if(dominated, [&](const auto& group) { return group.first == by; });

@@ -19,10 +19,10 @@ TEST(Answers, SayWhatIsWorthHavingAndWhatIsDominated) {
   const auto all = answers_of(cells, {example_timer("vulkan")});
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].variant, "layered_material");
-  EXPECT_EQ(
-      all[0].words,
-      "worth having, by time and SSIM to the baseline: light_map (the baseline) and vertex_normal. Dominated, since another "
-      "is closer and not measurably slower: normal_map_taps (by light_map).");
+  EXPECT_EQ(all[0].words,
+            "worth having, by time and SSIM to the baseline: light_map (the baseline) and vertex_normal (SSIM 0.9000). "
+            "Dominated, since another "
+            "is closer and not measurably slower: normal_map_taps (by light_map).");
 }
 
 TEST(Answers, NameTheBackendsWhereTheyDisagree) {
@@ -34,7 +34,8 @@ TEST(Answers, NameTheBackendsWhereTheyDisagree) {
   }
   const auto all = answers_of(cells, {example_timer("vulkan"), example_timer("osmesa")});
   ASSERT_EQ(all.size(), 1u);
-  EXPECT_TRUE(has(all[0].words, "baseline: light_map (the baseline) and vertex_normal on vulkan. Dominated")) << all[0].words;
+  EXPECT_TRUE(has(all[0].words, "baseline: light_map (the baseline) and vertex_normal (SSIM 0.9000) on vulkan. Dominated"))
+      << all[0].words;
   EXPECT_TRUE(has(all[0].words, "vertex_normal (by light_map on osmesa)")) << all[0].words;
   EXPECT_TRUE(has(all[0].words, "normal_map_taps (by light_map on both backends)")) << all[0].words;
 }
@@ -47,8 +48,19 @@ TEST(Answers, WeighAgainstTheTruthToo) {
   const auto all = answers_of(cells, {example_timer("vulkan")});
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[1].words,
-            "worth having, by time and SSIM to the truth: vertex_normal. Dominated, since another is closer and not measurably "
+            "worth having, by time and SSIM to the truth: vertex_normal (SSIM 0.8000). Dominated, since another is closer and "
+            "not measurably "
             "slower: light_map (by vertex_normal).");
+}
+
+TEST(Answers, TwoThatAreNearlyAlikeAreToldApart) {
+  std::vector<CellRow> cells = example_cells();
+  for (CellRow* cell : {&cells[2], &cells[3]}) cell->error_covered->ssim = 0.999994;
+  cells.push_back(example_cell("normal_map_taps", "front", {7, 7, 7, 7, 7, 7}));
+  cells.push_back(example_cell("normal_map_taps", "grazing", {9, 9, 9, 9, 9, 9}));
+  for (CellRow* cell : {&cells[4], &cells[5]}) cell->error_covered->ssim = 0.999996;
+  EXPECT_TRUE(has(answers_of(cells, {example_timer("vulkan")})[0].words,
+                  "vertex_normal (SSIM 0.999994) and normal_map_taps (SSIM 0.999996)."));
 }
 
 TEST(Answers, FetchesAreWeighedWhereNothingIsTimed) {
