@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/graph/inputs.h"
 #include "harness/scene/default_views.h"
@@ -44,6 +45,19 @@ void widen_depth(Scene& scene) {
   }
 }
 
+// Whether setting `later` changes a number that `earlier` has set, which the record would then tell wrongly.
+bool undoes(const Scene& scene, const std::string& earlier, const std::string& later) {
+  constexpr std::string_view all = "objects.*.";
+  if (later.starts_with(all))
+    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
+      return earlier == "objects." + object.name + "." + later.substr(all.size());
+    });
+  return std::any_of(scene.lights.begin(), scene.lights.end(), [&](const Light& light) {
+    const std::string intensity = "lights." + light.name + ".intensity", radiance = "lights." + light.name + ".radiance.";
+    return (earlier == intensity && later.starts_with(radiance)) || (later == intensity && earlier.starts_with(radiance));
+  });
+}
+
 std::string words_of_number(double value) { return fmt::format("{:.6g}", value); }
 
 }  // namespace
@@ -54,6 +68,11 @@ SweptScene::SweptScene(Scene scene, const Library& library, SweepPoints points)
   const std::vector<Parameter> all = lamina::parameters_of(base_, library);
   for (SweptParameter& swept : points_.parameters) {
     const Parameter& parameter = parameter_named(all, swept.path);
+    for (const Parameter& earlier : parameters_)
+      if (undoes(base_, earlier.path, swept.path))
+        throw Error(ErrorKind::bad_input, "sweep", "--set " + swept.path,
+                    fmt::format("would change what --set {} has set; {}", earlier.path,
+                                swept.path.starts_with("objects.*.") ? "give it first" : "leave one of them out"));
     for (const double value : swept.values) check_value(parameter, value);
     swept.unit = parameter.unit;
     parameters_.push_back(parameter);

@@ -117,6 +117,18 @@ TEST(SweptScene, AnotherTimeKeepsTheTexturesAndMovesTheMesh) {
   EXPECT_NE(scene_hash(first), scene_hash(second));
 }
 
+TEST(SweptScene, WhatALaterOneWouldUndoIsRefused) {
+  const auto swept = [](const char* first, const char* second) {
+    SweptScene(heart(), library(), {{{first, "", {1}}, {second, "", {2}}}, false});
+  };
+  EXPECT_THROW(swept("objects.heart.thickness", "objects.*.thickness"), Error);
+  EXPECT_NO_THROW(swept("objects.*.thickness", "objects.heart.thickness")) << "all but one";
+  EXPECT_NO_THROW(swept("objects.heart.thickness", "objects.*.scattering"));
+  EXPECT_THROW(swept("lights.key.intensity", "lights.key.radiance.red"), Error);
+  EXPECT_THROW(swept("lights.key.radiance.red", "lights.key.intensity"), Error);
+  EXPECT_NO_THROW(swept("lights.key.radiance.red", "lights.rim.intensity"));
+}
+
 // A point is the same whichever points came before it.
 TEST(SweptScene, PointsDoNotDependOnTheWayThere) {
   const SweepPoints points{{{"objects.heart.rotation_degrees.x", "", {0, 10, 20}}, {"lights.key.intensity", "", {0, 1}}},
