@@ -41,6 +41,12 @@ function draw_plot(place, title, options, most = 560) {
     mark.dataset.marks = mark.getAttribute('aria-label');
     mark.removeAttribute('aria-label');
   }
+  // On a long logarithmic axis D3 blanks the labels of some ticks; those that are asked for are wanted.
+  for (const axis of ['x', 'y']) {
+    const labels = image.querySelectorAll(`g[data-marks="${axis}-axis tick label"] text`);
+    if (options[axis].type === 'log')
+      options[axis].ticks.forEach((value, i) => labels[i].textContent = options[axis].tickFormat(value));
+  }
   place.append(element('h4', {textContent: title}), svg);
   return image;
 }

@@ -50,6 +50,15 @@ test('the pareto chart\'s figures are the record\'s', async () => {
   await page.context().close();
 });
 
+test('every tick of a logarithmic axis has its number', async () => {
+  const page = await open(browser, 'truth');
+  await choose(page, 'pareto', 'Cost', 'fetches a pixel');
+  await choose(page, 'pareto', 'Over', 'view front');
+  const labels = await page.locator('#pareto g[data-marks="x-axis tick label"] text').allTextContents();
+  assert.deepEqual([...labels].sort((a, b) => a - b), ['5', '10', '20', '50', '100', '200', '500']);
+  await page.context().close();
+});
+
 test('the chart names what has no place on it', async () => {
   const page = await open(browser, 'compare');
   assert.match(await page.locator('#pareto .caption').textContent(), /Without a place, .* not known: broken on osmesa\.$/);
