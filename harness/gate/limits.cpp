@@ -33,6 +33,7 @@ std::function<void(Limits&, double)> in(double ErrorTolerance::*member) {
 const std::vector<Key>& known_keys() {
   static const std::vector<Key> keys = {
       {"max_slowdown", Form::share, 1e-4, 10, [](Limits& l, double v) { l.max_slowdown = v; }},
+      {"min_pass_share", Form::share, 0, 1, [](Limits& l, double v) { l.min_pass_share = v; }},
       {"max_drift", Form::share, 1e-4, 10, [](Limits& l, double v) { l.max_drift = v; }},
       {"max_ratio_drift", Form::share, 1e-4, 10, [](Limits& l, double v) { l.max_ratio_drift = v; }},
       {"max_extra_fetches", Form::share, 0, 1000, [](Limits& l, double v) { l.max_extra_fetches = v; }},

@@ -35,13 +35,13 @@ struct Key {
 };
 
 // What is judged of a frame beside the one before: the passes of both that take enough of it, and may differ.
-std::vector<Part> judged_parts(const PairsRow& row, std::string_view frame) {
+std::vector<Part> judged_parts(const PairsRow& row, std::string_view frame, const Limits& limits) {
   const size_t before = *index_of(row, frame_before), after = *index_of(row, frame);
   const double whole = sum_ms(row, before, whole_frame);
   std::vector<Part> parts;
   for (size_t pass = 0; pass < row.passes.size(); ++pass) {
     if (row.passes[pass].ms[before].empty() || row.passes[pass].ms[after].empty()) continue;
-    if (std::max(sum_ms(row, before, pass), sum_ms(row, after, pass)) >= least_judged_share * whole) parts.push_back(pass);
+    if (std::max(sum_ms(row, before, pass), sum_ms(row, after, pass)) >= limits.min_pass_share * whole) parts.push_back(pass);
   }
   // A frame of one pass is that pass.
   if (row.passes.size() > 1) parts.insert(parts.begin(), whole_frame);
@@ -107,9 +107,11 @@ RatioEstimate estimate_of(const PairsRow& row, std::string_view frame, Part pass
 double worst_error(const PairsRow& row, const LimitsFile& limits) {
   double worst = 0;
   if (index_of(row, frame_again)) worst = estimate_of(row, frame_again).error;
+  const Limits allowed = limits.of(row.effect, row.variant, row.backend);
   if (index_of(row, frame_after))
-    for (const Part part : judged_parts(row, frame_after)) worst = std::max(worst, estimate_of(row, frame_after, part).error);
-  return worst / limits.of(row.effect, row.variant, row.backend).max_slowdown;
+    for (const Part part : judged_parts(row, frame_after, allowed))
+      worst = std::max(worst, estimate_of(row, frame_after, part).error);
+  return worst / allowed.max_slowdown;
 }
 
 size_t rounds_in(const std::vector<PairsRow>& pairs) {
@@ -137,15 +139,16 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
   };
   for (const auto& [key, processes] : by_cell) {
     const PairsRow& first = *processes.front();
-    const double margin = limits.of(key.effect, key.variant, key.backend).max_slowdown;
+    const Limits allowed = limits.of(key.effect, key.variant, key.backend);
+    const double margin = allowed.max_slowdown;
     if (index_of(first, frame_again)) {
       report.same_arms.push_back({key.backend, key.effect, key.variant, {}, Verdict::same});
       same_comparisons.push_back({ratios_of(processes, frame_again, whole_frame), margin});
-      for (const Part part : judged_parts(first, frame_again))
+      for (const Part part : judged_parts(first, frame_again, allowed))
         if (part) passes.push_back(pool(ratios_of(processes, frame_again, part)));
     }
     if (!index_of(first, frame_after)) continue;
-    for (const Part part : judged_parts(first, frame_after)) {
+    for (const Part part : judged_parts(first, frame_after, allowed)) {
       VerdictRow& row = report.rows.emplace_back();
       row.backend = key.backend, row.effect = key.effect, row.variant = key.variant, row.view = key.view, row.what = "time";
       if (part) row.pass = first.passes[*part].name;

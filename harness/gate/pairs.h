@@ -25,9 +25,6 @@ struct PairsRow {
 nlohmann::ordered_json to_json(const PairsRow& row);
 PairsRow pairs_from_json(const nlohmann::json& line);
 
-// A pass is judged by itself from this share of its frame on; a smaller one only within the frame.
-inline constexpr double least_judged_share = 0.05;
-
 struct TimeReport {
   std::vector<VerdictRow> rows;  // of frames (pass "") and of passes
   std::vector<SameArmRow> same_arms;

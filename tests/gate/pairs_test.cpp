@@ -3,10 +3,12 @@
 #include "harness/gate/pairs.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 
 #include "harness/core/error.h"
+#include "harness/core/text.h"
 
 namespace lamina {
 namespace {
@@ -47,7 +49,7 @@ TEST(Pairs, FrameAndLargePassesAreJudgedSmallOnesWithinTheFrame) {
   const TimeReport report = judge_pairs(pairs(1, 1.1), {}, 0.05);
   ASSERT_TRUE(find(report, ""));
   ASSERT_TRUE(find(report, "large"));
-  EXPECT_FALSE(find(report, "small")) << "1 of 41 ms";
+  EXPECT_FALSE(find(report, "small")) << "1 of 41 ms, less than a tenth";
   EXPECT_EQ(find(report, "large")->verdict, Verdict::slower);
   EXPECT_NEAR(find(report, "large")->ratio->median, 1.1, 1e-12);
   EXPECT_NEAR(find(report, "")->ratio->median, 45.0 / 41, 1e-12) << "passes count by what they last as a whole";
@@ -56,6 +58,37 @@ TEST(Pairs, FrameAndLargePassesAreJudgedSmallOnesWithinTheFrame) {
   EXPECT_NEAR(*find(report, "")->before, 41, 1e-12);
   EXPECT_EQ(report.comparisons, 2u);
   EXPECT_EQ(report.rounds, 36u);
+}
+
+TEST(Pairs, AGateFileSaysHowSmallAPassIsJudgedByItself) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("lamina_pairs_" + std::to_string(::getpid()) + ".toml");
+  write_file_atomically(file, "[default]\nmin_pass_share = \"2%\"\n");
+  const LimitsFile limits(file, {});
+  std::filesystem::remove(file);
+  ASSERT_TRUE(find(judge_pairs(pairs(1.1, 1), limits, 0.05), "small"));
+  EXPECT_EQ(find(judge_pairs(pairs(1.1, 1), limits, 0.05), "small")->verdict, Verdict::slower);
+}
+
+// Five processes at 3.5% and half a percent or one to either side: the error of their mean, 0.35%, is 5.5 of them short of the
+// margin, which by four degrees of freedom is too few for one of ten comparisons. That all ten scatter so makes it enough.
+TEST(Pairs, ComparisonsTellTogetherHowProcessesDisagree) {
+  const auto gate = [](size_t variants) {
+    std::vector<PairsRow> rows;
+    for (size_t variant = 0; variant < variants; ++variant)
+      for (size_t process = 0; process < 5; ++process) {
+        PairedPass pass{"composite", true, {false, false}, {{}, {}}, {{}, {}}};
+        const double ratio = 1.035 * std::exp(0.005 * (static_cast<double>(process) - 2));
+        for (int round = 0; round < 12; ++round) {
+          pass.ms[0].push_back(10), pass.ms[1].push_back(10 * ratio);
+          pass.strips[1].push_back({10, 10 * ratio * (round % 3 == 0 ? 1.001 : 0.9995), round % 2 == 0});
+        }
+        rows.push_back({process, "vulkan", "layered_material", std::to_string(variant), "front", {"before", "after"}, {pass}});
+      }
+    return judge_pairs(rows, {}, 0.05 * static_cast<double>(variants) / 10);  // each at the error of one of ten
+  };
+  EXPECT_EQ(gate(1).rows.front().verdict, Verdict::ambiguous);
+  for (const VerdictRow& row : gate(10).rows) EXPECT_EQ(row.verdict, Verdict::slower);
 }
 
 TEST(Pairs, ASmallPassThatGrewIsJudged) {
