@@ -67,7 +67,7 @@ ReadyFrame* BackendRun::frame(std::string_view variant) {
   return nullptr;
 }
 
-void BackendRun::score(Progress& progress, const Taken& taken) {
+void BackendRun::score(Progress& progress, const Known& known) {
   const size_t views = variants_.front().rows.size();
   for (size_t view = 0; view < views; ++view) {
     progress.show(static_cast<double>(view) / static_cast<double>(views),
@@ -77,15 +77,16 @@ void BackendRun::score(Progress& progress, const Taken& taken) {
       attempt(variant, [&] {
         variant.ready->frame.run(view, Timing::off);
         const Image picture = variant.ready->frame.picture();
-        if (taken) taken(variant.manifest->name, view, picture);
+        const CellRow* same = known ? known({*variant.manifest, view, picture, variant.covered[view]}) : nullptr;
         if (variant.manifest->baseline) baseline = picture;
-        score_view(variant, view, picture, baseline ? &*baseline : nullptr, progress);
+        score_view(variant, view, picture, baseline ? &*baseline : nullptr, same, progress);
       });
     }
   }
 }
 
-void BackendRun::score_view(Variant& variant, size_t view, const Image& picture, const Image* baseline, Progress& progress) {
+void BackendRun::score_view(Variant& variant, size_t view, const Image& picture, const Image* baseline, const CellRow* known,
+                            Progress& progress) {
   CellRow& row = variant.rows[view];
   const auto write = [&](const std::string& suffix, const DisplayImage& image) {
     const std::string path = images_ + "/" + picture_name(row, suffix);
@@ -98,7 +99,10 @@ void BackendRun::score_view(Variant& variant, size_t view, const Image& picture,
       progress.show(fraction, "casting rays for the truth of view " + resources_.scene().views[view].name);
     });
   if (variant.manifest->baseline || !baseline) return;
-  fill_errors(row, picture, *baseline, either(variant.covered[view], variants_.front().covered[view]), write);
+  if (known)
+    copy_errors(row, *known);
+  else
+    fill_errors(row, picture, *baseline, either(variant.covered[view], variants_.front().covered[view]), write);
 }
 
 RoundsResult BackendRun::time(Progress& progress, bool timer_ok) {

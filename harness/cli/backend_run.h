@@ -18,12 +18,19 @@ class BackendRun {
   BackendRun(Backend& backend, SceneResources& resources, const Plan& plan, const EffectManifest& effect, ShaderCache& shaders,
              Bakes& bakes, const CompareOptions& options, const std::string& images);
 
-  // Told of each picture as it is scored, with its variant and view.
-  using Taken = std::function<void(const std::string& variant, size_t view, const Image& picture)>;
+  // A picture as it is scored, the baseline's before the others of its view.
+  struct Scored {
+    const VariantManifest& variant;
+    size_t view;
+    const Image& picture;
+    const Mask& covered;
+  };
+  // Told of each; gives a row whose errors to the baseline are known to be this one's, or null.
+  using Known = std::function<const CellRow*(const Scored&)>;
 
   void prepare(Progress& progress);                         // pipelines and targets, first frame; what is done once
   void count(Progress& progress);                           // by the counting build
-  void score(Progress& progress, const Taken& taken = {});  // pictures, and their errors
+  void score(Progress& progress, const Known& known = {});  // pictures, and their errors
   RoundsResult time(Progress& progress, bool timer_ok);
 
   // The variant's frame; null where it failed or is not compared.
@@ -42,7 +49,8 @@ class BackendRun {
     std::vector<Mask> covered;                 // [view]
   };
   void attempt(Variant& variant, const std::function<void()>& work);
-  void score_view(Variant& variant, size_t view, const Image& picture, const Image* baseline, Progress& progress);
+  void score_view(Variant& variant, size_t view, const Image& picture, const Image* baseline, const CellRow* known,
+                  Progress& progress);
 
   SceneResources& resources_;
   const Plan& plan_;

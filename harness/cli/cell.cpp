@@ -148,6 +148,11 @@ void fill_errors(CellRow& row, const Image& picture, const Image& baseline, cons
   row.worst_tile = worst_tile(report.flip, picture.width, picture.height);
 }
 
+void copy_errors(CellRow& row, const CellRow& same) {
+  row.error_covered = same.error_covered, row.error_frame = same.error_frame;
+  row.difference = same.difference, row.flip = same.flip, row.worst_tile = same.worst_tile;
+}
+
 Mask either(const Mask& a, const Mask& b) {
   Mask both = a;
   for (size_t i = 0; i < both.on.size(); ++i) both.on[i] = a.on[i] | b.on[i];

@@ -9,6 +9,38 @@
 namespace lamina {
 namespace {
 
+// What the tree before has shown, so that a picture that is the same is not scored again.
+class Before {
+ public:
+  void see(const BackendRun::Scored& scored) { seen_[{scored.variant.name, scored.view}] = {scored.picture, scored.covered}; }
+  void rows(std::vector<CellRow> rows) { rows_ = std::move(rows); }
+  // Null: there was no such picture.
+  const Image* picture(const BackendRun::Scored& scored) const {
+    const auto was = seen_.find({scored.variant.name, scored.view});
+    return was == seen_.end() ? nullptr : &was->second.picture;
+  }
+  // The row with the errors of this picture of the tree after, if it, the pixels and the baseline are the same to the bit.
+  const CellRow* known(const BackendRun::Scored& scored, const std::string& view) {
+    const auto was = seen_.find({scored.variant.name, scored.view});
+    const bool same =
+        was != seen_.end() && was->second.picture.rgba == scored.picture.rgba && was->second.covered.on == scored.covered.on;
+    if (scored.variant.baseline) same_baseline_[scored.view] = same;
+    if (!same || !same_baseline_[scored.view]) return nullptr;
+    const auto row = std::ranges::find_if(
+        rows_, [&](const CellRow& each) { return each.variant == scored.variant.name && each.view == view && !each.failed; });
+    return row == rows_.end() ? nullptr : &*row;
+  }
+
+ private:
+  struct Seen {
+    Image picture;
+    Mask covered;
+  };
+  std::map<std::pair<std::string, size_t>, Seen> seen_;
+  std::map<size_t, bool> same_baseline_;  // by view
+  std::vector<CellRow> rows_;
+};
+
 // Every variant of one effect that is to be drawn; its baselines always are.
 void compare_exactly(GateProcess& process, TreePair& trees, const std::string& effect, const LimitsFile& limits,
                      Progress& progress, const EmitLine& emit) {
@@ -18,25 +50,30 @@ void compare_exactly(GateProcess& process, TreePair& trees, const std::string& e
     if (pair.after && pair.after->effect == effect && is_drawn(pair, limits.of(effect, pair.after->name, process.task.backend)))
       only.variants.push_back(pair.after->name);
   if (only.variants.empty()) return;
-  const auto run_tree = [&](Tree& tree, const char* side, const BackendRun::Taken& taken) {
+  const auto run_tree = [&](Tree& tree, const char* side, const BackendRun::Known& known) {
     const std::string images = fmt::format("images/{}", side);
     std::filesystem::create_directories(only.out / images);
     BackendRun run(*process.backend, process.resources, tree.plan, tree.library.effect(effect),
                    tree.shaders.at(process.backend->info().api), process.bakes, only, images);
-    run.prepare(progress), run.count(progress), run.score(progress, taken);
-    for (const CellRow& row : run.rows()) emit({{"cell", to_json(row)}, {"side", side}});
+    run.prepare(progress), run.count(progress), run.score(progress, known);
+    std::vector<CellRow> rows = run.rows();
+    for (const CellRow& row : rows) emit({{"cell", to_json(row)}, {"side", side}});
+    return rows;
   };
-  std::map<std::pair<std::string, size_t>, Image> before;
-  run_tree(trees.before, "before", [&](const std::string& variant, size_t view, const Image& picture) {
-    before[{variant, view}] = picture;
-  });
-  run_tree(trees.after, "after", [&](const std::string& variant, size_t view, const Image& picture) {
-    if (const auto was = before.find({variant, view}); was != before.end())
+  Before before;
+  before.rows(run_tree(trees.before, "before", [&](const BackendRun::Scored& scored) {
+    before.see(scored);
+    return nullptr;
+  }));
+  run_tree(trees.after, "after", [&](const BackendRun::Scored& scored) {
+    const std::string& view = trees.scene.views[scored.view].name;
+    if (const Image* was = before.picture(scored))
       emit({{"change",
              {{"effect", effect},
-              {"variant", variant},
-              {"view", trees.scene.views[view].name},
-              {"most", most_change(picture, was->second)}}}});
+              {"variant", scored.variant.name},
+              {"view", view},
+              {"most", most_change(scored.picture, *was)}}}});
+    return before.known(scored, view);
   });
 }
 
