@@ -22,7 +22,9 @@ std::string findings(const Record& record, const std::vector<SummaryRow>& rows) 
   const auto list = [](const std::vector<Headline>& all, const char* after) {
     std::string html;
     for (const Headline& one : all)
-      html += fmt::format("<li><strong>{}</strong>{} {}</li>\n", escaped_html(one.variant), after, escaped_html(one.words));
+      html += one.variant.empty() ? fmt::format("<li>{}</li>\n", escaped_html(one.words))
+                                  : fmt::format("<li><strong>{}</strong>{} {}</li>\n", escaped_html(one.variant), after,
+                                                escaped_html(one.words));
     return html.empty() ? "" : "<ul class=\"headlines\">\n" + html + "</ul>\n";
   };
   // A sweep was made for its crossovers, which come before figures that are means over all its points.
@@ -92,12 +94,14 @@ std::string html_charts(const std::vector<Record>& records) {
   if (std::ranges::all_of(records, [](const Record& record) { return record.cells.empty(); })) return "";
   const bool sweeps = std::ranges::any_of(records, [](const Record& record) { return !record.sweeps.empty(); });
   const nlohmann::json data = page_data(records);
+  const bool costs = true || std::ranges::any_of(
+      data.at("cells"), [](const nlohmann::json& cell) { return !cell.at("ms").is_null() || !cell.at("fetches").is_null(); });
   struct Section {
     const char *name, *title, *without_script;
     bool shown = true;
   };
   const Section sections[] = {
-      {"pareto", "Cost against error", "This chart is drawn by a script; the table of the variants holds its figures."},
+      {"pareto", "Cost against error", "This chart is drawn by a script; the table of the variants holds its figures.", costs},
       {"passes", "Where the time goes", "These charts are drawn by a script; the table of every pass holds their figures."},
       {"sweeps", "Over the parameter", "These curves are drawn by a script; the tables of all figures hold their points.",
        sweeps},
@@ -117,7 +121,7 @@ std::string html_charts(const std::vector<Record>& records) {
   return html + fmt::format("<script type=\"application/json\" id=\"page-data\">{}</script>\n", for_script(data));
 }
 
-std::string html_report(const std::vector<Record>& records, const PictureUrl& url) {
+std::string html_report(const std::vector<Record>& records, const PictureUrl& url, const std::string& history) {
   const std::string title =
       escaped_html(records.size() == 1 ? title_of(records[0]) : fmt::format("{} records side by side", records.size()));
   std::string html = fmt::format(
@@ -129,7 +133,7 @@ std::string html_report(const std::vector<Record>& records, const PictureUrl& ur
   if (records.size() == 1) {
     html += one_record(records[0], "", url, charts);
   } else {
-    html += html_side_by_side(records) + charts;
+    html += html_side_by_side(records) + history + charts;
     for (size_t i = 0; i < records.size(); ++i) html += one_record(records[i], record_name(records, i), url, "");
   }
   html += "</main>\n";

@@ -45,11 +45,13 @@ std::string cells_csv(const Record& record);
 using PictureUrl = std::function<std::string(const std::string& path)>;
 // One page of one or more records, which opens from disk, offline; without `url`, pictures are at their paths beside it.
 // `settings.difference_gain` of a run line is what its difference pictures were multiplied by.
-std::string html_report(const std::vector<Record>& records, const PictureUrl& url = nullptr);
+// `history`: a section about all records together, as HTML.
+std::string html_report(const std::vector<Record>& records, const PictureUrl& url = nullptr, const std::string& history = "");
 
 struct ReportOptions {
   bool single_file = false;   // pictures inside the page
   std::filesystem::path out;  // folder to write to; empty: the run's own, which must then be the only one
+  std::string history;        // as for html_report()
 };
 // Writes index.html, summary.md, cells.csv, and for a gate's record what write_gate_reports() does, of the runs whose
 // record.jsonl these folders hold, in their order. Into a folder of its own go copies of the pictures too, of several runs each

@@ -52,7 +52,7 @@ fs::path write_reports(const std::vector<fs::path>& run_folders, const ReportOpt
   }
   write_file_atomically(out / "summary.md", summary);
   const PictureUrl inside = [&](const std::string& path) { return std::apply(data_url, files.at(path)); };
-  write_file_atomically(out / "index.html", html_report(records, options.single_file ? inside : PictureUrl()));
+  write_file_atomically(out / "index.html", html_report(records, options.single_file ? inside : PictureUrl(), options.history));
   return out / "index.html";
 }
 

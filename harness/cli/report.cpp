@@ -4,10 +4,24 @@
 #include <unistd.h>
 
 #include "harness/cli/commands.h"
+#include "harness/history/history_reports.h"
 #include "reports/gate.h"
 #include "reports/reports.h"
 
 namespace lamina {
+
+namespace {
+
+// How the records' figures went, where they have any in common.
+std::string history_of(const std::vector<std::filesystem::path>& given) {
+  try {
+    return html_history(load_history(given));
+  } catch (const Error&) {
+    return "";
+  }
+}
+
+}  // namespace
 
 int run_report(const ReportCommand& options) {
   std::vector<std::filesystem::path> folders;
@@ -29,7 +43,8 @@ int run_report(const ReportCommand& options) {
                  write_reports(std::vector{folders[i]}, {.single_file = options.single_file, .out = {}}).string());
   }
   if (together)
-    fmt::print("report: {}\n", write_reports(folders, {.single_file = options.single_file, .out = options.out}).string());
+    fmt::print("report: {}\n",
+               write_reports(folders, {options.single_file, options.out, history_of(options.records)}).string());
   return 0;
 }
 

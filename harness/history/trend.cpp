@@ -211,4 +211,17 @@ History make_history(std::vector<HistoryRecord> records) {
   return history;
 }
 
+History load_history(const std::vector<std::filesystem::path>& given) {
+  std::vector<HistoryRecord> records;
+  std::set<std::filesystem::path> seen;
+  for (const std::filesystem::path& path : given) {
+    const std::filesystem::path file = std::filesystem::is_directory(path) ? path / "record.jsonl" : path;
+    Record record = read_record(file);
+    if (!seen.insert(std::filesystem::canonical(file)).second)
+      throw Error(ErrorKind::bad_input, "history", path.string(), "is given twice; a trend needs each record once");
+    records.push_back({path.string(), std::move(record)});
+  }
+  return make_history(std::move(records));
+}
+
 }  // namespace lamina

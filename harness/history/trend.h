@@ -2,6 +2,7 @@
 // How the figures of each cell went over records.
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -64,5 +65,7 @@ struct History {
 
 // Throws Error(bad_input) for fewer than two records, and where no cell is in two of them.
 History make_history(std::vector<HistoryRecord> records);
+// Of these folders of runs, or their record files. Throws as read_record() does too, and Error(bad_input) for one given twice.
+History load_history(const std::vector<std::filesystem::path>& given);
 
 }  // namespace lamina
