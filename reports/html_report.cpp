@@ -94,7 +94,7 @@ std::string html_charts(const std::vector<Record>& records) {
   if (std::ranges::all_of(records, [](const Record& record) { return record.cells.empty(); })) return "";
   const bool sweeps = std::ranges::any_of(records, [](const Record& record) { return !record.sweeps.empty(); });
   const nlohmann::json data = page_data(records);
-  const bool costs = true || std::ranges::any_of(
+  const bool costs = std::ranges::any_of(
       data.at("cells"), [](const nlohmann::json& cell) { return !cell.at("ms").is_null() || !cell.at("fetches").is_null(); });
   struct Section {
     const char *name, *title, *without_script;
