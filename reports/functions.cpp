@@ -59,10 +59,6 @@ void compare(FunctionBackend& backend) {
                    std::ranges::none_of(backend.variants, [&](const FunctionSummary& other) { return beats(other, row); });
 }
 
-std::string words_for_ns(const Interval& ns) {
-  return fmt::format("{:.3g} [{:.3g}, {:.3g}]{}", ns.median, ns.low, ns.high, ns.coverage < report_confidence ? "*" : "");
-}
-
 uint64_t sum_of(const FunctionSummary& row, const char* count) {
   uint64_t sum = 0;
   for (const Json* set : row.sets) sum += set->at(count).get<uint64_t>();
@@ -94,6 +90,13 @@ std::string verdict(const FunctionSummary& row, const FunctionBackend& backend) 
 
 }  // namespace
 
+std::string words_for_ns(double ns) { return fmt::format("{:.3g}", ns); }
+
+std::string words_for_ns(const Interval& ns) {
+  return fmt::format("{} [{}, {}]{}", words_for_ns(ns.median), words_for_ns(ns.low), words_for_ns(ns.high),
+                     ns.coverage < report_confidence ? "*" : "");
+}
+
 std::string words_for_error(const Json& figure, int digits) {
   return figure.is_null() ? "-" : fmt::format("{:.{}g}", figure.get<double>(), digits);
 }
@@ -105,6 +108,7 @@ std::vector<FunctionReport> summarize_functions(const Record& record) {
     FunctionSummary& row = summary_of(reports, line);
     row.ns = interval_of(line.at("ns_per_call"));
     row.reason = line.at("reason");
+    if (line.contains("ns")) row.samples = line.at("ns").get<std::vector<double>>();
   }
   for (const Json& line : record.function_pictures) summary_of(reports, line).pictures.push_back(&line);
   for (FunctionReport& report : reports)

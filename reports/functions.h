@@ -15,6 +15,7 @@ struct FunctionSummary {
   std::string variant;
   bool baseline = false;
   std::optional<Interval> ns;   // of a call
+  std::vector<double> samples;  // of each round, ns; none in a record of before they were kept
   std::string reason;           // why there is no time
   std::optional<double> ratio;  // median over the baseline's median
   std::optional<double> error;  // the greatest |error| over the main set; absent where a value was not finite
@@ -49,6 +50,9 @@ inline constexpr std::array<const char*, 9> function_columns = {
 std::array<std::string, function_columns.size()> function_cells(const FunctionSummary& row);
 // "100000 points of 'overlaps': ...", and what the columns are of.
 std::string function_caption(const FunctionReport& report, const FunctionBackend& backend);
+// Nanoseconds of a call, no unit.
+std::string words_for_ns(double ns);
+std::string words_for_ns(const Interval& ns);  // with a * where it covers less than 95%
 // A figure of a function's row, to so many digits; "-" for null.
 std::string words_for_error(const nlohmann::json& figure, int digits);
 

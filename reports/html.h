@@ -34,7 +34,18 @@ std::string html_gate(const Record& record);
 std::string html_passes(const Record& record);
 // The pictures and figures of every backend, view and point, the baseline's and the variants' side by side.
 std::string html_gallery(const Record& record, const PictureUrl& url);
-// A strip plot of every round's frame time of these cells on one axis, without a script; "" where no times are shown.
+// A strip plot of every round on one axis, a row each, without a script; "" where no row has a sample above 0. `words` makes
+// a number of a sample, whose unit is `unit`.
+struct SampleRow {
+  std::string name;
+  std::vector<double> samples;
+};
+enum class SampleAxis {
+  from_zero,
+  logarithmic  // from the least sample on; from_zero where not all are above 0
+};
+std::string html_rounds(const std::vector<SampleRow>& rows, SampleAxis axis, std::string (*words)(double), const char* unit);
+// That of the frame times of these cells; "" where no times are shown.
 std::string html_samples(const Record& record, const std::vector<const nlohmann::json*>& cells);
 // What a difference picture is: "difference, times 4".
 std::string difference_words(const Record& record);

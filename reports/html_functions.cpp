@@ -24,6 +24,13 @@ std::string main_table(const FunctionReport& report, const FunctionBackend& back
   return html + "</tbody></table></div>\n";
 }
 
+// Every round behind the intervals of that table. What differs by decades, as exact and fast do, needs a logarithmic axis.
+std::string rounds(const FunctionBackend& backend) {
+  std::vector<SampleRow> rows;
+  for (const FunctionSummary& row : backend.variants) rows.push_back({row.variant, row.samples});
+  return html_rounds(rows, SampleAxis::logarithmic, words_for_ns, "ns a call");
+}
+
 // Which cases each variant passes and fails, in words, and the figures of every set.
 std::string hard_cases(const FunctionBackend& backend) {
   const std::vector<const Json*> rows = rows_by_set(backend);
@@ -125,7 +132,7 @@ std::string html_functions(const Record& record, const std::string& name, const 
     for (const Headline& headline : function_headlines(report))
       html += fmt::format("<li><strong>{}</strong> {}</li>\n", escaped_html(headline.variant), escaped_html(headline.words));
     html += "</ul>\n" + html_function_chart(report, name);
-    for (const FunctionBackend& backend : report.backends) html += main_table(report, backend);
+    for (const FunctionBackend& backend : report.backends) html += main_table(report, backend) + rounds(backend);
     for (const std::string& note : function_notes(report))
       html += fmt::format("<p class=\"note\">{}</p>\n", escaped_html(note));
     for (const FunctionBackend& backend : report.backends) html += hard_cases(backend);

@@ -105,8 +105,8 @@ std::vector<FunctionTimeRow> time_variants(Backend& backend, const TimerRow& tim
     runners.back()->areas(repeated);
     pointers.push_back(runners.back().get());
   }
-  const std::vector<Interval> ns = nanoseconds_per_call(pointers, timing_rounds, seed);
-  for (size_t i = 0; i < times.size(); ++i) times[i].ns_per_call = ns[i];
+  const std::vector<std::vector<double>> ns = nanoseconds_per_call(pointers, timing_rounds, seed);
+  for (size_t i = 0; i < times.size(); ++i) times[i].ns = ns[i], times[i].ns_per_call = median_interval(ns[i]);
   return times;
 }
 
@@ -198,9 +198,11 @@ int run_stress_caps(const StressOptions& options) {
       "the area itself, over eps times its condition number.\n");
   for (const CapSet& set : sets) print_set(set, results.errors);
   fmt::print("\nnanoseconds per call [95%], over {} points of '{}'\n", timed_inputs, sets.front().name);
-  for (const auto& [subject, ns, reason, commit, build] : results.times)
-    fmt::print("{:<16} {:<8} {}\n", subject.variant, subject.backend,
+  for (const FunctionTimeRow& time : results.times) {
+    const auto& ns = time.ns_per_call;
+    fmt::print("{:<16} {:<8} {}\n", time.subject.variant, time.subject.backend,
                ns ? fmt::format("{:>8.3g} [{:.3g}, {:.3g}]", ns->median, ns->low, ns->high) : "       -");
+  }
   write_csv(options.out / "stress.csv", results);
   write_record(options, devices, results);
   if (std::string(LAMINA_BUILD_NAME) != "release")

@@ -48,7 +48,8 @@ struct FunctionRow {
 struct FunctionTimeRow {
   FunctionSubject subject;
   std::optional<Interval> ns_per_call;  // absent where the timer was not certified
-  std::string reason;                   // why it is absent
+  std::vector<double> ns{};             // of a call in each of the interval's rounds
+  std::string reason;                   // why the interval is absent
   std::string commit, build;            // of the program that timed; only "release" counts
 };
 
@@ -61,7 +62,7 @@ struct FunctionPictureRow {
 };
 
 // One line of the record each. Errors are null where no value was finite, an input of the worst where no value errs that way.
-// "first_fault" and "bounds" are left out where there are none. Throws Error(failed) for a number that is not finite.
+// "first_fault", "bounds" and "ns" are left out where there are none. Throws Error(failed) for a number that is not finite.
 nlohmann::ordered_json to_json(const FunctionRow& row);
 nlohmann::ordered_json to_json(const FunctionTimeRow& row);
 nlohmann::ordered_json to_json(const FunctionPictureRow& row);

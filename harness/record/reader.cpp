@@ -181,6 +181,10 @@ void check_function_time(const Json& line, const std::string& where) {
   check_function_subject(line, where);
   check(line, {{"ns_per_call", object_or_null}, {"reason", text}, {"commit", text}, {"build", text}}, where);
   check_interval(line["ns_per_call"], where, "ns_per_call.");
+  if (!line.contains("ns")) return;  // as records had none before
+  check(line, {{"ns", numbers}}, where);
+  if (line["ns_per_call"].is_null() || line["ns"].size() != line["ns_per_call"]["rounds"])
+    refuse(where, "'ns' must hold a number for each round of 'ns_per_call'");
 }
 
 void check_function_timer(const Json& line, const std::string& where) {

@@ -141,7 +141,7 @@ CapErrors judge_caps(std::span<const CapInput> inputs, std::span<const float> ar
   return errors;
 }
 
-std::vector<Interval> nanoseconds_per_call(std::span<CapRunner* const> runners, size_t rounds, uint64_t seed) {
+std::vector<std::vector<double>> nanoseconds_per_call(std::span<CapRunner* const> runners, size_t rounds, uint64_t seed) {
   std::vector<Arm> arms;  // of each runner a long one and a short one
   std::vector<double> calls_apart;
   for (CapRunner* runner : runners) {
@@ -155,17 +155,16 @@ std::vector<Interval> nanoseconds_per_call(std::span<CapRunner* const> runners, 
   options.least_rounds = options.most_rounds = rounds;
   options.seed = seed;
   const RoundsResult result = run_rounds(arms, options);
-  std::vector<Interval> intervals;
+  std::vector<std::vector<double>> all;
   for (size_t i = 0; i < runners.size(); ++i) {
     const ArmSamples &many = result.arms[2 * i], &few = result.arms[2 * i + 1];
     if (const std::string& failure = many.failure.empty() ? few.failure : many.failure; !failure.empty())
       throw Error(ErrorKind::failed, "stress", "timing", failure);
-    std::vector<double> ns;
+    std::vector<double>& ns = all.emplace_back();
     for (size_t round = 0; round < rounds; ++round)
       ns.push_back((many.frame_ms[round] - few.frame_ms[round]) * 1e6 / calls_apart[i]);
-    intervals.push_back(median_interval(ns));
   }
-  return intervals;
+  return all;
 }
 
 }  // namespace lamina

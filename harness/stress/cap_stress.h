@@ -64,7 +64,8 @@ struct CapErrors {
 // Inputs, areas and truth beside each other. What is not finite is counted and in no other figure.
 CapErrors judge_caps(std::span<const CapInput> inputs, std::span<const float> areas, const CapTruth& truth);
 
-// Nanoseconds of one call in each of `runners`, as the difference of a long and a short run of each, in shuffled rounds.
-std::vector<Interval> nanoseconds_per_call(std::span<CapRunner* const> runners, size_t rounds, uint64_t seed);
+// Nanoseconds of one call in each of `runners` in each of `rounds` shuffled rounds, as the difference of a long and a short
+// run.
+std::vector<std::vector<double>> nanoseconds_per_call(std::span<CapRunner* const> runners, size_t rounds, uint64_t seed);
 
 }  // namespace lamina

@@ -48,6 +48,14 @@ inline FunctionTimeRow example_time(FunctionSubject subject, double ns) {
           .build = "release"};
 }
 
+// The same with its rounds: one of twelve is far off, whose digits are more than a record keeps.
+inline FunctionTimeRow with_samples(FunctionTimeRow row) {
+  const double ns = row.ns_per_call->median;
+  for (int round = 0; round < 11; ++round) row.ns.push_back(ns * (0.9 + 0.02 * round));
+  row.ns.push_back(ns * 1.23456789);
+  return row;
+}
+
 inline FunctionPictureRow example_picture(FunctionSubject subject) {
   return {.subject = std::move(subject),
           .slice = "r1 = 0.5",

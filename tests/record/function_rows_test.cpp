@@ -93,6 +93,14 @@ TEST(FunctionToJson, WhatIsNotKnownIsNull) {
   EXPECT_TRUE(to_json(time)["ns_per_call"].is_null());
 }
 
+TEST(FunctionToJson, ATimeKeepsEveryRoundToSixDigits) {
+  const Json line = to_json(with_samples(example_time(example_subject(), 10)));
+  ASSERT_EQ(line["ns"].size(), 12u);
+  EXPECT_EQ(line["ns"][0], 9);
+  EXPECT_EQ(line["ns"][11], 12.3457);
+  EXPECT_FALSE(to_json(example_time(example_subject(), 10)).contains("ns"));
+}
+
 TEST(FunctionToJson, RefusesNumbersThatAreNotFinite) {
   FunctionRow row = example_function(example_subject(), 0.5);
   row.rms = std::numeric_limits<double>::quiet_NaN();
@@ -100,6 +108,9 @@ TEST(FunctionToJson, RefusesNumbersThatAreNotFinite) {
   FunctionTimeRow time = example_time(example_subject(), 2);
   time.ns_per_call->high = std::numeric_limits<double>::infinity();
   EXPECT_THROW(to_json(time), Error);
+  FunctionTimeRow sampled = with_samples(example_time(example_subject(), 2));
+  sampled.ns[3] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(to_json(sampled), Error);
 }
 
 TEST_F(FunctionLines, AreReadBackExactly) {
@@ -115,6 +126,15 @@ TEST_F(FunctionLines, AreReadBackExactly) {
   EXPECT_EQ(record.function_timers[0], nlohmann::json(every_kind()[3]));
   EXPECT_TRUE(record.timers.empty()) << "which are those of frames";
   EXPECT_EQ(record.run, nlohmann::json(run));
+}
+
+TEST_F(FunctionLines, RoundsAreReadBackAndARecordOfBeforeThemOpens) {
+  const Json sampled = to_json(with_samples(example_time(example_subject(), 2)));
+  replace_function_lines(file_, "cap_intersection", run, {sampled, every_kind()[1]});
+  const Record record = read_record(file_);
+  ASSERT_EQ(record.function_times.size(), 2u);
+  EXPECT_EQ(record.function_times[0], nlohmann::json(sampled));
+  EXPECT_FALSE(record.function_times[1].contains("ns"));
 }
 
 TEST_F(FunctionLines, WithoutAFieldOrWithAWrongOneAreRefusedWithFileAndLine) {
@@ -152,6 +172,12 @@ TEST_F(FunctionLines, WithoutAFieldOrWithAWrongOneAreRefusedWithFileAndLine) {
   refused(with(0, "/bounds", {{"over", 1}, {"under", "x"}, {"eps_kappa", nullptr}}), "'bounds.under'");
   refused(with(1, "/ns_per_call", 3), "'ns_per_call'");
   refused(with(1, "/ns_per_call/low", nullptr), "'ns_per_call.low'");
+  refused(with(1, "/ns", "x"), "'ns' is not an array of numbers");
+  refused(with(1, "/ns", {1, "x"}), "'ns' is not an array of numbers");
+  refused(with(1, "/ns", {1, 2}), "'ns' must hold a number for each round of 'ns_per_call'");
+  Json untimed = to_json(with_samples(example_time(example_subject(), 2)));
+  untimed["ns_per_call"] = nullptr;
+  refused(untimed, "'ns' must hold a number for each round");
   refused(with(2, "/image", 1), "'image'");
   refused(with(3, "/ok", 1), "'ok'");
   refused(with(3, "/function", 1), "'function'");

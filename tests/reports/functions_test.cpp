@@ -220,6 +220,28 @@ TEST(Functions, ThePageHoldsTheChartItsLibraryAndThePictures) {
   EXPECT_FALSE(has(html_report({example_record({})}), "Observable")) << "no chart, no library";
 }
 
+// On paper: the axis runs from 1 to 100 ns, and 10 is in the middle of a logarithmic one; no six rounds, so a range for the
+// interval.
+TEST(Functions, EveryRoundStandsUnderTheTable) {
+  Record record = example_record({});
+  for (const auto& [variant, samples] : {std::pair{"exact_cap", std::vector<double>{100, 100}}, {"fitted_cap", {1, 10}}}) {
+    add(record, variant, 0.1, 1);
+    record.function_times.back()["ns"] = samples;
+  }
+  const std::string page = page_of(record);
+  EXPECT_TRUE(has(page, "<small>every round, 1 to 100 ns a call (log scale)</small>"));
+  EXPECT_TRUE(has(page,
+                  "<span>fitted_cap</span><svg viewBox=\"0 0 2000 100\" preserveAspectRatio=\"none\" role=\"img\" "
+                  "aria-label=\"2 rounds, 1 to 10 ns a call\"><path class=\"interval\" d=\"M0 0H1000V100H0z\"/>"))
+      << page.substr(page.find("class=\"rounds\""), 1200);
+  EXPECT_TRUE(has(page, "<path class=\"dots\" d=\"m0 70h1m999-40h1\"/>"));
+  EXPECT_GT(page.find("class=\"rounds\""), page.find("ns a call [95%]"));
+  EXPECT_FALSE(has(page_of(caps()), "class=\"rounds\"")) << "a record of before the rounds were kept";
+  EXPECT_EQ(markdown_summary(record).find("every round"), std::string::npos);
+  record.function_times.back()["ns"] = {-1, 10};  // noise can make the difference of two runs less than nothing
+  EXPECT_TRUE(has(page_of(record), "<small>every round, -1 to 100 ns a call</small>"));
+}
+
 TEST(Functions, AReportOfFunctionsAloneDoesNotExplainFramesAndPictures) {
   EXPECT_FALSE(has(page_of(caps()), "Worst view: by FLIP"));
   EXPECT_FALSE(has(markdown_summary(caps()), "Worst view: by FLIP"));
