@@ -64,7 +64,9 @@ std::string sweep_section(const Record& record) {
   if (record.sweeps.empty()) return "";
   constexpr size_t all_rows = 1000;
   std::string text = "\n## Answers\n\n";
-  for (const auto& crossover : record.crossovers) text += fmt::format("- {}\n", escaped_markdown(crossover.at("sentence")));
+  for (const auto& [effect, words] : crossover_headlines(record))
+    text += effect.empty() ? fmt::format("- {}\n", escaped_markdown(words))
+                           : fmt::format("- **{}**: {}\n", escaped_markdown(effect), escaped_markdown(words));
   text += "\n## Curves\n\nErrors against the baseline at the same point, the worst view; ratio: time over the baseline's.\n";
   for (const CurveTable& table : curve_tables(curves_of(record), all_rows)) {
     text += fmt::format("\n{}\n\n", escaped_markdown(table.title)) + markdown_row(table.columns) + "|";

@@ -57,9 +57,12 @@ std::vector<Headline> answers(const std::vector<SummaryRow>& rows);
 // A row as the frontier weighs it; a baseline without trouble has no error against itself.
 CostAndErrors figures_of(const SummaryRow& row);
 
-// What was swept, a parameter a line; where curves meet a limit or each other, a sentence each, under the effect's name.
+// What was swept, a parameter a line.
 std::vector<std::string> sweep_lines(const Record& record);
-std::vector<Headline> crossover_headlines(const Record& record);
+// Where curves meet a limit or each other, a sentence each; `variant` holds the effect's name where the record has several.
+// What is the same on several backends, figure by figure as printed, is told once, of all of them.
+enum class Told { all, about_limits, of_pairs };
+std::vector<Headline> crossover_headlines(const Record& record, Told told = Told::all);
 
 // The columns of the summary table; the first two and the last are names, the rest figures. `truth`: with those against the
 // truth, for effects of which some row has any.
