@@ -92,4 +92,16 @@ std::string sweep_terminal(const std::vector<Curve>& curves) {
   return text;
 }
 
+std::string answers_terminal(const Record& record, const std::filesystem::path& summary) {
+  constexpr size_t most_lines = 40;
+  std::vector<Headline> all = crossover_headlines(record, Told::about_limits);
+  for (const Headline& answer : crossover_headlines(record, Told::of_pairs)) all.push_back(answer);
+  const size_t shown = all.size() <= most_lines ? all.size() : most_lines - 1;
+  std::string text;
+  for (size_t i = 0; i < shown; ++i)
+    text += fmt::format("{}{}{}\n", one_line(all[i].variant), all[i].variant.empty() ? "" : ": ", one_line(all[i].words));
+  if (shown < all.size()) text += fmt::format("{} more answers are in {}\n", all.size() - shown, summary.string());
+  return text;
+}
+
 }  // namespace lamina

@@ -18,5 +18,8 @@ struct CurveTable {
 std::vector<CurveTable> curve_tables(const std::vector<Curve>& curves, size_t most_rows);
 
 std::string sweep_terminal(const std::vector<Curve>& curves);
+// The record's answers, those about limits first, in as many lines as can be read; a last one says how many more are in
+// `summary`.
+std::string answers_terminal(const Record& record, const std::filesystem::path& summary);
 
 }  // namespace lamina
