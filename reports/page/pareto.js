@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cost against error: a plot for each effect, record and backend, the frontier drawn. A dot leads to its pictures.
-if (page) {
+if (page && section_of('pareto')) {
   const section = section_of('pareto');
-  const shown = {cost: 'ms', against: 'baseline', metric: 0, view: null};  // view null: the mean over all
-  if (!page.rows.some(row => row.ms)) shown.cost = 'fetches';
-  // A sweep that counts at some of its points has no mean over all of them.
-  if (shown.cost === 'fetches' && !page.rows.some(row => row.fetches !== null)) shown.view = page.views[0];
+  const knows = (all, cost) => all.some(one => one[cost] !== null);
+  const costs = [['ms', 'time of a frame'], ['fetches', 'fetches a pixel']].filter(([cost]) => knows(page.cells, cost));
+  const shown = {against: 'baseline', metric: 0, view: null};  // view null: the mean over all
+  [shown.cost] = costs.find(([cost]) => knows(page.rows, cost)) ?? costs[0];
+  // A sweep that times or counts at some of its points has no mean over all of them.
+  if (!knows(page.rows, shown.cost)) shown.view = page.views[0];
   const bit_of = () =>
       ((shown.against === 'truth' ? page.metrics.length : 0) + shown.metric) * 2 + (shown.cost === 'ms' ? 0 : 1);
 
@@ -55,11 +57,11 @@ if (page) {
     const inside = [low - room, high + room];
     const ticks = new Map(
         scale.ticks(inside)
-            .map(v => [scale.place(v), `${+v.toPrecision(8)}`])
+            .map(v => [scale.place(v), `${+ v.toPrecision(8)}`])
             .filter(([at]) => at >= inside[0] && at <= inside[1] && (!has_perfect || Math.abs(at - perfect) > room / 2)));
     if (ticks.size < 3)
       for (const value of d3.ticks(...d3.extent(inside.map(scale.value)), 4))
-        ticks.set(scale.place(value), `${+value.toPrecision(6)}`);
+        ticks.set(scale.place(value), `${+ value.toPrecision(6)}`);
     if (has_perfect) ticks.set(perfect, scale.words);
     return {domain, ticks, place: value => value === scale.perfect ? perfect : scale.place(value)};
   }
@@ -151,8 +153,7 @@ if (page) {
     const change = (field, value) => (shown[field] = value, draw());
     const truth = page.rows.some(row => row.truth);
     replace_controls(section.querySelector('.controls') ?? section.appendChild(controls), [
-      drop_down(
-          'Cost', [['ms', 'time of a frame'], ['fetches', 'fetches a pixel']], shown.cost, value => change('cost', value)),
+      drop_down('Cost', costs, shown.cost, value => change('cost', value)),
       drop_down('Error', page.metrics.map((metric, i) => [i, metric.words]), shown.metric, value => change('metric', value)),
       drop_down(
           'Against', [['baseline', 'the baseline'], ...(truth ? [['truth', 'the truth']] : [])], shown.against,
@@ -182,10 +183,10 @@ if (page) {
         shown.view === null && page.points.length > 1 ? ' Means over all points too.' :
                                                         '';
     const more = left_out.length > 6 ? `; and ${left_out.length - 6} more` : '';
-    const without_place = left_out.length ? ` Without a place, since ${
-                                                shown.cost === 'ms' ? 'their time' : 'their fetches'} or error is not known: ${
-                                                left_out.slice(0, 6).join('; ')}${more}.` :
-                                            '';
+    const without_place = left_out.length ?
+        ` Without a place, since ${shown.cost === 'ms' ? 'their time' : 'their fetches'} or error is not known: ${
+            left_out.slice(0, 6).join('; ')}${more}.` :
+        '';
     section.append(element('p', {
       className: 'note caption',
       textContent: drawn ? 'Filled dots on the line are worth having: nothing closer is as cheap. Hollow ones are dominated. ' +

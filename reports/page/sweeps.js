@@ -3,10 +3,18 @@
 if (page && section_of('sweeps')) {
   const section = section_of('sweeps');
   const parameters = unique(page.sweeps.map(sweep => sweep.path));
+  // `crossing`: the metric of the record's crossovers that are those of these curves.
   const quantities = [
-    {words: 'time of a frame, ms', of: cell => cell.ms?.[0], low: cell => cell.ms?.[1], high: cell => cell.ms?.[2]},
+    {
+      words: 'time of a frame, ms',
+      crossing: 'ratio',
+      of: cell => cell.ms?.[0],
+      low: cell => cell.ms?.[1],
+      high: cell => cell.ms?.[2]
+    },
     {
       words: 'time over the baseline\'s',
+      crossing: 'ratio',
       of: cell => cell.is_baseline ? null : cell.ratio?.[0],
       low: cell => cell.ratio?.[1],
       high: cell => cell.ratio?.[2]
@@ -16,6 +24,7 @@ if (page && section_of('sweeps')) {
         against => page.metrics.map((metric, i) => ({
                                       words: `${metric.words} to the ${against}`,
                                       metric: metric.name,
+                                      crossing: against === 'truth' ? `truth.${metric.name}` : metric.name,
                                       of: cell => cell.is_baseline && against === 'baseline' ? null : cell[against]?.[i]
                                     }))),
   ].filter(quantity => page.cells.some(cell => typeof quantity.of(cell) === 'number'));
@@ -34,6 +43,20 @@ if (page && section_of('sweeps')) {
           perfect = shown.quantity.metric === 'ssim' ? 1 : Infinity;
     const top = Math.min(perfect, high + lacking);
     return [Math.min(low - 0.04 * (high - low), top - Math.max(least, high - low)), top];
+  }
+
+  // What the lines across the chart are: the record's crossovers are of all views together, the curves of one.
+  function line_words(record, effect, crossovers) {
+    const views = unique(page.cells.filter(cell => cell.record === record && cell.effect === effect).map(cell => cell.view));
+    const timed = shown.quantity.crossing === 'ratio';
+    let words = `Dashed: crossing of ${timed ? 'the times over the baseline\'s' : 'the curves'}`;
+    if (views.length > 1)
+      words = timed ? `${words}, the geometric mean over all ${views.length} views` :
+                      `Dashed: crossing of the worst view, at each point whichever of ${views.length} that is; view ${
+                          chosen.view}'s curve may cross elsewhere`;
+    if (parameters.length > 1 && crossovers.some(c => c.sentence.includes(', at ')))
+      words += '; a line for every value of the other parameters';
+    return `${words}.${crossovers.some(c => c.limit !== null) ? ' Dotted: the limit.' : ''}`;
   }
 
   function draw_group(grid, cells, crossovers) {
@@ -83,8 +106,10 @@ if (page && section_of('sweeps')) {
         })),
       ],
     });
-    const list = crossovers.map(c => element('li', {textContent: c.sentence}));
-    if (list.length) grid.lastChild.append(element('ul', {className: 'note'}, ...list));
+    if (!crossovers.length) return;
+    grid.lastChild.append(
+        element('p', {className: 'note caption', textContent: line_words(record, effect, crossovers)}),
+        element('ul', {className: 'note'}, ...crossovers.map(c => element('li', {textContent: c.sentence}))));
   }
 
   const place = section.appendChild(element('div', {className: 'controls'}));
@@ -108,8 +133,8 @@ if (page && section_of('sweeps')) {
           page.crossovers.filter(
               c => c.record === record && c.effect === effect && c.backend === backend && c.parameter === shown.parameter &&
                   c.at !== null &&
-                  (c.metric === shown.quantity.metric ||
-                   (!shown.quantity.metric && !page.metrics.some(m => m.name === c.metric)))));
+                  (c.metric === shown.quantity.crossing ||
+                   (shown.quantity.crossing === 'ratio' && c.metric.endsWith(',ratio')))));
     }
   }
   drawn_on_choice(draw);

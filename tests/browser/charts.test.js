@@ -50,6 +50,40 @@ test('the pareto chart\'s figures are the record\'s', async () => {
   await page.context().close();
 });
 
+test('no cost is offered that nothing is known of', async () => {
+  const costs = page => page.locator('#pareto label.control', {hasText: 'Cost'}).locator('option').allTextContents();
+  for (const [name, words] of [['sweep', ['time of a frame', 'fetches a pixel']], ['counted', ['fetches a pixel']]]) {
+    const page = await open(browser, name);
+    assert.deepEqual(await costs(page), words);
+    assert.ok(await page.locator('#pareto circle[role=button]').count() > 0, name);
+    await page.context().close();
+  }
+  const page = await open(browser, 'errors');
+  assert.equal(await page.locator('#pareto').count(), 0);
+  assert.ok(await page.locator('#sweeps svg[role=group] path').count() > 0);
+  assert.deepEqual(page.faults, []);
+  await page.context().close();
+});
+
+test('a sweep\'s dashed line says of which view it is, and stands where its figure is shown', async () => {
+  const page = await open(browser, 'sweep');
+  const words = () => page.locator('#sweeps .caption').allTextContents();
+  const dashes = () => page.locator('#sweeps line[stroke-dasharray="4 3"], #sweeps g[stroke-dasharray="4 3"] line').count();
+  for (const view of ['view1', 'view0']) {
+    await choose(page, 'sweeps', 'View', view);
+    assert.deepEqual(await words(), [`Dashed: crossing of the worst view, at each point whichever of 2 that is; view ${
+                                        view}'s curve may cross elsewhere. Dotted: the limit.`]);
+    assert.equal(await dashes(), 1);
+  }
+  await choose(page, 'sweeps', 'Figure', 'time of a frame, ms');
+  assert.deepEqual([await words(), await dashes()], [[], 0]);
+  const single = await open(browser, 'errors');
+  assert.deepEqual(
+      await single.locator('#sweeps .caption').allTextContents(), ['Dashed: crossing of the curves. Dotted: the limit.']);
+  await single.context().close();
+  await page.context().close();
+});
+
 test('every tick of a logarithmic axis has its number', async () => {
   const page = await open(browser, 'truth');
   await choose(page, 'pareto', 'Cost', 'fetches a pixel');
@@ -205,5 +239,22 @@ test('functions: the chart, the table and the failed inputs are the record\'s', 
   assert.match(words, /naive_cap.*FAILS on 1: overlaps.*the first at 3 2 1/s);
   assert.ok(await page.locator('.slices img').count() >= 6);
   assert.deepEqual(page.faults, []);
+  const bare = await open(browser, 'truth', {script: false});
+  const strips = await bare.locator('.rounds svg[aria-label$="ns a call"]')
+                     .evaluateAll(all => all.map(strip => ({
+                                                   label: strip.getAttribute('aria-label'),
+                                                   dots: strip.querySelector('.dots').getAttribute('d').split('m').length - 1,
+                                                   height: strip.getBoundingClientRect().height
+                                                 })));
+  const times = lines.filter(line => line.kind === 'function_time');
+  assert.equal(strips.length, times.length);
+  times.forEach((line, i) => {
+    assert.equal(strips[i].dots, line.ns.length);
+    assert.ok(strips[i].height > 10);
+    assert.equal(
+        strips[i].label,
+        `12 rounds, ${+ Math.min(...line.ns).toPrecision(3)} to ${+ Math.max(...line.ns).toPrecision(3)} ns a call`);
+  });
+  await bare.context().close();
   await page.context().close();
 });

@@ -94,6 +94,16 @@ TEST(PageData, WithoutACertificateThereIsNoTimeAndNoRatio) {
   EXPECT_TRUE(data["rows"][1]["ratio"].is_null());
 }
 
+TEST(PageData, WithoutAnyCostNoChartOffersOne) {
+  const std::string section = "<section class=\"drawn\" id=\"pareto\">";
+  std::vector<CellRow> cells = example_cells();
+  EXPECT_TRUE(has(html_charts({example_record(cells)}), section));
+  for (CellRow& cell : cells) cell.timed = false;
+  EXPECT_TRUE(has(html_charts({example_record(cells)}), section)) << "fetches are a cost";
+  for (CellRow& cell : cells) cell.counted = false;
+  EXPECT_FALSE(has(html_charts({example_record(cells)}), section));
+}
+
 TEST(PageData, SixDigitsAreEnoughAndNoTagBeginsInIt) {
   std::vector<CellRow> cells = example_cells();
   cells[0].passes[0].ms.assign(6, 1.23456789);
