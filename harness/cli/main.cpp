@@ -2,7 +2,6 @@
 // Options of every command, the environment that software rasterizers need, and errors turned into exit statuses: 0 well; 1 a
 // cell or gate failed; 2 bad input or usage; 3 ambiguous; 4 no usable device.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
@@ -10,6 +9,7 @@
 #include <thread>
 
 #include "harness/cli/commands.h"
+#include "harness/cli/run_line.h"
 #include "harness/core/text.h"
 
 namespace {
@@ -255,7 +255,7 @@ int run(int argc, char** argv) {
   }
   pin_rasterizer_threads(gate_command.parsed());
   compare.command = gate.compare.command = sweep.compare.command = stress.command =
-      fmt::format("lamina {}", fmt::join(argv + 1, argv + argc, " "));
+      command_line({argv + 1, static_cast<size_t>(argc - 1)});
   if (compare_command.parsed()) {
     std::tie(compare.width_px, compare.height_px) = parse_size(size);
     if (compare.quick && budget->count() == 0) compare.budget_s = 4;

@@ -72,6 +72,24 @@ Json to_json(const DeviceInfo& device) {
           {"api_version", device.api_version}, {"software", device.software}, {"max_texture_size", device.max_texture_size}};
 }
 
+// Quoting by POSIX.1-2017, volume Shell & Utilities, section 2.2.2: inside single quotes nothing but their end is special.
+std::string command_line(std::span<const char* const> arguments) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";  // never special, wherever they stand
+  std::string line = "lamina";
+  for (const std::string_view argument : arguments) {
+    line += ' ';
+    if (!argument.empty() && argument.find_first_not_of(plain) == std::string_view::npos) {
+      line += argument;
+      continue;
+    }
+    line += '\'';
+    for (const char c : argument) c == '\'' ? line.append("'\\''") : line.append(1, c);
+    line += '\'';
+  }
+  return line;
+}
+
 std::string cpu_model() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);)

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string>
 
 #include "harness/cli/commands.h"
 #include "harness/graph/graph.h"
@@ -11,6 +13,8 @@ namespace lamina {
 
 // As run lines hold it.
 nlohmann::ordered_json to_json(const DeviceInfo& device);
+// "lamina" and the program's arguments, each quoted where a POSIX shell would not take it as it is.
+std::string command_line(std::span<const char* const> arguments);
 // As /proc/cpuinfo names it.
 std::string cpu_model();
 nlohmann::ordered_json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices);

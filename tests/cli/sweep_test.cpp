@@ -317,6 +317,21 @@ TEST_F(SweepTest, OtherLimitsNeedNoCellAgain) {
   EXPECT_SAYS(read_file(folder_ / "out" / "summary.md", "test"), "the greatest difference at most 0.0625");
 }
 
+// What the record says of how it came about can be given to a shell as it stands.
+TEST_F(SweepTest, ItsCommandMakesItAgain) {
+  const std::string out = (folder_ / "it's a folder").string();
+  const std::string quoted = "'" + (folder_ / "it").string() + "'\\''s a folder'";
+  const std::string arguments = "sweep " + (folder_ / "square.toml").string() + " --variants-dir " +
+                                (folder_ / "mine").string() + " --size 32x32 --backend vulkan --set darker.amount=0,1 --out ";
+  ASSERT_EQ(lamina_program(arguments + quoted).status, 0);
+  const std::filesystem::path made = std::filesystem::path(out) / "record.jsonl";
+  const std::string command = read_record(made).run.at("command");
+  EXPECT_EQ(command, "lamina " + arguments + quoted) << "what needs no quotes has none";
+  std::filesystem::remove_all(out);
+  ASSERT_EQ(lamina_program(command.substr(std::string("lamina ").size())).status, 0);
+  EXPECT_EQ(read_record(made).run.at("command"), command);
+}
+
 TEST_F(SweepTest, TimedPointsHaveRatiosAndOthersHaveNone) {
   const Outcome outcome = sweep("out", "--set darker.amount=0:0.3:0.1", "--time every:2 --budget 0.05 --fetches none");
   const Record record = read_record(file("out"));
