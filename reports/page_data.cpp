@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "harness/sweep/answers.h"
 #include "reports/frontier.h"
 #include "reports/gate_strips.h"
 #include "reports/html.h"
@@ -161,6 +162,22 @@ void add_passes(Json& passes, const Record& record, size_t number) {
   }
 }
 
+// The values of the other parameters at which a crossover was found, which its sentence alone says; none where it names none.
+Json held_of(const Json& crossover, const std::vector<Curve>& curves) {
+  Json held = Json::object();
+  const std::string sentence = text_at(crossover, "/sentence");
+  for (const Curve& curve : curves) {
+    if (curve.backend != text_at(crossover, "/backend") || curve.effect != text_at(crossover, "/effect") ||
+        curve.parameter != text_at(crossover, "/parameter") || curve.variant != text_at(crossover, "/variant"))
+      continue;
+    const std::string place = place_words(curve);
+    const size_t at = sentence.rfind(place), end = at + place.size();
+    if (at == std::string::npos || (end != sentence.size() && sentence[end] != ';')) continue;
+    for (const auto& [path, value] : curve.held) held[path] = value;
+  }
+  return held;
+}
+
 void add_strips(Json& all, const Record& record, size_t number) {
   for (const GateStrips& strips : gate_strips(record)) {
     Json processes = Json::array();
@@ -212,8 +229,10 @@ Json page_data(const std::vector<Record>& records) {
         parameter["record"] = i;
         sweeps.push_back(std::move(parameter));
       }
+    const std::vector<Curve> curves = record.crossovers.empty() ? std::vector<Curve>{} : curves_of(record);
     for (Json crossover : record.crossovers) {
       crossover["record"] = i;
+      crossover["held"] = held_of(crossover, curves);
       crossovers.push_back(std::move(crossover));
     }
   }

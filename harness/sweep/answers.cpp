@@ -32,10 +32,8 @@ std::string words(double value) { return fmt::format("{:.4g}", value); }
 class Sentence {
  public:
   explicit Sentence(const Curve& curve)
-      : name_(short_name(curve.parameter)), unit_(curve.unit.empty() ? "" : " " + curve.unit) {
+      : name_(short_name(curve.parameter)), unit_(curve.unit.empty() ? "" : " " + curve.unit), tail_(place_words(curve)) {
     if (name_.ends_with("_" + curve.unit)) name_.resize(name_.size() - curve.unit.size() - 1);  // it is told behind the number
-    for (const auto& [path, value] : curve.held) tail_ += fmt::format(", at {} {}", short_name(path), words(value));
-    tail_ += " on " + curve.backend;
   }
   std::string at(const Crossing& crossing) const {
     return fmt::format("{} {}{} (within {:.2g})", name_, words(crossing.at), unit_, crossing.tolerance);
@@ -281,6 +279,12 @@ Limit parse_limit(const std::string& text) {
       !std::isfinite(limit.value))
     throw Error(ErrorKind::bad_input, "sweep", "--limit " + text, "takes METRIC=NUMBER, as in ssim=0.98");
   return limit;
+}
+
+std::string place_words(const Curve& curve) {
+  std::string place;
+  for (const auto& [path, value] : curve.held) place += fmt::format(", at {} {}", short_name(path), words(value));
+  return place + " on " + curve.backend;
 }
 
 std::vector<CrossoverRow> answers(const std::vector<Curve>& curves, const std::vector<Limit>& limits) {

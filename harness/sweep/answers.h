@@ -15,6 +15,10 @@ struct Limit {
 // "ssim=0.98". Throws Error(bad_input) with the nearest metric.
 Limit parse_limit(const std::string& text);
 
+// How every sentence of a curve says where it holds, at its end or before its "; ...": ", at gain 2 on vulkan", or " on vulkan"
+// where no other parameter is held.
+std::string place_words(const Curve& curve);
+
 // Rows in the order of the curves: for each variant each limit; then each pair of variants, by the first limit's metric and by
 // time where both have been timed.
 std::vector<CrossoverRow> answers(const std::vector<Curve>& curves, const std::vector<Limit>& limits);

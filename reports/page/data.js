@@ -3,7 +3,8 @@
 // have {record, effect, variant, backend, is_baseline, frontier, ms, ratio: [median, low, high, rounds, coverage], fetches,
 // baseline, truth: figures in the order of page.metrics}; what is not known is null, "truth" is left out. A cell has
 // besides {view, point: an index of page.points, samples in ms, size, worst_tile, failed: the reason, and the paths image,
-// difference, flip, truth_image, before_image}.
+// difference, flip, truth_image, before_image}. page.crossovers are the record's lines, with the values of the other parameters
+// at which each was found, by path, in `held`.
 const page_data = document.getElementById('page-data');
 const page = page_data && JSON.parse(page_data.textContent);
 if (page)

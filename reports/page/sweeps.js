@@ -54,8 +54,6 @@ if (page && section_of('sweeps')) {
       words = timed ? `${words}, the geometric mean over all ${views.length} views` :
                       `Dashed: crossing of the worst view, at each point whichever of ${views.length} that is; view ${
                           chosen.view}'s curve may cross elsewhere`;
-    if (parameters.length > 1 && crossovers.some(c => c.sentence.includes(', at ')))
-      words += '; a line for every value of the other parameters';
     return `${words}.${crossovers.some(c => c.limit !== null) ? ' Dotted: the limit.' : ''}`;
   }
 
@@ -132,7 +130,7 @@ if (page && section_of('sweeps')) {
           grid, group,
           page.crossovers.filter(
               c => c.record === record && c.effect === effect && c.backend === backend && c.parameter === shown.parameter &&
-                  c.at !== null &&
+                  c.at !== null && Object.entries(c.held).every(([path, value]) => page.points[chosen.point][path] === value) &&
                   (c.metric === shown.quantity.crossing ||
                    (shown.quantity.crossing === 'ratio' && c.metric.endsWith(',ratio')))));
     }

@@ -84,6 +84,21 @@ test('a sweep\'s dashed line says of which view it is, and stands where its figu
   await page.context().close();
 });
 
+test('of a grid a chart shows the crossings at the values that are held', async () => {
+  const page = await open(browser, 'grid');
+  const shown = () => page.locator('#sweeps .plot li').allTextContents();
+  const sentence = (variant, at, gain) =>
+      `${variant} keeps SSIM at least 0.98 up to thickness ${at} texels (within 0), at gain ${gain} on vulkan`;
+  const both = (at, gain) => ['normal_map_taps', 'vertex_normal'].map(variant => sentence(variant, at, gain));
+  const first = await shown();
+  assert.deepEqual(first.map(words => words.replace(/within [^)]*/, 'within 0')), both(8, 1));
+  await page.locator('#sweeps input[type=range]').focus();
+  await page.keyboard.press('ArrowRight');
+  assert.deepEqual((await shown()).map(words => words.replace(/within [^)]*/, 'within 0')), both(4, 2));
+  assert.deepEqual(page.faults, []);
+  await page.context().close();
+});
+
 test('every tick of a logarithmic axis has its number', async () => {
   const page = await open(browser, 'truth');
   await choose(page, 'pareto', 'Cost', 'fetches a pixel');

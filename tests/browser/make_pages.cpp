@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "harness/core/text.h"
+#include "harness/sweep/answers.h"
 #include "reports/pictures.h"
 #include "tests/record/function_rows.h"
 #include "tests/reports/example_gate.h"
@@ -139,6 +140,24 @@ Record sweep_record(size_t points, size_t views, bool pictures) {
   return record;
 }
 
+// A grid of two parameters: over the thickness SSIM meets the limit at 8 for a gain of 1, at 4 for one of 2.
+Record grid_record() {
+  Record record = sweep_record(12, 1, false);
+  const std::vector<Json> cells = std::move(record.cells);
+  record.cells.clear();
+  for (Json cell : cells)
+    for (const double gain : {1, 2}) {
+      cell["params"]["lights.key.gain"] = gain;
+      if (!cell.at("baseline").get<bool>())
+        cell["error"]["baseline"]["ssim"] = 1 - 0.0025 * gain * cell.at("params").at("objects.heart.thickness").get<double>();
+      record.cells.push_back(cell);
+    }
+  record.sweeps[0]["parameters"].push_back({{"path", "lights.key.gain"}, {"unit", ""}, {"values", {1, 2}}});
+  record.crossovers.clear();
+  for (const CrossoverRow& row : answers(curves_of(record), {{"ssim", 0.98}})) record.crossovers.push_back(to_json(row));
+  return record;
+}
+
 // A sweep that timed nothing, and counted nothing unless `counted`.
 Record untimed_record(bool counted) {
   Record record = sweep_record(4, 1, false);
@@ -262,8 +281,10 @@ void make_pages(const fs::path& out) {
   write_reports({out / "compare", out / "compare2"}, {.single_file = false, .out = out / "two"});
   write_reports({out / "compare"}, {.single_file = true, .out = out / "single"});
   Record sweep = sweep_record(12, 2, true), large = sweep_record(500, 2, true), evil = evil_record(), gate = gate_record(),
-         truth = truth_and_functions_record(), counted = untimed_record(true), errors = untimed_record(false);
+         truth = truth_and_functions_record(), counted = untimed_record(true), grid = grid_record(),
+         errors = untimed_record(false);
   write_page(sweep, out / "sweep");
+  write_page(grid, out / "grid");
   write_page(counted, out / "counted");
   write_page(errors, out / "errors");
   write_page(large, out / "large");

@@ -2,6 +2,7 @@
 // What the page's script is given.
 #include <gtest/gtest.h>
 
+#include "harness/sweep/answers.h"
 #include "reports/html.h"
 #include "tests/reports/example_record.h"
 
@@ -71,7 +72,7 @@ TEST(PageData, ACellHasItsPicturesItsWorstTileItsPointItsTruthAndWhyItFailed) {
 
 TEST(PageData, EachOfSeveralRecordsHasItsNumber) {
   Record record = example_record(example_cells());
-  record.sweeps = {{{"parameters", {{{"path", "scene.time"}, {"unit", "s"}, {"values", {0, 1}}}}}}};
+  record.sweeps = {{{"parameters", {{{"path", "scene.time"}, {"unit", "s"}, {"values", {0, 1}}}}}, {"zip", false}}};
   record.crossovers = {{{"parameter", "scene.time"}, {"sentence", "they meet"}}};
   const Json data = page_data({record, record});
   for (const char* list : {"rows", "cells", "passes", "sweeps", "crossovers"}) {
@@ -81,6 +82,34 @@ TEST(PageData, EachOfSeveralRecordsHasItsNumber) {
     EXPECT_EQ(all.back()["record"], 1) << list;
   }
   EXPECT_EQ(data["records"][1]["name"], "B: abc1234");
+}
+
+// A grid's crossovers belong to one value of the other parameter each.
+TEST(PageData, ACrossoverSaysWhatWasHeld) {
+  Record record = example_record({});
+  for (const double time : {0, 1})
+    for (const double gain : {2, 4}) {
+      CellRow cell = example_cell("vertex_normal", "front", {1});
+      cell.params = {{"scene.time", time}, {"lights.key.gain", gain}};
+      cell.error_covered->ssim = 1 - 0.01 * time * gain;
+      record.cells.push_back(nlohmann::json(to_json(cell)));
+    }
+  record.sweeps = {{{"parameters",
+                     {{{"path", "scene.time"}, {"unit", "s"}, {"values", {0, 1}}},
+                      {{"path", "lights.key.gain"}, {"unit", ""}, {"values", {2, 4}}}}},
+                    {"zip", false}}};
+  for (const CrossoverRow& row : answers(curves_of(record), {{"ssim", 0.99}})) record.crossovers.push_back(to_json(row));
+  std::vector<Json> of_time;
+  const Json data = page_data({record});
+  for (const Json& crossover : data["crossovers"])
+    if (crossover["parameter"] == "scene.time") of_time.push_back(crossover);
+  ASSERT_EQ(of_time.size(), 2u);
+  EXPECT_EQ(of_time[0]["held"], Json({{"lights.key.gain", 2}})) << of_time[0];
+  EXPECT_EQ(of_time[0]["at"], 0.5);
+  EXPECT_EQ(of_time[1]["held"], Json({{"lights.key.gain", 4}}));
+  EXPECT_EQ(of_time[1]["at"], 0.25);
+  record.crossovers[0]["sentence"] = "they meet";
+  EXPECT_EQ(page_data({record})["crossovers"][0]["held"], Json::object());
 }
 
 TEST(PageData, WithoutACertificateThereIsNoTimeAndNoRatio) {
