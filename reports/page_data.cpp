@@ -213,9 +213,9 @@ std::string for_script(const Json& data) {
 Json page_data(const std::vector<Record>& records) {
   Json rows = Json::array(), cells = Json::array(), passes = Json::array(), sweeps = Json::array(), crossovers = Json::array(),
        strips = Json::array();
-  Json metrics = Json::array(), about = Json::array();
+  Json errors = Json::array(), about = Json::array();
   for (const ErrorMetric& metric : error_metrics)
-    metrics.push_back({{"name", metric.name}, {"words", metric.words}, {"more_is_closer", metric.more_is_closer}});
+    errors.push_back({{"name", metric.name}, {"words", metric.words}, {"more_is_closer", metric.more_is_closer}});
   NamesOfCells names;
   for (size_t i = 0; i < records.size(); ++i) {
     const Record& record = records[i];
@@ -237,7 +237,7 @@ Json page_data(const std::vector<Record>& records) {
     }
   }
   return {{"records", about},
-          {"metrics", metrics},
+          {"metrics", errors},
           {"effects", names.effects.list},
           {"variants", names.variants.list},
           {"backends", names.backends.list},
