@@ -37,21 +37,16 @@ std::string chart(const Trend& trend, const History& history, const std::string&
       steps, line, dots);
 }
 
-std::string table_of(const std::vector<const Trend*>& trends, const History& history, const HistoryNames& names) {
+std::string table_of(const CellTrends& cell, const History& history, const HistoryNames& names) {
   std::string rows;
-  std::vector<std::string> still;
-  for (const Trend* trend : trends) {
+  for (const Trend* trend : cell.moving) {
     const TrendFigure& figure = *trend->figure;
     const double first = trend->points.front().value, last = trend->points.back().value;
-    if (!moves(*trend)) {
-      still.push_back(fmt::format("{} {}", figure.name, with_unit(words_for(last, figure), figure)));
-      continue;
-    }
     rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                         escaped_html(names.of(*trend)), chart(*trend, history, names.of(*trend)), words_for(first, figure),
                         words_for(last, figure), words_for_change(first, last, figure), trend->steps.size());
   }
-  const std::string name = escaped_html(names.of(trends.front()->cell));
+  const std::string name = escaped_html(names.of(cell.cell));
   constexpr std::array columns = {"figure", "over the records", "first", "last", "change", "steps"};
   std::string html = fmt::format("<h3>{}</h3>\n", name);
   if (!rows.empty())
@@ -59,16 +54,16 @@ std::string table_of(const std::vector<const Trend*>& trends, const History& his
         "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"History of {}\"><table><thead>{}</thead><tbody>\n"
         "{}</tbody></table></div>\n",
         name, header_row(columns, 2), rows);
-  if (!still.empty())
-    html += fmt::format("<p class=\"note\">Unchanged: {}.</p>\n", escaped_html(fmt::format("{}", fmt::join(still, ", "))));
+  if (!cell.still.empty())
+    html += fmt::format("<p class=\"note\">Unchanged: {}.</p>\n", escaped_html(fmt::format("{}", fmt::join(cell.still, ", "))));
   return html;
 }
 
 }  // namespace
 
 std::string html_history(const History& history) {
-  std::string html =
-      fmt::format("<section id=\"history\"><h2>Over commits</h2>\n<p>This is the {}.</p>\n", escaped_html(words_for_span(history)));
+  std::string html = fmt::format("<section id=\"history\"><h2>Over commits</h2>\n<p>This is the {}.</p>\n",
+                                 escaped_html(words_for_span(history)));
   const std::vector<StepWords> steps = words_for_steps(history);
   if (steps.empty()) html += "<p><strong>No steps: nothing changed for good.</strong></p>\n";
   std::string list;
@@ -80,7 +75,7 @@ std::string html_history(const History& history) {
   std::vector<std::string> notes = history.notes;
   for (const std::string& machine : names.machines()) notes.push_back(machine);
   for (const std::string& note : notes) html += fmt::format("<p class=\"note\">{}</p>\n", escaped_html(note));
-  for (const std::vector<const Trend*>& trends : by_cell(history)) html += table_of(trends, history, names);
+  for (const CellTrends& cell : by_cell(history)) html += table_of(cell, history, names);
   return html + "</section>\n";
 }
 

@@ -36,16 +36,11 @@ void add_steps(Lines& lines, const History& history) {
   for (const StepWords& step : steps) lines.add("  " + one_line(step.sentence), step.worse ? red : green);
 }
 
-void add_cell(Lines& lines, const std::vector<const Trend*>& trends, size_t records, const HistoryNames& names) {
+void add_cell(Lines& lines, const CellTrends& cell, size_t records, const HistoryNames& names) {
   std::vector<Cells> table;
-  std::vector<std::string> still;
-  for (const Trend* trend : trends) {
+  for (const Trend* trend : cell.moving) {
     const TrendFigure& figure = *trend->figure;
     const double first = trend->points.front().value, last = trend->points.back().value;
-    if (!moves(*trend)) {
-      still.push_back(fmt::format("{} {}", figure.name, with_unit(words_for(last, figure), figure)));
-      continue;
-    }
     table.push_back(
         {"  " + names.of(*trend), chart(*trend, records), words_for(first, figure), "->", words_for(last, figure),
          words_for_change(first, last, figure),
@@ -55,7 +50,7 @@ void add_cell(Lines& lines, const std::vector<const Trend*>& trends, size_t reco
   for (const Cells& cells : table)
     lines.add(one_line(aligned(cells, widths, {false, false, true, false, true, true, false})),
               cells.back().empty() ? "" : yellow);
-  if (!still.empty()) lines.add(fmt::format("  unchanged: {}", fmt::join(still, ", ")), dim);
+  if (!cell.still.empty()) lines.add(fmt::format("  unchanged: {}", fmt::join(cell.still, ", ")), dim);
 }
 
 }  // namespace
@@ -68,10 +63,10 @@ std::string history_table(const History& history, bool colour) {
   for (const std::string& machine : names.machines()) lines.add(one_line(machine), dim);
   lines.add("");
   add_steps(lines, history);
-  for (const std::vector<const Trend*>& trends : by_cell(history)) {
+  for (const CellTrends& cell : by_cell(history)) {
     lines.add("");
-    lines.add(one_line(names.of(trends.front()->cell)), bold);
-    add_cell(lines, trends, history.records.size(), names);
+    lines.add(one_line(names.of(cell.cell)), bold);
+    add_cell(lines, cell, history.records.size(), names);
   }
   return lines.take();
 }

@@ -75,8 +75,6 @@ std::vector<StepWords> words_for_steps(const History& history) {
   return all;
 }
 
-bool moves(const Trend& trend) { return trend.figure->noisy || !trend.steps.empty(); }
-
 TrendAxis::TrendAxis(const Trend& trend) {
   constexpr double least_span = 0.05;
   least_ = INFINITY;
@@ -91,11 +89,16 @@ TrendAxis::TrendAxis(const Trend& trend) {
 
 double TrendAxis::height(double value) const { return value == INFINITY ? 1 : span_ > 0 ? (value - least_) / span_ : 0; }
 
-std::vector<std::vector<const Trend*>> by_cell(const History& history) {
-  std::vector<std::vector<const Trend*>> cells;
+std::vector<CellTrends> by_cell(const History& history) {
+  std::vector<CellTrends> cells;
   for (const Trend& trend : history.trends) {
-    if (cells.empty() || cells.back().front()->cell != trend.cell) cells.emplace_back();
-    cells.back().push_back(&trend);
+    if (cells.empty() || cells.back().cell != trend.cell) cells.push_back({trend.cell, {}, {}});
+    const TrendFigure& figure = *trend.figure;
+    if (figure.noisy || !trend.steps.empty())
+      cells.back().moving.push_back(&trend);
+    else
+      cells.back().still.push_back(
+          fmt::format("{} {}", figure.name, with_unit(words_for(trend.points.back().value, figure), figure)));
   }
   return cells;
 }

@@ -38,8 +38,6 @@ struct StepWords {
 };
 std::vector<StepWords> words_for_steps(const History& history);
 
-// Whether a trend is worth a line and a chart: a noisy one always, any other where it has steps.
-bool moves(const Trend& trend);
 // How high a value stands in a small chart, 0 to 1. Noisy figures span at least 5% of their greatest value, so that noise looks
 // like noise; a PSNR of identical pictures stands highest.
 class TrendAxis {
@@ -50,7 +48,14 @@ class TrendAxis {
  private:
   double least_, span_;
 };
-// The trends of each cell, in order.
-std::vector<std::vector<const Trend*>> by_cell(const History& history);
+// The trends of one cell: those worth a line and a chart (noisy ones always, others where they have steps), and the figures
+// that never changed, in words.
+struct CellTrends {
+  TrendCell cell;
+  std::vector<const Trend*> moving;
+  std::vector<std::string> still;
+};
+// Of every cell, in order.
+std::vector<CellTrends> by_cell(const History& history);
 
 }  // namespace lamina
