@@ -43,16 +43,26 @@ TEST(Child, ErrorsAndSignalsBecomeWordsAndWhatCameBeforeIsKept) {
 }
 
 // Forked processes that mapped alike would all measure one layout.
+// Also where the parent's mappings have holes, which the kernel would fill in every child alike.
 TEST(Child, EachLaysOutItsMemoryAnew) {
-  std::set<uint64_t> places;
-  for (int i = 0; i < 8; ++i) {
-    const ChildResult result = run_in_child([](const EmitLine& emit) {
-      void* mapped = ::mmap(nullptr, 1 << 20, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-      emit({{"at", reinterpret_cast<uint64_t>(mapped)}});
-    });
-    places.insert(result.lines.at(0).at("at").get<uint64_t>());
+  constexpr size_t hole_bytes = 4 << 20;
+  auto* const around =
+      static_cast<std::byte*>(::mmap(nullptr, 3 * hole_bytes, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+  ASSERT_NE(around, MAP_FAILED);
+  ASSERT_EQ(::munmap(around + hole_bytes, hole_bytes), 0);
+  for (const size_t bytes : {4096ul, 1ul << 20, 1ul << 25}) {
+    std::set<uint64_t> places;
+    for (int i = 0; i < 8; ++i) {
+      const ChildResult result = run_in_child([bytes](const EmitLine& emit) {
+        void* mapped = ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        emit({{"at", reinterpret_cast<uint64_t>(mapped)}});
+      });
+      places.insert(result.lines.at(0).at("at").get<uint64_t>());
+    }
+    EXPECT_GE(places.size(), 7u) << bytes;
   }
-  EXPECT_GE(places.size(), 7u);
+  ::munmap(around, hole_bytes);
+  ::munmap(around + 2 * hole_bytes, hole_bytes);
 }
 
 // Each waits for the other's byte, which would never come if they ran one after the other; both hand over more than a pipe
