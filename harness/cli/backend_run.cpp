@@ -75,7 +75,7 @@ void BackendRun::score(Progress& progress, const Known& known) {
     std::optional<Image> baseline;
     for (Variant& variant : variants_) {
       attempt(variant, [&] {
-        variant.ready->frame.run(view, Timing::off);
+        if (view > 0) variant.ready->frame.run(view, Timing::off);  // the first view is what prepare() has drawn
         const Image picture = variant.ready->frame.picture();
         const CellRow* same = known ? known({*variant.manifest, view, picture, variant.covered[view]}) : nullptr;
         if (variant.manifest->baseline) baseline = picture;

@@ -28,9 +28,9 @@ class BackendRun {
   // Told of each; gives a row whose errors to the baseline are known to be this one's, or null.
   using Known = std::function<const CellRow*(const Scored&)>;
 
-  void prepare(Progress& progress);                         // pipelines and targets, first frame; what is done once
+  void prepare(Progress& progress);                         // pipelines and targets, the first view; what is done once
   void count(Progress& progress);                           // by the counting build
-  void score(Progress& progress, const Known& known = {});  // pictures, and their errors
+  void score(Progress& progress, const Known& known = {});  // pictures, and their errors; before time()
   RoundsResult time(Progress& progress, bool timer_ok);
 
   // The variant's frame; null where it failed or is not compared.

@@ -145,7 +145,7 @@ std::vector<std::string> passes_by_length(Bench& bench) {
                                    [&](GateProcess& process, BenchFrames& frames, const EmitLine& emit) {
                                      std::vector<TimedFrames> all;
                                      all.push_back(frames.equal(bench.effect.baseline()));
-                                     time_rounds(process, all, [](const TimedFrames&) { return true; });
+                                     time_rounds(process, all, [](const TimedFrames&, double) { return true; });
                                      emit(to_json(all.front().row(process)));
                                    });
   std::vector<std::pair<double, std::string>> passes;
@@ -174,7 +174,7 @@ std::vector<double> costs_of_slower(Bench& bench, const std::string& pass) {
         std::vector<TimedFrames> all;
         for (size_t dose = 0; dose < bench.slower.size(); ++dose) all.push_back(frames.pair(dose));
         time_rounds(
-            process, all, [](const TimedFrames& timed) { return timed.paired->rounds() >= whole_rounds; }, whole);
+            process, all, [](const TimedFrames& timed, double) { return timed.paired->rounds() >= whole_rounds; }, whole);
         for (const PairsRow& row : rows_of(all, process)) emit(to_json(row));
       });
   std::vector<std::vector<double>> ratios(bench.slower.size());
@@ -302,8 +302,8 @@ std::vector<CalibratedGate> run_set(Bench& bench, const Setup& setup, size_t set
       else
         gate.push_back(frames.slower(kind - 1));
       const Stopwatch watch;
-      time_rounds(process, gate, [&](const TimedFrames& timed) {
-        return watch.elapsed_s() >= setup.round_s || precise_enough(timed, process, {});
+      time_rounds(process, gate, [&](const TimedFrames& timed, double further_s) {
+        return watch.elapsed_s() + further_s > setup.round_s || precise_enough(timed, process, {});
       });
       for (const PairsRow& row : rows_of(gate, process)) emit({{"kind", kind}, {"pairs", to_json(row)}});
     }

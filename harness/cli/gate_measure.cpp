@@ -92,8 +92,8 @@ void time_pairs(GateProcess& process, TreePair& trees, const LimitsFile& limits,
     changes = changes || changed;
   }
   if (all.empty()) return;
-  time_rounds(process, all, [&](const TimedFrames& timed) {
-    return !changes || process.watch.elapsed_s() >= process.task.until_s || precise_enough(timed, process, limits);
+  time_rounds(process, all, [&](const TimedFrames& timed, double further_s) {
+    return !changes || process.watch.elapsed_s() + further_s > process.task.until_s || precise_enough(timed, process, limits);
   });
   for (const PairsRow& row : rows_of(all, process)) emit({{"pairs", to_json(row)}});
 }

@@ -56,8 +56,7 @@ std::vector<PairsRow> rows_of(const std::vector<TimedFrames>& all, const GatePro
   return rows;
 }
 
-void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const std::function<bool(const TimedFrames&)>& enough,
-                 const PieceOptions& pieces) {
+void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const Enough& enough, const PieceOptions& pieces) {
   const Stopwatch watch;
   for (TimedFrames& each : all)
     if (each.paired)
@@ -67,11 +66,13 @@ void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const std:
   std::vector<TimedFrames*> unsure;
   for (TimedFrames& each : all) unsure.push_back(&each);
   while (!unsure.empty()) {
+    const Stopwatch whole_frame;
     for (size_t round = 0; round < rounds_a_frame; ++round) {
       std::shuffle(unsure.begin(), unsure.end(), process.random);
       for (TimedFrames* timed : unsure) timed->paired->run_round(process.random);
     }
-    std::erase_if(unsure, [&](const TimedFrames* timed) { return enough(*timed); });
+    const double further_s = whole_frame.elapsed_s();
+    std::erase_if(unsure, [&](const TimedFrames* timed) { return enough(*timed, further_s); });
   }
   process.rounds_s += watch.elapsed_s();
 }

@@ -62,10 +62,11 @@ struct TimedFrames {
 
 std::vector<PairsRow> rows_of(const std::vector<TimedFrames>& all, const GateProcess& process);
 
+// Whether these have been timed for long enough; a further whole frame of all that are timed would take about `further_s`.
+using Enough = std::function<bool(const TimedFrames&, double further_s)>;
 // Times rounds of all of them in shuffled order, of each until `enough` says so of it, asked after every whole frame. Cuts the
 // frames on the first call; later ones begin anew.
-void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const std::function<bool(const TimedFrames&)>& enough,
-                 const PieceOptions& pieces = {});
+void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const Enough& enough, const PieceOptions& pieces = {});
 
 // Whether these may stop: the error of each of their ratios is less than a third of its margin, so that those of three
 // processes, pooled and at the higher confidence of many comparisons, tell which side of the margin they lie on.

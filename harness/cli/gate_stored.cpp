@@ -45,8 +45,8 @@ void measure_state(const Scene& scene, Tree& tree, const std::vector<const Effec
   // However short the budget, as many whole frames from all processes as give an interval.
   const size_t least_rounds = rounds_a_frame * ((min_rounds_for_95 + options.processes - 1) / options.processes);
   if (!all.empty())
-    time_rounds(process, all, [&](const TimedFrames& timed) {
-      return process.watch.elapsed_s() >= task.until_s && timed.paired->rounds() >= least_rounds;
+    time_rounds(process, all, [&](const TimedFrames& timed, double further_s) {
+      return process.watch.elapsed_s() + further_s > task.until_s && timed.paired->rounds() >= least_rounds;
     });
   for (const PairsRow& row : rows_of(all, process)) emit({{"pairs", to_json(row)}});
   process.end(emit);
