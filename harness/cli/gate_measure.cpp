@@ -5,41 +5,10 @@
 
 #include "harness/cli/backend_run.h"
 #include "harness/cli/gate_process.h"
+#include "harness/gate/pictures_before.h"
 
 namespace lamina {
 namespace {
-
-// What the tree before has shown, so that a picture that is the same is not scored again.
-class Before {
- public:
-  void see(const BackendRun::Scored& scored) { seen_[{scored.variant.name, scored.view}] = {scored.picture, scored.covered}; }
-  void rows(std::vector<CellRow> rows) { rows_ = std::move(rows); }
-  // Null: there was no such picture.
-  const Image* picture(const BackendRun::Scored& scored) const {
-    const auto was = seen_.find({scored.variant.name, scored.view});
-    return was == seen_.end() ? nullptr : &was->second.picture;
-  }
-  // The row with the errors of this picture of the tree after, if it, the pixels and the baseline are the same to the bit.
-  const CellRow* known(const BackendRun::Scored& scored, const std::string& view) {
-    const auto was = seen_.find({scored.variant.name, scored.view});
-    const bool same =
-        was != seen_.end() && was->second.picture.rgba == scored.picture.rgba && was->second.covered.on == scored.covered.on;
-    if (scored.variant.baseline) same_baseline_[scored.view] = same;
-    if (!same || !same_baseline_[scored.view]) return nullptr;
-    const auto row = std::ranges::find_if(
-        rows_, [&](const CellRow& each) { return each.variant == scored.variant.name && each.view == view && !each.failed; });
-    return row == rows_.end() ? nullptr : &*row;
-  }
-
- private:
-  struct Seen {
-    Image picture;
-    Mask covered;
-  };
-  std::map<std::pair<std::string, size_t>, Seen> seen_;
-  std::map<size_t, bool> same_baseline_;  // by view
-  std::vector<CellRow> rows_;
-};
 
 // Every variant of one effect that is to be drawn; its baselines always are.
 void compare_exactly(GateProcess& process, TreePair& trees, const std::string& effect, const LimitsFile& limits,
@@ -60,20 +29,20 @@ void compare_exactly(GateProcess& process, TreePair& trees, const std::string& e
     for (const CellRow& row : rows) emit({{"cell", to_json(row)}, {"side", side}});
     return rows;
   };
-  Before before;
-  before.rows(run_tree(trees.before, "before", [&](const BackendRun::Scored& scored) {
-    before.see(scored);
+  PicturesBefore drawn;
+  const std::vector<CellRow> rows_before = run_tree(trees.before, "before", [&](const BackendRun::Scored& scored) {
+    drawn.add(scored.variant.name, scored.view, scored.picture, scored.covered);
     return nullptr;
-  }));
-  run_tree(trees.after, "after", [&](const BackendRun::Scored& scored) {
-    const std::string& view = trees.scene.views[scored.view].name;
-    if (const Image* was = before.picture(scored))
+  });
+  run_tree(trees.after, "after", [&](const BackendRun::Scored& scored) -> const CellRow* {
+    const std::string &variant = scored.variant.name, &view = trees.scene.views[scored.view].name;
+    if (const Image* was = drawn.of(variant, scored.view))
       emit({{"change",
-             {{"effect", effect},
-              {"variant", scored.variant.name},
-              {"view", view},
-              {"most", most_change(scored.picture, *was)}}}});
-    return before.known(scored, view);
+             {{"effect", effect}, {"variant", variant}, {"view", view}, {"most", most_change(scored.picture, *was)}}}});
+    if (!drawn.same_errors(variant, scored.variant.baseline, scored.view, scored.picture, scored.covered)) return nullptr;
+    const auto row = std::ranges::find_if(
+        rows_before, [&](const CellRow& each) { return each.variant == variant && each.view == view && !each.failed; });
+    return row == rows_before.end() ? nullptr : &*row;
   });
 }
 

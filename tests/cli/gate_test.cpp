@@ -47,6 +47,7 @@ class Gate : public ProgramTest {
 struct Mutation {
   const char *name, *file, *from, *to, *what;
 };
+void PrintTo(const Mutation& mutation, std::ostream* out) { *out << mutation.name; }  // else the bytes, addresses in them
 constexpr const char* taps = "shaders/layered_material/poisson_disc.glsl";
 constexpr const char* composite = "shaders/layered_material/composite.frag";
 constexpr const char* light_map = "variants/layered_material/light_map.toml";

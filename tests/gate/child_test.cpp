@@ -46,8 +46,7 @@ TEST(Child, ErrorsAndSignalsBecomeWordsAndWhatCameBeforeIsKept) {
 // Also where the parent's mappings have holes, which the kernel would fill in every child alike.
 TEST(Child, EachLaysOutItsMemoryAnew) {
   constexpr size_t hole_bytes = 4 << 20;
-  auto* const around =
-      static_cast<std::byte*>(::mmap(nullptr, 3 * hole_bytes, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+  auto* const around = static_cast<std::byte*>(::mmap(nullptr, 3 * hole_bytes, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
   ASSERT_NE(around, MAP_FAILED);
   ASSERT_EQ(::munmap(around + hole_bytes, hole_bytes), 0);
   for (const size_t bytes : {4096ul, 1ul << 20, 1ul << 25}) {
