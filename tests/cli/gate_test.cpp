@@ -29,12 +29,13 @@ class Gate : public ProgramTest {
     ASSERT_NE(at, std::string::npos) << from;
     std::ofstream(tree() / file) << text.replace(at, from.size(), to);
   }
-  // The copy against the product as it is. A small frame, without times.
-  Outcome gate(const std::string& more = "", const std::string& scene = "heart") {
+  // The copy against the product as it is. A small frame, without times, of the square where no other scene is given: making
+  // the heart takes longer than all else.
+  Outcome gate(const std::string& more = "", const std::string& scene = "") {
     ::setenv("LAMINA_HOME", tree().c_str(), 1);
-    const Outcome outcome =
-        lamina_program("gate " + scene + " --against " LAMINA_SOURCE_DIR " --size 64x64 --no-time --cache \"\" --out " +
-                       out().string() + " " + more);
+    const Outcome outcome = lamina_program("gate " + (scene.empty() ? square_model() : scene) +
+                                           " --against " LAMINA_SOURCE_DIR " --size 64x64 --no-time --cache \"\" --out " +
+                                           out().string() + " " + more);
     ::unsetenv("LAMINA_HOME");
     return outcome;
   }
@@ -45,7 +46,7 @@ class Gate : public ProgramTest {
 };
 
 struct Mutation {
-  const char *name, *file, *from, *to, *what;
+  const char *name, *file, *from, *to, *what;  // what: the verdict that says so, or several of which one is enough
 };
 void PrintTo(const Mutation& mutation, std::ostream* out) { *out << mutation.name; }  // else the bytes, addresses in them
 constexpr const char* taps = "shaders/layered_material/poisson_disc.glsl";
@@ -61,7 +62,7 @@ constexpr Mutation mutations[] = {
     {"one_tap_less", taps, "i < 12", "i < 11", "picture"},
     {"disc_scaled", taps, "disc_taps[i] * radius", "disc_taps[i] * 1.05 * radius", "picture"},
     {"weight_swapped", "shaders/layered_material/layers.glsl", "mix(outer, inner,", "mix(inner, outer,", "picture"},
-    {"mip_levels_missing", light_map, mip_pass, "", "picture"},
+    {"mip_levels_missing", light_map, mip_pass, "", "picture, nonfinite"},  // whatever the memory holds
     {"target_of_8_bits", light_map, "format = \"rgba16_float\"\nmips", "format = \"rgba8_unorm\"\nmips", "fetches"},
     {"pass_run_twice", light_map, "name = \"dilate\"", "name = \"dilate\"\nrepeat = 2", "fetches"},
     {"blank_frame", composite, "out_color = vec4(color, 1.0)", "discard", "blank"},
@@ -75,21 +76,22 @@ class GateMutations : public Gate, public testing::WithParamInterface<Mutation> 
 INSTANTIATE_TEST_SUITE_P(Each, GateMutations, testing::ValuesIn(mutations),
                          [](const testing::TestParamInfo<Mutation>& mutation) { return mutation.param.name; });
 
-// Each on one of the backends in turn: loading the heart is most of the time.
 TEST_P(GateMutations, IsCaught) {
   copy_tree();
   replace(GetParam().file, GetParam().from, GetParam().to);
-  const char* backend = std::string_view(GetParam().name).size() % 2 == 0 ? "vulkan" : "osmesa";
-  const Outcome outcome = gate(std::string("--backend ") + backend);
+  const Outcome outcome = gate();
   EXPECT_EQ(outcome.status, 1) << outcome.output;
   const Record record = this->record();
-  EXPECT_TRUE(std::any_of(record.verdicts.begin(), record.verdicts.end(),
-                          [&](const Json& row) {
-                            return row.at("backend") == backend && row.at("what") == GetParam().what &&
-                                   (row.at("verdict") == "worse" || row.at("verdict") == "failed");
-                          }))
-      << GetParam().what << " on " << backend << "\n"
-      << outcome.output;
+  for (const char* backend : {"vulkan", "osmesa"})
+    EXPECT_TRUE(std::any_of(record.verdicts.begin(), record.verdicts.end(),
+                            [&](const Json& row) {
+                              const std::string what = row.at("what");
+                              return row.at("backend") == backend &&
+                                     std::string_view(GetParam().what).find(what) != std::string_view::npos &&
+                                     (row.at("verdict") == "worse" || row.at("verdict") == "failed");
+                            }))
+        << GetParam().what << " on " << backend << "\n"
+        << outcome.output;
 }
 
 TEST_F(Gate, TheSameCodeAndACommentPass) {
@@ -104,7 +106,7 @@ TEST_F(Gate, TheSameCodeAndACommentPass) {
 TEST_F(Gate, OtherCodeForTheSamePicturePasses) {
   copy_tree();
   replace(composite, "out_color = vec4(color, 1.0)", "out_color = vec4(color.rg, color.b, 1.0)");
-  const Outcome outcome = gate("--backend osmesa");
+  const Outcome outcome = gate("--backend osmesa", "heart");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   const Record record = this->record();
   EXPECT_GE(record.cells.size(), 9u) << "three variants in three views";
