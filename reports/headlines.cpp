@@ -50,11 +50,11 @@ std::string untimed_words(const SummaryRow& row, const SummaryRow* baseline) {
                      *baseline->fetches_per_pixel);
 }
 
-std::string clause(const SummaryRow& row, const SummaryRow* baseline) {
+std::string clause(const SummaryRow& row, const SummaryRow* baseline, const std::string& loss) {
   if (row.failed_views == row.views) return fmt::format("failed on {}: {}", row.backend, row.reason);
   std::string words =
       row.ratio ? speed_words(*row.ratio, baseline ? baseline->variant : "the baseline") : untimed_words(row, baseline);
-  words += fmt::format(" on {}", row.backend) + loss_words(row);
+  words += fmt::format(" on {}", row.backend) + loss;
   if (row.ratio && row.ratio->coverage < report_confidence)
     words += fmt::format(", by {} round{} only", row.ratio->rounds, row.ratio->rounds == 1 ? "" : "s");
   if (row.failed_views > 0) words += fmt::format("; {} of {} views failed there", row.failed_views, row.views);
@@ -64,24 +64,30 @@ std::string clause(const SummaryRow& row, const SummaryRow* baseline) {
 }  // namespace
 
 std::vector<Headline> headlines(const std::vector<SummaryRow>& rows) {
-  std::vector<std::pair<std::string, Headline>> by_effect;
+  struct OfVariant {
+    std::string effect, loss;  // loss: on the first backend
+    Headline headline;
+  };
+  std::vector<OfVariant> told;
   for (const SummaryRow& row : rows) {
     if (row.baseline) continue;
-    const auto baseline = std::find_if(rows.begin(), rows.end(), [&](const SummaryRow& r) {
-      return r.baseline && r.effect == row.effect && r.backend == row.backend;
-    });
-    const std::string words = clause(row, baseline == rows.end() ? nullptr : &*baseline);
-    const auto known = std::find_if(by_effect.begin(), by_effect.end(),
-                                    [&](const auto& h) { return h.first == row.effect && h.second.variant == row.variant; });
-    if (known == by_effect.end())
-      by_effect.push_back({row.effect, {.variant = row.variant, .words = words}});
+    const auto baseline = std::ranges::find_if(
+        rows, [&](const SummaryRow& r) { return r.baseline && r.effect == row.effect && r.backend == row.backend; });
+    const auto known = std::ranges::find_if(
+        told, [&](const OfVariant& t) { return t.effect == row.effect && t.headline.variant == row.variant; });
+    const std::string loss = loss_words(row);
+    const bool again = known != told.end() && loss == known->loss && row.worst && !std::isinf(row.worst->psnr_db);
+    const char* same = row.ratio ? " at the same loss" : ", where its loss is the same";
+    const std::string words = clause(row, baseline == rows.end() ? nullptr : &*baseline, again ? same : loss);
+    if (known == told.end())
+      told.push_back({row.effect, loss, {.variant = row.variant, .words = words}});
     else
-      known->second.words += "; it " + words;
+      known->headline.words += "; it " + words;
   }
   std::vector<Headline> all;
-  for (auto& [effect, headline] : by_effect) {
-    headline.words += '.';
-    all.push_back(std::move(headline));
+  for (OfVariant& each : told) {
+    each.headline.words += '.';
+    all.push_back(std::move(each.headline));
   }
   return all;
 }

@@ -173,7 +173,7 @@ Json held_of(const Json& crossover, const std::vector<Curve>& curves) {
     const std::string place = place_words(curve);
     const size_t at = sentence.rfind(place), end = at + place.size();
     if (at == std::string::npos || (end != sentence.size() && sentence[end] != ';')) continue;
-    for (const auto& [path, value] : curve.held) held[path] = value;
+    for (const Held& other : curve.held) held[other.path] = other.value;
   }
   return held;
 }

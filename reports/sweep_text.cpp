@@ -25,7 +25,8 @@ CurveTable table_of(std::span<const Curve> group, size_t most_rows) {
   CurveTable table;
   table.title = fmt::format("{} on {}, over {}{}", first.effect, first.backend, first.parameter,
                             first.unit.empty() ? "" : " in " + first.unit);
-  for (const auto& [path, value] : first.held) table.title += fmt::format(", {} {:.6g}", path, value);
+  for (const Held& held : first.held)
+    table.title += fmt::format(", {} {:.6g}{}", held.path, held.value, held.unit.empty() ? "" : " " + held.unit);
   table.columns = {first.parameter.substr(first.parameter.rfind('.') + 1)};
   struct Column {
     const Curve* curve;

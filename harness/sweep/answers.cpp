@@ -17,13 +17,31 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// "thickness" of "objects.heart.thickness", "position.x" of "lights.rim.position.x".
-std::string short_name(const std::string& path) {
+// "thickness" of "objects.heart.thickness", "position.x" of "lights.rim.position.x", and "key.intensity" of
+// "lights.key.intensity" where the curve has "lights.rim.intensity" too.
+std::string short_name(const std::string& path, const Curve& curve) {
   static const std::vector<std::string> parts = {"x", "y", "z", "red", "green", "blue"};
+  const auto before = [&](size_t dot) {
+    return dot == 0 || dot == std::string::npos ? std::string::npos : path.rfind('.', dot - 1);
+  };
   size_t dot = path.rfind('.');
-  if (dot != std::string::npos && dot > 0 && std::find(parts.begin(), parts.end(), path.substr(dot + 1)) != parts.end())
-    dot = path.rfind('.', dot - 1);
+  if (dot != std::string::npos && std::find(parts.begin(), parts.end(), path.substr(dot + 1)) != parts.end()) dot = before(dot);
+  const auto is_of_another = [&](const std::string& end) {
+    const auto has = [&](const std::string& other) { return other != path && other.ends_with(end); };
+    return has(curve.parameter) || std::ranges::any_of(curve.held, [&](const Held& held) { return has(held.path); });
+  };
+  while (dot != std::string::npos && is_of_another(path.substr(dot))) dot = before(dot);
   return dot == std::string::npos ? path : path.substr(dot + 1);
+}
+
+// How a parameter of the curve is named, and what stands behind its values: " degrees", and then not in the name too.
+struct Named {
+  std::string name, unit;
+};
+Named named(const std::string& path, const std::string& unit, const Curve& curve) {
+  std::string name = short_name(path, curve);
+  if (name.ends_with("_" + unit)) name.resize(name.size() - unit.size() - 1);
+  return {name, unit.empty() ? "" : " " + unit};
 }
 
 // Four digits are more than any tolerance carries.
@@ -31,21 +49,19 @@ std::string words(double value) { return fmt::format("{:.4g}", value); }
 
 class Sentence {
  public:
-  explicit Sentence(const Curve& curve)
-      : name_(short_name(curve.parameter)), unit_(curve.unit.empty() ? "" : " " + curve.unit), tail_(place_words(curve)) {
-    if (name_.ends_with("_" + curve.unit)) name_.resize(name_.size() - curve.unit.size() - 1);  // it is told behind the number
-  }
+  explicit Sentence(const Curve& curve) : x_(named(curve.parameter, curve.unit, curve)), tail_(place_words(curve)) {}
   std::string at(const Crossing& crossing) const {
-    return fmt::format("{} {}{} (within {:.2g})", name_, words(crossing.at), unit_, crossing.tolerance);
+    return fmt::format("{} {}{} (within {:.2g})", x_.name, words(crossing.at), x_.unit, crossing.tolerance);
   }
   std::string range(double from, double to) const {
-    return from == to ? fmt::format("{} {}{}", name_, words(from), unit_)
-                      : fmt::format("{} {} to {}{}", name_, words(from), words(to), unit_);
+    return from == to ? fmt::format("{} {}{}", x_.name, words(from), x_.unit)
+                      : fmt::format("{} {} to {}{}", x_.name, words(from), words(to), x_.unit);
   }
   const std::string& tail() const { return tail_; }
 
  private:
-  std::string name_, unit_, tail_;
+  Named x_;
+  std::string tail_;
 };
 
 CrossoverRow start(const Curve& curve, const std::string& other, const std::string& metric) {
@@ -283,7 +299,10 @@ Limit parse_limit(const std::string& text) {
 
 std::string place_words(const Curve& curve) {
   std::string place;
-  for (const auto& [path, value] : curve.held) place += fmt::format(", at {} {}", short_name(path), words(value));
+  for (const Held& held : curve.held) {
+    const Named other = named(held.path, held.unit, curve);
+    place += fmt::format(", at {} {}{}", other.name, words(held.value), other.unit);
+  }
   return place + " on " + curve.backend;
 }
 

@@ -15,7 +15,7 @@ struct Limit {
 // "ssim=0.98". Throws Error(bad_input) with the nearest metric.
 Limit parse_limit(const std::string& text);
 
-// How every sentence of a curve says where it holds, at its end or before its "; ...": ", at gain 2 on vulkan", or " on vulkan"
+// How every sentence of a curve says where it holds, at its end or before its "; ...": ", at elevation 20 degrees on vulkan", or " on vulkan"
 // where no other parameter is held.
 std::string place_words(const Curve& curve);
 

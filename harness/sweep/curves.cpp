@@ -82,7 +82,7 @@ std::vector<Curve> curves_of(const Record& record) {
         curve.baseline = cell.at("baseline");
         curve.parameter = swept[along].path, curve.unit = swept[along].unit;
         for (size_t other = 0, i = 0; !zip && other < swept.size(); ++other)
-          if (other != along) curve.held.emplace_back(swept[other].path, held[i++]);
+          if (other != along) curve.held.push_back({swept[other].path, swept[other].unit, held[i++]});
         cells.emplace_back();
       }
       cells[entry->second][cell.at("params").at(swept[along].path)].push_back(&cell);

@@ -32,12 +32,19 @@ inline constexpr std::array<Metric, 11> metrics = {{{"ssim", "SSIM", true},
                                                     {"ratio", "time over the baseline's", false}}};
 const Metric* metric_named(std::string_view name);
 
+// A parameter of a grid that a curve does not run along, and its value there.
+struct Held {
+  std::string path, unit;
+  double value = 0;
+  bool operator==(const Held&) const = default;
+};
+
 struct Curve {
   std::string backend, effect, variant;
   bool baseline = false;
-  std::string parameter, unit;                       // along x
-  std::vector<std::pair<std::string, double>> held;  // the other parameters of a grid
-  std::vector<double> x;                             // ascending
+  std::string parameter, unit;  // along x
+  std::vector<Held> held;
+  std::vector<double> x;  // ascending
   // By metric; NaN where a view has none or failed. "ratio.low" and "ratio.high" are the ends of the ratio's interval.
   std::map<std::string, std::vector<double>> y;
 };

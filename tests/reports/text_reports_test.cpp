@@ -157,6 +157,24 @@ TEST(Headlines, JoinTheBackendsOfAVariantAndSayFailures) {
   EXPECT_TRUE(has(all[0].words, "; it failed on osmesa: out of memory.")) << all[0].words;
 }
 
+TEST(Headlines, ALossThatReadsTheSameOnAnotherBackendIsNotToldAgain) {
+  const std::vector<double> one(6, 1.0), half(6, 0.5);
+  std::vector<CellRow> cells = {example_cell("light_map", "front", one), example_cell("vertex_normal", "front", half),
+                                example_cell("light_map", "front", one, "osmesa"),
+                                example_cell("vertex_normal", "front", half, "osmesa")};
+  const auto words = [&] {
+    return headlines(summarize(example_record(cells, {example_timer("vulkan"), example_timer("osmesa")}))).at(0).words;
+  };
+  cells[3].error_covered->ssim = 0.9004;
+  EXPECT_EQ(words(),
+            "is 2.0 times faster than light_map on vulkan at SSIM 0.900 (worst view 0.900); it is 2.0 times faster than "
+            "light_map on osmesa at the same loss.");
+  cells[3].error_covered->ssim = 0.902;
+  EXPECT_TRUE(has(words(), "on osmesa at SSIM 0.902 (worst view 0.902).")) << words();
+  for (const size_t i : {1u, 3u}) cells[i].error_covered->psnr_db = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(has(words(), "on osmesa with the same picture.")) << words();
+}
+
 TEST(Headlines, IdenticalPicturesAreCalledTheSame) {
   std::vector<CellRow> cells = example_cells();
   for (CellRow* cell : {&cells[2], &cells[3]}) cell->error_covered->psnr_db = std::numeric_limits<double>::infinity();

@@ -182,6 +182,17 @@ TEST(Answers, AFailedCellIsAGapThatIsTold) {
   EXPECT_NE(rows[0].sentence.find("1 of 5 points are missing"), std::string::npos) << rows[0].sentence;
 }
 
+TEST(Answers, WhatIsHeldIsToldWithItsUnitAndItsOwnerWhereNamesMeet) {
+  Curve curve;
+  curve.backend = "vulkan", curve.parameter = thickness, curve.unit = "texels";
+  EXPECT_EQ(place_words(curve), " on vulkan");
+  curve.held = {{"lights.sun.elevation_degrees", "degrees", 20}, {"lights.rim.position.x", "m", -1.5}};
+  EXPECT_EQ(place_words(curve), ", at elevation 20 degrees, at position.x -1.5 m on vulkan");
+  curve.parameter = "lights.key.intensity", curve.unit = "";
+  curve.held = {{"lights.rim.intensity", "", 2}};
+  EXPECT_EQ(place_words(curve), ", at rim.intensity 2 on vulkan");
+}
+
 TEST(Answers, UnknownMetricsAreRefusedWithTheNearest) {
   try {
     parse_limit("sim=0.98");
