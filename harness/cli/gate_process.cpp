@@ -2,6 +2,7 @@
 #include "harness/cli/gate_process.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "harness/measure/timer_certificate.h"
 #include "harness/record/record.h"
@@ -9,8 +10,6 @@
 namespace lamina {
 namespace {
 
-// A further process is not begun for less: most of it would be preparation.
-constexpr double least_process_s = 4;
 constexpr double enough_of_margin = 0.3;
 
 }  // namespace
@@ -108,14 +107,19 @@ GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatc
     }
   };
   if (options.exact) run_on(options.compare.backends, true, 1);
-  for (; options.times && measured.processes < options.processes; ++measured.processes)
+  double least_process_s = std::numeric_limits<double>::infinity();  // on all backends
+  for (; options.times && measured.processes < options.processes; ++measured.processes) {
+    const double begin_s = watch.elapsed_s();
     run_on(options.compare.backends, false, options.processes - measured.processes);
+    least_process_s = std::min(least_process_s, watch.elapsed_s() - begin_s);
+  }
   while (options.times && undecided && !measured.pairs.empty()) {
     std::vector<std::string> backends;
     for (const std::string& backend : undecided(measured.pairs))
       if (!broken.contains(backend)) backends.push_back(backend);
-    const double turns = static_cast<double>(options.side_by_side ? 1 : backends.size());
-    if (backends.empty() || options.budget_s - watch.elapsed_s() < least_process_s * turns) break;
+    const auto turns = [&](size_t count) { return static_cast<double>(options.side_by_side ? 1 : count); };
+    const double share = turns(backends.size()) / turns(options.compare.backends.size());
+    if (backends.empty() || options.budget_s - watch.elapsed_s() < least_process_s * share) break;
     run_on(backends, false, 1);
     ++measured.processes;
   }
