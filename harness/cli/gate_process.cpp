@@ -117,8 +117,8 @@ GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatc
     std::vector<std::string> backends;
     for (const std::string& backend : undecided(measured.pairs))
       if (!broken.contains(backend)) backends.push_back(backend);
-    const auto turns = [&](size_t count) { return static_cast<double>(options.side_by_side ? 1 : count); };
-    const double share = turns(backends.size()) / turns(options.compare.backends.size());
+    const double share =
+        options.side_by_side ? 1 : static_cast<double>(backends.size()) / static_cast<double>(options.compare.backends.size());
     if (backends.empty() || options.budget_s - watch.elapsed_s() < least_process_s * share) break;
     run_on(backends, false, 1);
     ++measured.processes;

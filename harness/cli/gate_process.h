@@ -73,8 +73,9 @@ void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const Enou
 bool precise_enough(const TimedFrames& timed, const GateProcess& process, const LimitsFile& limits);
 
 // Runs `work` in children: one on every backend for counts and pictures, if options.exact; if options.times, options.processes
-// that time, each with its share of the budget; then, while `undecided` names backends and there is time, more of them there.
-// Backends take turns, or run side by side where the options say so. One on which a process fails is left alone after it.
+// that time, each with its share of the budget; then, while `undecided` names backends and there is time for as short a process
+// as has been, more of them there. Backends take turns, or run side by side where the options say so. One on which a process
+// fails is left alone after it.
 GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatch& watch,
                                       const std::function<void(const GateTask&, const EmitLine&)>& work,
                                       const std::function<std::set<std::string>(const std::vector<PairsRow>&)>& undecided);
