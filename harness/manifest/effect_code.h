@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The C++ that effects bring, by the names that their data files use. A folder harness/effects/NAME holds it, and its
+// `void add_NAME(EffectCode&)` puts it here; CMake finds the folders, so nothing else names them.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace lamina {
+
+struct EffectValues;   // harness/scene/effect_values.h
+struct TextureImage;   // harness/core/image.h
+struct BakerCode;      // harness/bake/baker.h
+class Truth;           // harness/truth/truth.h
+struct TruthSetting;
+class Oracle;          // harness/stress/oracle.h
+
+struct EffectCode {
+  // Makes a texture for an object that brings none, from what the object's effect has so far: textures in the order in which
+  // effect.toml declares them.
+  using TextureMaker = std::shared_ptr<const TextureImage> (*)(const EffectValues& so_far);
+  std::map<std::string, TextureMaker> makers;
+  // Textures that any shader may read by name, made once.
+  std::map<std::string, TextureImage (*)()> tables;
+  std::map<std::string, const BakerCode*> bakers;
+  std::map<std::string, std::unique_ptr<Truth> (*)(const TruthSetting& setting)> truths;
+  std::map<std::string, const Oracle*> oracles;
+};
+
+// Everything that is built in.
+const EffectCode& effect_code();
+
+}  // namespace lamina
