@@ -82,9 +82,11 @@ enum class Blend : uint8_t {
   alpha,          // src.rgb * src.a + dst.rgb * (1 - src.a); alpha: src.a + dst.a * (1 - src.a)
   premultiplied,  // src + dst * (1 - src.a)
   additive,       // src + dst, alpha too
+  multiplied,     // src * dst, alpha too
 };
-enum class Depth : uint8_t { none, read, read_write };  // the test is less-or-equal
-enum class Cull : uint8_t { none, back, front };        // the faces left out
+enum class Depth : uint8_t { none, read, read_write };
+enum class DepthTest : uint8_t { less_equal, equal, greater };  // what is drawn, against what is there
+enum class Cull : uint8_t { none, back, front };                // the faces left out
 
 struct PipelineDesc {
   std::string name;
@@ -94,15 +96,18 @@ struct PipelineDesc {
   std::vector<uint32_t> vertex_locations;  // of the mesh layout; empty: no vertex buffer (gl_VertexIndex only)
   std::vector<Format> colors;              // of the attachments, in order
   std::optional<Format> depth_format;
-  Blend blend = Blend::none;  // the same for all colour attachments
+  std::vector<Blend> blend;  // beside `colors`; empty: none for all
   Depth depth = Depth::none;
+  DepthTest depth_test = DepthTest::less_equal;  // where `depth` is not none
   Cull cull = Cull::none;
 };
+inline Blend blend_of(const PipelineDesc& desc, size_t color) { return desc.blend.empty() ? Blend::none : desc.blend[color]; }
 
 struct TextureBinding {
   uint32_t binding = 0;
   TextureId texture;
-  Sampler sampler;
+  Sampler sampler;  // d32_float: nearest; on Vulkan a device may lack the other filters, and run() then throws Error(failed)
+  std::optional<uint32_t> level = {};  // the shader sees a texture of this one level, as its level 0; absent: all levels
 };
 struct BufferBinding {
   uint32_t binding = 0;
@@ -121,9 +126,8 @@ struct Draw {
   std::vector<TextureBinding> textures;
   std::vector<BufferBinding> buffers;
   std::vector<ImageBinding> images;
-  BufferId vertices, indices;  // none: `count` vertices are made from gl_VertexIndex
-  uint32_t count = 0;          // indices, or vertices without an index buffer
-  uint32_t instances = 1;
+  BufferId vertices, indices;                  // none: `count` vertices are made from gl_VertexIndex
+  uint32_t count = 0;                          // indices, or vertices without an index buffer
   std::array<uint32_t, 3> groups = {1, 1, 1};  // compute
 };
 
@@ -139,6 +143,7 @@ enum class PassKind : uint8_t {
   raster,
   compute,
   mips,  // fill levels 1.. of `mips_of` from level 0, each by a linear filter of the one above
+  copy,  // level 0 of `copy_from` into level 0 of `copy_to`: two 2D textures of one size and format
 };
 
 // Pixels of a target, from its top left corner.
@@ -146,24 +151,31 @@ struct Area {
   uint32_t x = 0, y = 0, width = 0, height = 0;
 };
 
-// A pass must not read, as a texture, a level that it also draws into.
+// A pass may read one level of a texture and draw into another. It must not read, as a texture, a level that it draws into: a
+// binding that names that level is refused, and of one that names none the shader must leave it alone.
 struct Pass {
   std::string name;
   PassKind kind = PassKind::raster;
   std::vector<Attachment> colors;  // all of one size
   std::optional<Attachment> depth;
   std::vector<Draw> draws;
-  TextureId mips_of;
+  TextureId mips_of, copy_from, copy_to;
+  // Of a raster pass: count the samples that its draws cover and that pass the depth test, or all that they cover where a
+  // pipeline tests none; those that a shader discards do not count.
+  bool count_samples = false;
   // Of a raster pass: only these pixels are loaded, cleared and drawn; what the others hold stays. Absent: all. It must lie
   // inside the targets.
   std::optional<Area> area;
 };
 
+inline bool counts_samples(const Pass& pass) { return pass.kind == PassKind::raster && pass.count_samples; }
+
 enum class Timing : uint8_t { off, bracketed };
 
 struct RunTimes {
-  std::vector<double> pass_ms;  // device time of each pass; empty where timing was off
-  double wall_ms = 0;           // host clock, from before the first command to the device's idle
+  std::vector<double> pass_ms;    // device time of each pass; empty where timing was off
+  std::vector<uint64_t> samples;  // that each pass has counted, 0 where it did not ask; empty where none asked
+  double wall_ms = 0;             // host clock, from before the first command to the device's idle
 };
 
 class Backend {
@@ -187,7 +199,8 @@ class Backend {
 
   // Executes the passes in order and waits for the device. With Timing::bracketed each pass lies between two device timestamps,
   // each with a full barrier before and after it (OpenGL: a finish), as software rasterizers need; the results are read after
-  // the frame. Throws Error(failed) on device loss or any API error.
+  // the frame, and so are counts of samples. Throws Error(failed) on device loss, any API error, or where samples are to be
+  // counted and the device does not count them exactly.
   virtual RunTimes run(std::span<const Pass> passes, Timing timing) = 0;
 
   virtual std::vector<std::byte> read_texture(TextureId id, uint32_t level = 0) = 0;
@@ -196,6 +209,15 @@ class Backend {
   // Messages of warning or error severity from the API's own checker (validation layers, GL debug output) since the last call.
   virtual std::vector<std::string> take_messages() = 0;
 };
+
+// Throws Error(bad_input) where blends are given for another number of colour targets than there are. Backends ask it.
+void check_blends(const PipelineDesc& desc);
+
+// Throws Error(bad_input) where a draw reads the level of a texture that its pass draws into. Backends ask it.
+void check_levels(const Pass& pass);
+
+// Throws Error(bad_input) where the one texture cannot be copied into the other. Backends ask it.
+void check_copy(const Pass& pass, const TextureDesc& from, const TextureDesc& to);
 
 // Throws Error(bad_input) for an area that is empty or reaches out of targets of this size. Backends ask it.
 void check_area(const Pass& pass, uint32_t width, uint32_t height);

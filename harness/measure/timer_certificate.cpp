@@ -35,16 +35,10 @@ class Workload {
     for (TextureId& target : targets_)
       target = backend.create_texture({"timer target", size_px, size_px, 1, Format::rgba8_unorm, true, false});
     for (BufferId& taps : taps_) taps = backend.create_buffer("timer taps", BufferUse::uniform, 4 * sizeof(int));
-    pipeline_ = backend.create_pipeline({"timer work",
-                                         {{Stage::vertex, vertex.spirv}, {Stage::fragment, fragment.spirv}},
-                                         {},
-                                         {{3, BindingKind::uniform_buffer}, {4, BindingKind::texture}},
-                                         {},
-                                         {Format::rgba8_unorm},
-                                         {},
-                                         Blend::none,
-                                         Depth::none,
-                                         Cull::none});
+    pipeline_ = backend.create_pipeline({.name = "timer work",
+                                         .stages = {{Stage::vertex, vertex.spirv}, {Stage::fragment, fragment.spirv}},
+                                         .bindings = {{3, BindingKind::uniform_buffer}, {4, BindingKind::texture}},
+                                         .colors = {Format::rgba8_unorm}});
   }
   ~Workload() {
     backend_.destroy(pipeline_);

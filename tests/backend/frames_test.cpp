@@ -21,7 +21,7 @@ class BackendFrames : public BackendTest {
     const TextureId depth = target(Format::d32_float, width, height);
     const Look solid{.colors = {Format::rgba16_float}, .depth_format = Format::d32_float, .depth = Depth::read_write};
     Look glass = solid;
-    glass.blend = Blend::alpha;
+    glass.blend = {Blend::alpha};
     glass.cull = Cull::back;
 
     Draw ground = triangles(pipeline(full_screen, R"(

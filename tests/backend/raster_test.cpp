@@ -74,11 +74,12 @@ struct DepthResult {
 };
 class BackendDepth : public BackendTest {
  protected:
-  DepthResult draw(float before, float z, Depth mode) {
+  DepthResult draw(float before, float z, Depth mode, DepthTest test = DepthTest::less_equal) {
     const TextureId color = target(Format::rgba32_float, 2, 2), depth = target(Format::d32_float, 2, 2);
-    Pass pass =
-        raster(color, {triangles(pipeline(full_screen, white,
-                                          {.depth_format = Format::d32_float, .depth = mode, .constants = {depth_at(z)}}))});
+    Pass pass = raster(
+        color, {triangles(pipeline(
+                   full_screen, white,
+                   {.depth_format = Format::d32_float, .depth = mode, .depth_test = test, .constants = {depth_at(z)}}))});
     pass.depth = Attachment{.texture = depth, .clear = {before}};
     run({pass});
     return {picture(color, 2).at(1, 1), picture(depth, 2, 1).at(1, 1)};
@@ -99,6 +100,47 @@ TEST_P(BackendDepth, TestIsLessOrEqual) {
   EXPECT_EQ(draw(0.5f, 0.5f, Depth::read_write).color, 1);
   EXPECT_EQ(draw(0.5f, 0.75f, Depth::read_write).color, 0);
   EXPECT_EQ(draw(0.5f, 0.75f, Depth::read_write).depth, 0.5f);
+}
+
+TEST_P(BackendDepth, EqualPassesWhereDepthsAreTheSameAndNowhereElse) {
+  const float next = std::nextafter(0.3f, 1.0f), before = std::nextafter(0.3f, 0.0f);
+  EXPECT_EQ(draw(0.3f, 0.3f, Depth::read, DepthTest::equal).color, 1);
+  EXPECT_EQ(draw(0.3f, next, Depth::read, DepthTest::equal).color, 0);
+  EXPECT_EQ(draw(0.3f, before, Depth::read, DepthTest::equal).color, 0);
+  EXPECT_EQ(draw(0.5f, 0.25f, Depth::read_write, DepthTest::equal).depth, 0.5f);
+}
+
+TEST_P(BackendDepth, GreaterPassesBehindWhatIsThere) {
+  EXPECT_EQ(draw(0.5f, 0.25f, Depth::read_write, DepthTest::greater).color, 0);
+  EXPECT_EQ(draw(0.5f, 0.25f, Depth::read_write, DepthTest::greater).depth, 0.5f);
+  EXPECT_EQ(draw(0.5f, 0.5f, Depth::read_write, DepthTest::greater).color, 0);
+  EXPECT_EQ(draw(0.5f, 0.75f, Depth::read_write, DepthTest::greater).color, 1);
+  EXPECT_EQ(draw(0.5f, 0.75f, Depth::read_write, DepthTest::greater).depth, 0.75f);
+  EXPECT_EQ(draw(0.5f, 0.75f, Depth::read, DepthTest::greater).depth, 0.5f);
+  EXPECT_EQ(draw(0, 0.75f, Depth::read_write, DepthTest::greater).depth, 0.75f) << "the farthest of what is drawn";
+}
+
+// Each pipeline brings its own test: no draw leaves one behind for the next.
+TEST_P(BackendDepth, DrawsOfOnePassTestEachInItsWay) {
+  const TextureId color = target(Format::r32_float, 1, 1), depth = target(Format::d32_float, 1, 1);
+  const auto add = [&](float amount, float z, DepthTest test) {
+    return triangles(pipeline(full_screen,
+                              "layout(constant_id = 0) const float amount = 0;\n"
+                              "layout(location = 0) out float c; void main() { c = amount; }",
+                              {.colors = {Format::r32_float},
+                               .depth_format = Format::d32_float,
+                               .depth = Depth::read_write,
+                               .depth_test = test,
+                               .blend = {Blend::additive},
+                               .constants = {depth_at(z), {0, std::bit_cast<uint32_t>(amount)}}}));
+  };
+  Pass pass = raster(
+      color, {add(1, 0.75f, DepthTest::greater), add(2, 0.75f, DepthTest::equal), add(4, 0.75f, DepthTest::greater),
+              add(8, 0.25f, DepthTest::less_equal), add(16, 0.5f, DepthTest::less_equal), add(32, 0.5f, DepthTest::greater)});
+  pass.depth = Attachment{.texture = depth, .clear = {0.5f}};
+  run({pass});
+  EXPECT_EQ(read<float>(color), std::vector<float>{1 + 2 + 8 + 32});
+  EXPECT_EQ(read<float>(depth), std::vector<float>{0.5f});
 }
 
 TEST_P(BackendDepth, ReadTestsAndWritesNothing) {
@@ -161,7 +203,7 @@ TEST_P(BackendRaster, BlendsAreTheirArithmetic) {
     const TextureId id = target(format, 1, 1);
     Pass pass = raster(
         id, {triangles(pipeline(full_screen, "layout(location = 0) out vec4 c; void main() { c = vec4(0.5, 0.25, 1, 0.25); }",
-                                {.colors = {format}, .blend = blend}))});
+                                {.colors = {format}, .blend = {blend}}))});
     pass.colors[0].clear = dst;
     run({pass});
     std::vector<float> result;
@@ -183,15 +225,49 @@ TEST_P(BackendRaster, BlendsAreTheirArithmetic) {
       EXPECT_NEAR(blended(Blend::alpha, format)[i], alpha, tolerance);
       EXPECT_NEAR(blended(Blend::premultiplied, format)[i], std::min(most, src[i] + dst[i] * (1 - src[3])), tolerance);
       EXPECT_NEAR(blended(Blend::additive, format)[i], std::min(most, src[i] + dst[i]), tolerance);
+      EXPECT_NEAR(blended(Blend::multiplied, format)[i], src[i] * dst[i], tolerance);
     }
   }
+}
+
+// Two targets, two blends, and a draw after it with none: each target has its own arithmetic and no draw leaves it behind.
+TEST_P(BackendRaster, EachTargetOfOnePassHasItsOwnBlend) {
+  constexpr const char* both = R"(
+layout(location = 0) out vec4 a;
+layout(location = 1) out float b;
+void main() { a = vec4(0.5, 0.25, 2, 0.5); b = 0.5; })";
+  const std::vector<Format> formats = {Format::rgba32_float, Format::r32_float};
+  const auto drawn = [&](const std::vector<std::vector<Blend>>& blends) {
+    Pass pass = raster(target(formats[0], 1, 1), {});
+    pass.colors[0].clear = {0.25f, 1, 0.5f, 0.25f};
+    pass.colors.push_back({.texture = target(formats[1], 1, 1), .clear = {8, 0, 0, 0}});
+    for (const std::vector<Blend>& blend : blends)
+      pass.draws.push_back(triangles(pipeline(full_screen, both, {.colors = formats, .blend = blend})));
+    run({pass});
+    std::vector<float> values = read<float>(pass.colors[0].texture);
+    values.push_back(read<float>(pass.colors[1].texture).front());
+    return values;
+  };
+  using enum Blend;
+  EXPECT_EQ(drawn({{multiplied, additive}}), (std::vector<float>{0.125f, 0.25f, 1, 0.125f, 8.5f}));
+  EXPECT_EQ(drawn({{additive, multiplied}}), (std::vector<float>{0.75f, 1.25f, 2.5f, 0.75f, 4}));
+  EXPECT_EQ(drawn({{none, multiplied}}), (std::vector<float>{0.5f, 0.25f, 2, 0.5f, 4}));
+  EXPECT_EQ(drawn({{multiplied, none}}), (std::vector<float>{0.125f, 0.25f, 1, 0.125f, 0.5f}));
+  EXPECT_EQ(drawn({{alpha, additive}}), (std::vector<float>{0.375f, 0.625f, 1.25f, 0.625f, 8.5f}));
+  EXPECT_EQ(drawn({{premultiplied, none}}), (std::vector<float>{0.625f, 0.75f, 2.25f, 0.625f, 0.5f}));
+  EXPECT_EQ(drawn({{}}), (std::vector<float>{0.5f, 0.25f, 2, 0.5f, 0.5f})) << "none for all";
+  EXPECT_EQ(drawn({{additive, additive}, {multiplied, none}}), (std::vector<float>{0.375f, 0.3125f, 5, 0.375f, 0.5f}));
+
+  const Error error = error_of([&] { drawn({{additive}}); });
+  EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+  EXPECT_EQ(error.subject(), "test pipeline");
 }
 
 TEST_P(BackendRaster, DrawsOfOnePassBlendInOrder) {
   const TextureId id = target(Format::rgba32_float, 1, 1);
   const auto over = [&](const char* color) {
     return triangles(pipeline(full_screen, "layout(location = 0) out vec4 c; void main() { c = " + std::string(color) + "; }",
-                              {.blend = Blend::alpha}));
+                              {.blend = {Blend::alpha}}));
   };
   run({raster(id, {over("vec4(1, 0, 0, 0.5)"), over("vec4(0, 1, 0, 0.5)")})});
   EXPECT_EQ(read<float>(id), (std::vector<float>{0.25f, 0.5f, 0, 0.75f}));

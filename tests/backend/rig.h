@@ -49,7 +49,8 @@ struct Look {
   std::vector<Format> colors = {Format::rgba32_float};
   std::optional<Format> depth_format = {};
   Depth depth = Depth::none;
-  Blend blend = Blend::none;
+  DepthTest depth_test = DepthTest::less_equal;
+  std::vector<Blend> blend = {};
   Cull cull = Cull::none;
   std::vector<SpecConstant> constants = {};
 };
@@ -96,6 +97,7 @@ class BackendTest : public ShaderFiles, public ::testing::WithParamInterface<std
                       .depth_format = look.depth_format,
                       .blend = look.blend,
                       .depth = look.depth,
+                      .depth_test = look.depth_test,
                       .cull = look.cull};
     const CompiledShader vertex_shader = shader(Stage::vertex, vertex);
     add_stage(desc, vertex_shader);

@@ -33,7 +33,7 @@ TEST_P(BackendShaders, DrawsOfOnePassReadTheirOwnBuffers) {
 layout(std140, binding = 0) uniform Block { vec4 value; };
 layout(location = 0) out vec4 c;
 void main() { c = value; })",
-                                  {.blend = Blend::additive});
+                                  {.blend = {Blend::additive}});
   std::vector<Draw> draws;
   for (int i = 0; i < 40; ++i) {
     draws.push_back(triangles(add));
@@ -176,30 +176,6 @@ void main() { c = vec4(a, b, d ? 1 : 0, e); })";
   EXPECT_EQ(drawn({{7, std::bit_cast<uint32_t>(-0.75f)}, {3, static_cast<uint32_t>(-8)}, {5, 1}, {9, 1u << 20}}),
             (std::vector<float>{-8, -0.75f, 1, 1 << 20}));
   EXPECT_EQ(drawn({{5, 1}, depth_at(0.25f)}), (std::vector<float>{1, 2.5f, 1, 4})) << "each stage takes those that it has";
-}
-
-TEST_P(BackendShaders, InstancesAreNumberedFromZero) {
-  const TextureId id = target(Format::r32_float, 4, 1);
-  Draw draw = triangles(pipeline(R"(
-#ifdef LAMINA_VULKAN
-#define INSTANCE gl_InstanceIndex
-#else
-#define INSTANCE gl_InstanceID
-#endif
-layout(location = 0) flat out float value;
-void main() {  // instance i covers column i
-  vec2 corner[6] = vec2[](vec2(0, 0), vec2(0, 1), vec2(1, 1), vec2(0, 0), vec2(1, 1), vec2(1, 0));
-  vec2 at = corner[LAMINA_VERTEX_INDEX] + vec2(INSTANCE, 0);
-  gl_Position = vec4(at * vec2(0.5, 2) - 1, 0, 1);
-  value = 10 + INSTANCE;
-})",
-                                 "layout(location = 0) flat in float value;\n"
-                                 "layout(location = 0) out float c; void main() { c = value; }",
-                                 {.colors = {Format::r32_float}}),
-                        6);
-  draw.instances = 3;
-  run({raster(id, {draw})});
-  EXPECT_EQ(read<float>(id), (std::vector<float>{10, 11, 12, 0}));
 }
 
 class BackendMeshes : public BackendTest {

@@ -66,19 +66,23 @@ void bind(const BoundResource& bound) {
 
 void draw_triangles(const PreparedDraw& prepared) {
   const GLuint vertex_array = prepared.pipeline->vertex_array.name();
-  const auto count = static_cast<GLsizei>(prepared.draw->count), instances = static_cast<GLsizei>(prepared.draw->instances);
+  const auto count = static_cast<GLsizei>(prepared.draw->count);
   if (prepared.vertices != 0) glVertexArrayVertexBuffer(vertex_array, 0, prepared.vertices, 0, vertex_stride_bytes);
   if (prepared.indices != 0) {
     glVertexArrayElementBuffer(vertex_array, prepared.indices);
-    glDrawElementsInstanced(GL_TRIANGLES, count, GL_UNSIGNED_INT, nullptr, instances);
+    glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, nullptr);
   } else {
-    glDrawArraysInstanced(GL_TRIANGLES, 0, count, instances);
+    glDrawArrays(GL_TRIANGLES, 0, count);
   }
 }
 
-void execute(const PreparedPass& prepared) {
+void execute(const PreparedPass& prepared, const SampleCounts& samples, size_t index) {
   const PassKind kind = prepared.pass->kind;
   if (kind == PassKind::mips) glGenerateTextureMipmap(prepared.mips_of);
+  if (kind == PassKind::copy) {
+    const PreparedCopy& copy = prepared.copy;
+    glCopyImageSubData(copy.from, GL_TEXTURE_2D, 0, 0, 0, 0, copy.to, GL_TEXTURE_2D, 0, 0, 0, 0, copy.width, copy.height, 1);
+  }
   if (kind == PassKind::raster) {
     glBindFramebuffer(GL_FRAMEBUFFER, prepared.target.name);
     glViewport(0, 0, static_cast<GLsizei>(prepared.target.width), static_cast<GLsizei>(prepared.target.height));
@@ -89,6 +93,8 @@ void execute(const PreparedPass& prepared) {
     }
     load_attachments(prepared);
   }
+  const bool counts = counts_samples(*prepared.pass);
+  if (counts) samples.begin(index);
   for (const PreparedDraw& draw : prepared.draws) {
     use(*draw.pipeline);
     for (const BoundResource& bound : draw.bound) bind(bound);
@@ -97,15 +103,18 @@ void execute(const PreparedPass& prepared) {
     else
       draw_triangles(draw);
   }
+  if (counts) samples.end();
   if (prepared.pass->area) glDisable(GL_SCISSOR_TEST);
 }
 
 }  // namespace
 
-RunTimes run_passes(Resources& resources, PassTimer& timer, std::span<const Pass> passes, Timing timing) {
+RunTimes run_passes(Resources& resources, PassTimer& timer, SampleCounts& samples, std::span<const Pass> passes,
+                    Timing timing) {
   const std::vector<PreparedPass> prepared = prepare(resources, passes);
   const bool timed = timing == Timing::bracketed;
   if (timed) timer.prepare(passes.size());
+  samples.prepare(passes);
   GLint message_limit = 1;  // with the terminator
   glGetIntegerv(GL_MAX_DEBUG_MESSAGE_LENGTH, &message_limit);
   const auto longest_name = static_cast<size_t>(message_limit - 1);
@@ -116,7 +125,7 @@ RunTimes run_passes(Resources& resources, PassTimer& timer, std::span<const Pass
   for (size_t i = 0; i < passes.size(); ++i) {
     const DebugGroup group(passes[i].name, longest_name);
     if (timed) timer.begin(i);
-    execute(prepared[i]);
+    execute(prepared[i], samples, i);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     if (timed) timer.end(i);
   }
@@ -126,6 +135,7 @@ RunTimes run_passes(Resources& resources, PassTimer& timer, std::span<const Pass
   times.wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   throw_on_error(passes.size() == 1 ? passes[0].name : fmt::format("a frame of {} passes", passes.size()));
   if (timed) times.pass_ms = timer.read_ms(passes.size());
+  times.samples = samples.read(passes);
   return times;
 }
 

@@ -5,11 +5,12 @@
 #include <span>
 
 #include "harness/backend/opengl/prepare.h"
+#include "harness/backend/opengl/sample_counts.h"
 #include "harness/backend/opengl/timing.h"
 
 namespace lamina::gl {
 
 // As Backend::run says.
-RunTimes run_passes(Resources& resources, PassTimer& timer, std::span<const Pass> passes, Timing timing);
+RunTimes run_passes(Resources& resources, PassTimer& timer, SampleCounts& samples, std::span<const Pass> passes, Timing timing);
 
 }  // namespace lamina::gl

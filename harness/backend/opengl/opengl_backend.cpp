@@ -57,7 +57,9 @@ class OpenGlBackend : public Backend {
   void destroy(PipelineId id) override { resources_.pipelines.remove(id); }
 
   void write_buffer(BufferId id, std::span<const std::byte> data) override { write(resources_.buffers.at(id), data); }
-  RunTimes run(std::span<const Pass> passes, Timing timing) override { return run_passes(resources_, timer_, passes, timing); }
+  RunTimes run(std::span<const Pass> passes, Timing timing) override {
+    return run_passes(resources_, timer_, samples_, passes, timing);
+  }
   std::vector<std::byte> read_texture(TextureId id, uint32_t level) override { return read(resources_.textures.at(id), level); }
   std::vector<std::byte> read_buffer(BufferId id) override { return read(resources_.buffers.at(id)); }
   std::vector<std::string> take_messages() override { return debug_log_.take(); }
@@ -78,6 +80,7 @@ class OpenGlBackend : public Backend {
   DeviceInfo info_;
   Resources resources_;
   PassTimer timer_;
+  SampleCounts samples_;
 };
 
 bool contains_ignoring_case(std::string_view text, std::string_view part) {

@@ -42,6 +42,7 @@ void check(const PipelineDesc& desc) {
   if (!is_compute(desc) && !(desc.stages.size() == 2 && has(Stage::vertex) && has(Stage::fragment)))
     throw_bad_input(desc.name, "a pipeline has a vertex and a fragment stage, or a compute stage alone");
   if (desc.depth != Depth::none && !desc.depth_format) throw_bad_input(desc.name, "it tests depth and has no depth format");
+  check_blends(desc);
 }
 
 ShaderObject make_shader(const PipelineDesc& desc, const ShaderStage& stage, const std::map<uint32_t, uint32_t>& units) {
@@ -104,6 +105,38 @@ VertexArrayObject make_vertex_array(const PipelineDesc& desc) {
   return array;
 }
 
+void blend(GLuint target, Blend blend) {
+  blend == Blend::none ? glDisablei(GL_BLEND, target) : glEnablei(GL_BLEND, target);
+  switch (blend) {
+    case Blend::none:
+      break;
+    case Blend::alpha:
+      glBlendFuncSeparatei(target, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+      break;
+    case Blend::premultiplied:
+      glBlendFunci(target, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+      break;
+    case Blend::additive:
+      glBlendFunci(target, GL_ONE, GL_ONE);
+      break;
+    case Blend::multiplied:
+      glBlendFunci(target, GL_ZERO, GL_SRC_COLOR);
+      break;
+  }
+}
+
+GLenum gl_compare(DepthTest test) {
+  switch (test) {
+    case DepthTest::less_equal:
+      return GL_LEQUAL;
+    case DepthTest::equal:
+      return GL_EQUAL;
+    case DepthTest::greater:
+      return GL_GREATER;
+  }
+  return GL_LEQUAL;
+}
+
 }  // namespace
 
 Pipeline make_pipeline(const PipelineDesc& desc) {
@@ -134,7 +167,6 @@ void set_conventions() {
   glFrontFace(GL_CW);
   glEnable(GL_FRAMEBUFFER_SRGB);  // sRGB targets encode what is written, as on Vulkan
   glDisable(GL_DITHER);           // on by default, and a liberty of the driver's
-  glDepthFunc(GL_LEQUAL);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   throw_on_error("conventions");
@@ -145,21 +177,9 @@ void use(const Pipeline& pipeline) {
   glBindVertexArray(pipeline.vertex_array.name());
 
   const auto enable = [](GLenum what, bool on) { on ? glEnable(what) : glDisable(what); };
-  enable(GL_BLEND, pipeline.desc.blend != Blend::none);
-  switch (pipeline.desc.blend) {
-    case Blend::none:
-      break;
-    case Blend::alpha:
-      glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-      break;
-    case Blend::premultiplied:
-      glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-      break;
-    case Blend::additive:
-      glBlendFunc(GL_ONE, GL_ONE);
-      break;
-  }
+  for (size_t i = 0; i < pipeline.desc.colors.size(); ++i) blend(static_cast<GLuint>(i), blend_of(pipeline.desc, i));
   enable(GL_DEPTH_TEST, pipeline.desc.depth != Depth::none);
+  glDepthFunc(gl_compare(pipeline.desc.depth_test));
   glDepthMask(pipeline.desc.depth == Depth::read_write);
   enable(GL_CULL_FACE, pipeline.desc.cull != Cull::none);
   if (pipeline.desc.cull != Cull::none) glCullFace(pipeline.desc.cull == Cull::back ? GL_BACK : GL_FRONT);

@@ -21,14 +21,14 @@ BoundResource resolve(Resources& resources, const Draw& draw, const Pipeline& pi
   switch (at.slot.kind) {
     case BindingKind::texture: {
       const TextureBinding& given = at_slot(draw.textures, at.slot, pipeline);
-      const Texture& texture = resources.textures.at(given.texture);
+      Texture& texture = resources.textures.at(given.texture);
       if (is_3d(texture.desc) != (at.slot.dimensions == 3))
         throw_bad_input(pipeline.desc.name,
                         fmt::format("binding {} is a sampler{}D, '{}' is a {} texture; give it one of the other kind",
                                     at.slot.binding, at.slot.dimensions, texture.desc.name, is_3d(texture.desc) ? "3D" : "2D"));
       // An integer texture under a linear sampler is incomplete, even to a shader that only fetches texels.
       const Sampler fetch{Filter::nearest, given.sampler.wrap};
-      bound.name = texture.object.name();
+      bound.name = given.level ? level_view(texture, *given.level) : texture.object.name();
       bound.sampler = resources.samplers.of(texture.desc.format == Format::r32_uint ? fetch : given.sampler);
       break;
     }
@@ -80,8 +80,16 @@ PreparedDraw prepare(Resources& resources, const Pass& pass, const Draw& draw) {
 PreparedPass prepare(Resources& resources, const Pass& pass) {
   PreparedPass prepared{.pass = &pass};
   if (pass.kind == PassKind::mips) prepared.mips_of = resources.textures.at(pass.mips_of).object.name();
+  if (pass.kind == PassKind::copy) {
+    const Texture& from = resources.textures.at(pass.copy_from);
+    const Texture& to = resources.textures.at(pass.copy_to);
+    check_copy(pass, from.desc, to.desc);
+    prepared.copy = {from.object.name(), to.object.name(), static_cast<GLsizei>(from.desc.width),
+                     static_cast<GLsizei>(from.desc.height)};
+  }
   if (pass.kind == PassKind::raster) {
     prepared.target = resources.framebuffers.of(pass, resources.textures);
+    check_levels(pass);
     check_area(pass, prepared.target.width, prepared.target.height);
   }
   for (const Attachment& color : pass.colors)

@@ -40,12 +40,17 @@ struct PreparedAttachment {
   std::array<float, 4> clear = {};
   bool integer = false;
 };
+struct PreparedCopy {
+  GLuint from = 0, to = 0;
+  GLsizei width = 0, height = 0;  // pixels
+};
 struct PreparedPass {
   const Pass* pass = nullptr;
   Framebuffers::Target target;  // raster
   std::vector<PreparedAttachment> colors;
   std::vector<PreparedDraw> draws;
   GLuint mips_of = 0;
+  PreparedCopy copy;
 };
 
 // Throws Error(bad_input) about the pass, or the pipeline, where they do not fit together; Error(failed) for handles that are

@@ -60,6 +60,25 @@ Texture make_texture(const TextureDesc& desc, std::span<const std::vector<std::b
   return texture;
 }
 
+// A view, as GL_TEXTURE_BASE_LEVEL belongs to the texture: one draw may read two levels of it.
+GLuint level_view(Texture& texture, uint32_t level) {
+  const TextureDesc& desc = texture.desc;
+  if (level >= desc.levels)
+    throw_bad_input(desc.name, fmt::format("it has {} levels, there is no level {}", desc.levels, level));
+  if (desc.levels == 1) return texture.object.name();
+  texture.levels.resize(desc.levels);
+  TextureObject& view = texture.levels[level];
+  if (view.name() == 0) {
+    GLuint name = 0;
+    glGenTextures(1, &name);  // a view needs a name that is no texture yet
+    view = TextureObject(name);
+    glTextureView(name, GL_TEXTURE_2D, texture.object.name(), gl_format(desc.format).internal, level, 1, 0, 1);
+    label(GL_TEXTURE, name, fmt::format("{} level {}", desc.name, level));
+    throw_on_error(desc.name);
+  }
+  return view.name();
+}
+
 Buffer make_buffer(std::string name, size_t size_bytes, std::span<const std::byte> data) {
   if (size_bytes == 0) throw_bad_input(name, "a buffer of 0 bytes");
   GLuint object = 0;

@@ -23,6 +23,7 @@ inline size_t level_bytes(const TextureDesc& desc, uint32_t level) {
 struct Texture {
   TextureObject object;
   TextureDesc desc;
+  std::vector<TextureObject> levels = {};  // views of one level each; 0 where none was asked for
 };
 
 struct Buffer {
@@ -33,6 +34,9 @@ struct Buffer {
 
 // As Backend::create_texture and create_buffer say. `max_size` is in pixels.
 Texture make_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels, uint32_t max_size);
+// The texture as one of its levels alone, made when it is first asked for. Throws Error(bad_input) where there is no such
+// level.
+GLuint level_view(Texture& texture, uint32_t level);
 Buffer make_buffer(std::string name, size_t size_bytes, std::span<const std::byte> data);
 void write(const Buffer& buffer, std::span<const std::byte> data);
 std::vector<std::byte> read(const Texture& texture, uint32_t level);

@@ -77,7 +77,8 @@ Target texture_target(Device& device, const Pipeline& pipeline, const BindingSlo
     throw_failed(pipeline.desc.name, fmt::format("{} cannot filter '{}' ({}); read it with the nearest filter",
                                                  device.info().device, texture.desc.name, name_of(format)));
   Target target;
-  target.image = {samplers[sampler_index(given.sampler)].get(), texture.whole.get(), layouts.at(given.texture)};
+  const VkImageView view = given.level ? texture.levels[*given.level].get() : texture.whole.get();
+  target.image = {samplers[sampler_index(given.sampler)].get(), view, layouts.at(given.texture)[given.level.value_or(0)]};
   return target;
 }
 
@@ -85,11 +86,11 @@ Target storage_image_target(const Pipeline& pipeline, const BindingSlot& slot, c
                             const PassLayouts& layouts) {
   const ImageBinding& given = find_binding(draw.images, slot.binding, pipeline, "storage image");
   const Texture& texture = resources.at(given.texture, pipeline.desc.name);
-  if (!texture.desc.storage || given.level >= texture.desc.levels)
-    throw_bad_input(pipeline.desc.name, fmt::format("binding {}: '{}' was not made for storage, or has no level {}",
-                                                    slot.binding, texture.desc.name, given.level));
+  if (!texture.desc.storage)
+    throw_bad_input(pipeline.desc.name,
+                    fmt::format("binding {}: '{}' was not made for storage", slot.binding, texture.desc.name));
   Target target;
-  target.image = {VK_NULL_HANDLE, texture.levels[given.level].get(), layouts.at(given.texture)};
+  target.image = {VK_NULL_HANDLE, texture.levels[given.level].get(), layouts.at(given.texture)[given.level]};
   return target;
 }
 

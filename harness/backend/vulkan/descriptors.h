@@ -11,8 +11,8 @@
 
 namespace lamina::vulkan {
 
-// The layout that each texture of a pass is in while the pass runs.
-using PassLayouts = std::map<TextureId, VkImageLayout>;
+// The layout that each level of each texture of a pass is in while the pass runs; undefined: as it is, the pass uses it not.
+using PassLayouts = std::map<TextureId, std::vector<VkImageLayout>>;
 
 class Descriptors {
  public:

@@ -45,15 +45,18 @@ Device::Device(const Instance& instance, const Candidate& candidate) : candidate
   features13.dynamicRendering = VK_TRUE;
   features13.synchronization2 = VK_TRUE;
   features13.maintenance4 = VK_TRUE;  // every 1.3 device has it: a fragment shader may ignore what the vertex shader hands on
-  VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13, {}};
-  features.features.vertexPipelineStoresAndAtomics = VK_TRUE;
-  features.features.fragmentStoresAndAtomics = VK_TRUE;
+  features_.vertexPipelineStoresAndAtomics = VK_TRUE;
+  features_.fragmentStoresAndAtomics = VK_TRUE;
+  // What passes ask for where the device has it.
+  features_.independentBlend = offered.independentBlend;
+  features_.occlusionQueryPrecise = offered.occlusionQueryPrecise;
   // What users' shaders may use where the device has it.
-  features.features.shaderStorageImageExtendedFormats = offered.shaderStorageImageExtendedFormats;
-  features.features.shaderStorageImageReadWithoutFormat = offered.shaderStorageImageReadWithoutFormat;
-  features.features.shaderStorageImageWriteWithoutFormat = offered.shaderStorageImageWriteWithoutFormat;
-  features.features.shaderFloat64 = offered.shaderFloat64;
-  features.features.shaderInt64 = offered.shaderInt64;
+  features_.shaderStorageImageExtendedFormats = offered.shaderStorageImageExtendedFormats;
+  features_.shaderStorageImageReadWithoutFormat = offered.shaderStorageImageReadWithoutFormat;
+  features_.shaderStorageImageWriteWithoutFormat = offered.shaderStorageImageWriteWithoutFormat;
+  features_.shaderFloat64 = offered.shaderFloat64;
+  features_.shaderInt64 = offered.shaderInt64;
+  const VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13, features_};
 
   VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
   info.queueCreateInfoCount = 1;

@@ -32,6 +32,7 @@ class Device {
   const DeviceInfo& info() const { return candidate_.info; }
   const VkPhysicalDeviceLimits& limits() const { return candidate_.properties.limits; }
   uint32_t timestamp_bits() const { return candidate_.timestamp_bits; }
+  const VkPhysicalDeviceFeatures& features() const { return features_; }  // those that are switched on
 
   // True where optimally tiled images of `format` can do all of `features`.
   bool supports(VkFormat format, VkFormatFeatureFlags features) const;
@@ -67,6 +68,7 @@ class Device {
   void set_name(VkObjectType type, uint64_t object, const std::string& name) const;
 
   Candidate candidate_;
+  VkPhysicalDeviceFeatures features_{};
   VkPhysicalDeviceMemoryProperties memory_{};
   Root device_;
   VkQueue queue_ = VK_NULL_HANDLE;

@@ -52,14 +52,13 @@ RunTimes FrameRunner::run(std::span<const Pass> passes, Timing timing) {
   const uint32_t count = static_cast<uint32_t>(passes.size());
   const VkCommandBuffer commands = device_.begin();
   if (timed) timestamps_.start(commands, count + 1);
+  samples_.start(commands, passes);
   for (uint32_t i = 0; i < count; ++i) {
-    std::vector<VkImageMemoryBarrier2> transitions;
-    for (const auto& [id, layout] : prepared[i].layouts)
-      transitions.push_back(transition(resources_.at(id, passes[i].name), layout));
+    const std::vector<VkImageMemoryBarrier2> barriers = transitions(passes[i], prepared[i]);
     if (timed) timestamps_.mark(commands, i);
-    full_barrier(commands, transitions);
+    full_barrier(commands, barriers);
     device_.begin_label(commands, passes[i].name);
-    record(commands, passes[i], prepared[i]);
+    record(commands, passes[i], prepared[i], i);
     device_.end_label(commands);
   }
   if (timed) timestamps_.mark(commands, count);
@@ -68,21 +67,35 @@ RunTimes FrameRunner::run(std::span<const Pass> passes, Timing timing) {
   RunTimes times;
   times.wall_ms = device_.submit_and_wait(commands);
   if (timed) times.pass_ms = timestamps_.read_ms();
+  times.samples = samples_.read(passes);
   return times;
 }
 
-void FrameRunner::record(VkCommandBuffer commands, const Pass& pass, const PreparedPass& prepared) {
+std::vector<VkImageMemoryBarrier2> FrameRunner::transitions(const Pass& pass, const PreparedPass& prepared) {
+  std::vector<VkImageMemoryBarrier2> barriers;
+  for (const auto& [id, layouts] : prepared.layouts) {
+    Texture& texture = resources_.at(id, pass.name);
+    for (uint32_t level = 0; level < layouts.size(); ++level)
+      if (layouts[level] != VK_IMAGE_LAYOUT_UNDEFINED && layouts[level] != texture.layouts[level])
+        barriers.push_back(transition(texture, level, layouts[level]));
+  }
+  return barriers;
+}
+
+void FrameRunner::record(VkCommandBuffer commands, const Pass& pass, const PreparedPass& prepared, uint32_t index) {
   switch (pass.kind) {
     case PassKind::raster:
-      return record_raster(commands, pass, prepared);
+      return record_raster(commands, pass, prepared, index);
     case PassKind::compute:
       return record_compute(commands, pass, prepared);
     case PassKind::mips:
       return record_mips(commands, pass);
+    case PassKind::copy:
+      return record_copy(commands, pass);
   }
 }
 
-void FrameRunner::record_raster(VkCommandBuffer commands, const Pass& pass, const PreparedPass& prepared) {
+void FrameRunner::record_raster(VkCommandBuffer commands, const Pass& pass, const PreparedPass& prepared, uint32_t index) {
   std::vector<VkRenderingAttachmentInfo> colors;
   for (const Attachment& color : pass.colors) colors.push_back(attachment_info(color, prepared.layouts));
   VkRenderingAttachmentInfo depth{};
@@ -101,6 +114,7 @@ void FrameRunner::record_raster(VkCommandBuffer commands, const Pass& pass, cons
   const VkViewport viewport{0, 0, static_cast<float>(prepared.extent.width), static_cast<float>(prepared.extent.height), 0, 1};
   vkCmdSetViewport(commands, 0, 1, &viewport);
   vkCmdSetScissor(commands, 0, 1, &info.renderArea);
+  if (pass.count_samples) samples_.begin(commands, index);
   for (size_t i = 0; i < pass.draws.size(); ++i) {
     const Draw& draw = pass.draws[i];
     const Pipeline& pipeline = *prepared.pipelines[i];
@@ -112,11 +126,12 @@ void FrameRunner::record_raster(VkCommandBuffer commands, const Pass& pass, cons
     }
     if (draw.indices) {
       vkCmdBindIndexBuffer(commands, resources_.at(draw.indices, pass.name).buffer.get(), 0, VK_INDEX_TYPE_UINT32);
-      vkCmdDrawIndexed(commands, draw.count, draw.instances, 0, 0, 0);
+      vkCmdDrawIndexed(commands, draw.count, 1, 0, 0, 0);
     } else {
-      vkCmdDraw(commands, draw.count, draw.instances, 0, 0);
+      vkCmdDraw(commands, draw.count, 1, 0, 0);
     }
   }
+  if (pass.count_samples) samples_.end(commands, index);
   vkCmdEndRendering(commands);
 }
 
@@ -152,6 +167,16 @@ void FrameRunner::record_mips(VkCommandBuffer commands, const Pass& pass) {
   }
 }
 
+void FrameRunner::record_copy(VkCommandBuffer commands, const Pass& pass) {
+  const Texture& from = resources_.at(pass.copy_from, pass.name);
+  const Texture& to = resources_.at(pass.copy_to, pass.name);
+  VkImageCopy region{};
+  region.srcSubresource = region.dstSubresource = {aspect_of(from.desc.format), 0, 0, 1};
+  region.extent = {from.desc.width, from.desc.height, 1};
+  vkCmdCopyImage(commands, from.image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to.image.get(),
+                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+}
+
 void FrameRunner::bind(VkCommandBuffer commands, const Pipeline& pipeline, VkDescriptorSet set) {
   const VkPipelineBindPoint point = pipeline.compute ? VK_PIPELINE_BIND_POINT_COMPUTE : VK_PIPELINE_BIND_POINT_GRAPHICS;
   vkCmdBindPipeline(commands, point, pipeline.pipeline.get());
@@ -162,7 +187,7 @@ VkRenderingAttachmentInfo FrameRunner::attachment_info(const Attachment& attachm
   const Texture& texture = resources_.at(attachment.texture, "attachment");
   VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
   info.imageView = texture.levels[attachment.level].get();
-  info.imageLayout = layouts.at(attachment.texture);
+  info.imageLayout = layouts.at(attachment.texture)[attachment.level];
   info.loadOp = load_op(attachment.load);
   info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
   info.clearValue = clear_value(texture.desc.format, attachment.clear);

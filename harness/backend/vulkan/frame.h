@@ -3,9 +3,11 @@
 // so that bad input leaves nothing half done.
 #pragma once
 
+#include <set>
 #include <span>
 
 #include "harness/backend/vulkan/descriptors.h"
+#include "harness/backend/vulkan/sample_counts.h"
 #include "harness/backend/vulkan/timestamps.h"
 
 namespace lamina::vulkan {
@@ -15,7 +17,12 @@ using Pipelines = Table<PipelineId, Pipeline>;
 class FrameRunner {
  public:
   FrameRunner(Device& device, Resources& resources, Pipelines& pipelines)
-      : device_(device), resources_(resources), pipelines_(pipelines), descriptors_(device), timestamps_(device) {}
+      : device_(device),
+        resources_(resources),
+        pipelines_(pipelines),
+        descriptors_(device),
+        timestamps_(device),
+        samples_(device) {}
 
   // As Backend::run.
   RunTimes run(std::span<const Pass> passes, Timing timing);
@@ -24,6 +31,7 @@ class FrameRunner {
   struct PreparedPass {
     VkExtent2D extent{};
     PassLayouts layouts;
+    std::set<TextureId> whole;               // textures that are used as a whole: their levels share a layout
     std::vector<const Pipeline*> pipelines;  // of the draws
     std::vector<VkDescriptorSet> sets;       // of the draws
   };
@@ -32,13 +40,19 @@ class FrameRunner {
   void prepare_targets(const Pass& pass, PreparedPass& prepared);
   void prepare_draw(const Pass& pass, const Draw& draw, PreparedPass& prepared);
   void prepare_mips(const Pass& pass, PreparedPass& prepared);
+  void prepare_copy(const Pass& pass, PreparedPass& prepared);
   void check_targets_match(const Pass& pass, const Pipeline& pipeline);
-  void use(TextureId id, VkImageLayout layout, const Pass& pass, PreparedPass& prepared);
+  void use(TextureId id, uint32_t level, VkImageLayout layout, const Pass& pass, PreparedPass& prepared);
+  void use_whole(TextureId id, VkImageLayout layout, const Pass& pass, PreparedPass& prepared);
+  static void agree_on_layouts(PreparedPass& prepared);
 
-  void record(VkCommandBuffer commands, const Pass& pass, const PreparedPass& prepared);
-  void record_raster(VkCommandBuffer commands, const Pass& pass, const PreparedPass& prepared);
+  // The barriers that bring every level that the pass uses into its layout.
+  std::vector<VkImageMemoryBarrier2> transitions(const Pass& pass, const PreparedPass& prepared);
+  void record(VkCommandBuffer commands, const Pass& pass, const PreparedPass& prepared, uint32_t index);
+  void record_raster(VkCommandBuffer commands, const Pass& pass, const PreparedPass& prepared, uint32_t index);
   void record_compute(VkCommandBuffer commands, const Pass& pass, const PreparedPass& prepared);
   void record_mips(VkCommandBuffer commands, const Pass& pass);
+  void record_copy(VkCommandBuffer commands, const Pass& pass);
   void bind(VkCommandBuffer commands, const Pipeline& pipeline, VkDescriptorSet set);
   VkRenderingAttachmentInfo attachment_info(const Attachment& attachment, const PassLayouts& layouts);
 
@@ -47,6 +61,7 @@ class FrameRunner {
   Pipelines& pipelines_;
   Descriptors descriptors_;
   Timestamps timestamps_;
+  SampleCounts samples_;
 };
 
 }  // namespace lamina::vulkan

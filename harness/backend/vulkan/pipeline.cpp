@@ -46,13 +46,17 @@ void check_bindings(const PipelineDesc& desc) {
 }
 
 void check_targets(const Device& device, const PipelineDesc& desc) {
+  check_blends(desc);
   if (desc.colors.size() > device.limits().maxColorAttachments)
     throw_failed(desc.name, fmt::format("{} colour targets, {} takes {}", desc.colors.size(), device.info().device,
                                         device.limits().maxColorAttachments));
-  for (const Format format : desc.colors) {
+  for (size_t i = 0; i < desc.colors.size(); ++i) {
+    const Format format = desc.colors[i];
     if (is_depth(format)) throw_bad_input(desc.name, fmt::format("{} is not a colour format", name_of(format)));
-    if (desc.blend != Blend::none && !device.supports(vk_format(format), VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT))
+    if (blend_of(desc, i) != Blend::none && !device.supports(vk_format(format), VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT))
       throw_failed(desc.name, fmt::format("{} cannot blend into {}", device.info().device, name_of(format)));
+    if (blend_of(desc, i) != blend_of(desc, 0) && !device.features().independentBlend)
+      throw_failed(desc.name, fmt::format("{} blends into all targets alike", device.info().device));
   }
   if (desc.depth_format && !is_depth(*desc.depth_format))
     throw_bad_input(desc.name, fmt::format("{} is not a depth format", name_of(*desc.depth_format)));
@@ -132,11 +136,29 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
       VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
   state.blendEnable = blend != Blend::none;
   state.colorBlendOp = state.alphaBlendOp = VK_BLEND_OP_ADD;
+  if (blend == Blend::multiplied) {
+    state.srcColorBlendFactor = state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
+    state.dstColorBlendFactor = VK_BLEND_FACTOR_SRC_COLOR;
+    state.dstAlphaBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+    return state;
+  }
   state.srcColorBlendFactor = blend == Blend::alpha ? VK_BLEND_FACTOR_SRC_ALPHA : VK_BLEND_FACTOR_ONE;
   state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
   state.dstColorBlendFactor = state.dstAlphaBlendFactor =
       blend == Blend::additive ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
   return state;
+}
+
+VkCompareOp compare_op(DepthTest test) {
+  switch (test) {
+    case DepthTest::less_equal:
+      return VK_COMPARE_OP_LESS_OR_EQUAL;
+    case DepthTest::equal:
+      return VK_COMPARE_OP_EQUAL;
+    case DepthTest::greater:
+      return VK_COMPARE_OP_GREATER;
+  }
+  return VK_COMPARE_OP_LESS_OR_EQUAL;
 }
 
 VkCullModeFlags cull_mode(Cull cull) {
@@ -186,9 +208,10 @@ VkPipeline make_raster(Device& device, const PipelineDesc& desc, const Stages& s
   VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
   depth.depthTestEnable = desc.depth != Depth::none;
   depth.depthWriteEnable = desc.depth == Depth::read_write;
-  depth.depthCompareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
+  depth.depthCompareOp = compare_op(desc.depth_test);
 
-  const std::vector<VkPipelineColorBlendAttachmentState> blends(desc.colors.size(), blend_state(desc.blend));
+  std::vector<VkPipelineColorBlendAttachmentState> blends;
+  for (size_t i = 0; i < desc.colors.size(); ++i) blends.push_back(blend_state(blend_of(desc, i)));
   VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
   blend.attachmentCount = static_cast<uint32_t>(blends.size());
   blend.pAttachments = blends.data();

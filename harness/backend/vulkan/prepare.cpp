@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The first half of a frame: what each pass uses, in which layout, and whether it fits together.
 #include <algorithm>
+#include <functional>
 
 #include "harness/backend/vulkan/formats.h"
 #include "harness/backend/vulkan/frame.h"
@@ -9,12 +10,12 @@ namespace lamina::vulkan {
 
 FrameRunner::PreparedPass FrameRunner::prepare(const Pass& pass) {
   PreparedPass prepared;
-  if (pass.kind == PassKind::mips)
-    prepare_mips(pass, prepared);
-  else if (pass.kind == PassKind::raster)
-    prepare_targets(pass, prepared);
-  if (pass.kind != PassKind::mips)
+  if (pass.kind == PassKind::mips) prepare_mips(pass, prepared);
+  if (pass.kind == PassKind::copy) prepare_copy(pass, prepared);
+  if (pass.kind == PassKind::raster) prepare_targets(pass, prepared);
+  if (pass.kind == PassKind::raster || pass.kind == PassKind::compute)
     for (const Draw& draw : pass.draws) prepare_draw(pass, draw, prepared);
+  agree_on_layouts(prepared);
   return prepared;
 }
 
@@ -37,9 +38,10 @@ void FrameRunner::prepare_targets(const Pass& pass, PreparedPass& prepared) {
                       fmt::format("'{}' is {}x{} and the targets before it {}x{}; they must be of one size", texture.desc.name,
                                   extent.width, extent.height, prepared.extent.width, prepared.extent.height));
     prepared.extent = extent;
-    use(attachment->texture,
+    use(attachment->texture, attachment->level,
         as_depth ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, pass, prepared);
   }
+  check_levels(pass);
   check_area(pass, prepared.extent.width, prepared.extent.height);
 }
 
@@ -63,9 +65,13 @@ void FrameRunner::prepare_draw(const Pass& pass, const Draw& draw, PreparedPass&
       throw_bad_input(pass.name,
                       fmt::format("pipeline '{}' draws by a buffer that was not made for indices", pipeline.desc.name));
   }
-  for (const TextureBinding& binding : draw.textures)
-    use(binding.texture, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, pass, prepared);
-  for (const ImageBinding& binding : draw.images) use(binding.texture, VK_IMAGE_LAYOUT_GENERAL, pass, prepared);
+  for (const TextureBinding& binding : draw.textures) {
+    if (binding.level)
+      use(binding.texture, *binding.level, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, pass, prepared);
+    else
+      use_whole(binding.texture, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, pass, prepared);
+  }
+  for (const ImageBinding& binding : draw.images) use(binding.texture, binding.level, VK_IMAGE_LAYOUT_GENERAL, pass, prepared);
   prepared.pipelines.push_back(&pipeline);
 }
 
@@ -76,7 +82,13 @@ void FrameRunner::prepare_mips(const Pass& pass, PreparedPass& prepared) {
   if (!device_.supports(vk_format(texture.desc.format), needed))
     throw_failed(pass.name, fmt::format("{} cannot make mip levels of '{}' ({})", device_.info().device, texture.desc.name,
                                         name_of(texture.desc.format)));
-  use(pass.mips_of, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pass, prepared);
+  use_whole(pass.mips_of, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pass, prepared);
+}
+
+void FrameRunner::prepare_copy(const Pass& pass, PreparedPass& prepared) {
+  check_copy(pass, resources_.at(pass.copy_from, pass.name).desc, resources_.at(pass.copy_to, pass.name).desc);
+  use(pass.copy_from, 0, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, pass, prepared);
+  use(pass.copy_to, 0, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, pass, prepared);
 }
 
 void FrameRunner::check_targets_match(const Pass& pass, const Pipeline& pipeline) {
@@ -90,11 +102,29 @@ void FrameRunner::check_targets_match(const Pass& pass, const Pipeline& pipeline
                     fmt::format("pipeline '{}' was made for other target formats than the pass has", pipeline.desc.name));
 }
 
-// A texture used in two ways in one pass (one level drawn into, another read) is in the layout that allows both.
-void FrameRunner::use(TextureId id, VkImageLayout layout, const Pass& pass, PreparedPass& prepared) {
-  resources_.at(id, pass.name);
-  const auto [entry, fresh] = prepared.layouts.emplace(id, layout);
-  if (!fresh && entry->second != layout) entry->second = VK_IMAGE_LAYOUT_GENERAL;
+// A level used in two ways in one pass is in the layout that allows both.
+void FrameRunner::use(TextureId id, uint32_t level, VkImageLayout layout, const Pass& pass, PreparedPass& prepared) {
+  const TextureDesc& desc = resources_.at(id, pass.name).desc;
+  if (level >= desc.levels)
+    throw_bad_input(pass.name, fmt::format("'{}' has {} levels, there is no level {}", desc.name, desc.levels, level));
+  const auto entry = prepared.layouts.try_emplace(id, desc.levels, VK_IMAGE_LAYOUT_UNDEFINED).first;
+  VkImageLayout& known = entry->second[level];
+  known = known == VK_IMAGE_LAYOUT_UNDEFINED || known == layout ? layout : VK_IMAGE_LAYOUT_GENERAL;
+}
+
+void FrameRunner::use_whole(TextureId id, VkImageLayout layout, const Pass& pass, PreparedPass& prepared) {
+  const uint32_t levels = resources_.at(id, pass.name).desc.levels;
+  for (uint32_t level = 0; level < levels; ++level) use(id, level, layout, pass, prepared);
+  prepared.whole.insert(id);
+}
+
+// A view of all levels needs them in one layout.
+void FrameRunner::agree_on_layouts(PreparedPass& prepared) {
+  for (const TextureId id : prepared.whole) {
+    std::vector<VkImageLayout>& levels = prepared.layouts.at(id);
+    if (std::adjacent_find(levels.begin(), levels.end(), std::not_equal_to<>()) != levels.end())
+      std::fill(levels.begin(), levels.end(), VK_IMAGE_LAYOUT_GENERAL);
+  }
 }
 
 }  // namespace lamina::vulkan

@@ -129,11 +129,8 @@ VkImageMemoryBarrier2 transition(const Texture& texture, uint32_t level, VkImage
   return barrier;
 }
 
-VkImageMemoryBarrier2 transition(Texture& texture, VkImageLayout layout) {
-  VkImageMemoryBarrier2 barrier = transition(texture, 0, texture.layout, layout);
-  barrier.subresourceRange.levelCount = VK_REMAINING_MIP_LEVELS;
-  texture.layout = layout;
-  return barrier;
+VkImageMemoryBarrier2 transition(Texture& texture, uint32_t level, VkImageLayout layout) {
+  return transition(texture, level, std::exchange(texture.layouts[level], layout), layout);
 }
 
 TextureId Resources::create_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels) {
@@ -202,10 +199,10 @@ std::vector<std::byte> Resources::read_texture(TextureId id, uint32_t level) {
   const size_t size_bytes = level_bytes(texture.desc, level);
   Buffer& stage = staging(size_bytes);
   const VkCommandBuffer commands = device_.begin();
-  const VkImageMemoryBarrier2 to_source = transition(texture, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+  const VkImageMemoryBarrier2 to_source = transition(texture, level, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
   full_barrier(commands, {&to_source, 1});
   const VkBufferImageCopy copy = copy_of(texture.desc, level, 0);
-  vkCmdCopyImageToBuffer(commands, texture.image.get(), texture.layout, stage.buffer.get(), 1, &copy);
+  vkCmdCopyImageToBuffer(commands, texture.image.get(), texture.layouts[level], stage.buffer.get(), 1, &copy);
   full_barrier(commands);
   device_.submit_and_wait(commands);
   std::vector<std::byte> bytes(stage.mapped, stage.mapped + size_bytes);
@@ -246,6 +243,7 @@ Buffer Resources::make_buffer(const std::string& name, size_t size_bytes, VkBuff
 Texture Resources::make_texture(const TextureDesc& desc) {
   Texture texture;
   texture.desc = desc;
+  texture.layouts.assign(desc.levels, VK_IMAGE_LAYOUT_UNDEFINED);
   VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
   info.imageType = image_type(desc);
   info.format = vk_format(desc.format);
@@ -274,9 +272,8 @@ Texture Resources::make_texture(const TextureDesc& desc) {
     return device_.own<ImageViewHandle>(view, name);
   };
   texture.whole = view_of(0, desc.levels, desc.name);
-  if (desc.target || desc.storage)
-    for (uint32_t level = 0; level < desc.levels; ++level)
-      texture.levels.push_back(view_of(level, 1, fmt::format("{} level {}", desc.name, level)));
+  for (uint32_t level = 0; level < desc.levels; ++level)
+    texture.levels.push_back(view_of(level, 1, fmt::format("{} level {}", desc.name, level)));
   return texture;
 }
 
@@ -285,16 +282,17 @@ void Resources::upload(Texture& texture, std::span<const std::vector<std::byte>>
   for (const std::vector<std::byte>& level : levels) size_bytes += aligned(level.size());
   Buffer& stage = staging(size_bytes);
   std::vector<VkBufferImageCopy> copies;
+  std::vector<VkImageMemoryBarrier2> to_destination;
   size_t offset = 0;
   for (uint32_t level = 0; level < levels.size(); ++level) {
     std::memcpy(stage.mapped + offset, levels[level].data(), levels[level].size());
     copies.push_back(copy_of(texture.desc, level, offset));
+    to_destination.push_back(transition(texture, level, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL));
     offset += aligned(levels[level].size());
   }
   const VkCommandBuffer commands = device_.begin();
-  const VkImageMemoryBarrier2 to_destination = transition(texture, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-  full_barrier(commands, {&to_destination, 1});
-  vkCmdCopyBufferToImage(commands, stage.buffer.get(), texture.image.get(), texture.layout,
+  full_barrier(commands, to_destination);
+  vkCmdCopyBufferToImage(commands, stage.buffer.get(), texture.image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                          static_cast<uint32_t>(copies.size()), copies.data());
   full_barrier(commands);
   device_.submit_and_wait(commands);

@@ -18,9 +18,9 @@ struct Texture {
   TextureDesc desc;
   MemoryHandle memory;  // before the image: freed after it
   ImageHandle image;
-  ImageViewHandle whole;                             // every level, for sampling
-  std::vector<ImageViewHandle> levels;               // one level each, for drawing and storing; empty where it is only sampled
-  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  // of the whole image, after all that was submitted
+  ImageViewHandle whole;                // every level, for sampling
+  std::vector<ImageViewHandle> levels;  // one level each
+  std::vector<VkImageLayout> layouts;   // of each level, after all that was submitted
 };
 
 struct Buffer {
@@ -35,9 +35,9 @@ struct Buffer {
 // Size of one mip level.
 VkExtent2D level_extent(const TextureDesc& desc, uint32_t level);
 
-// The barrier that brings a whole image from its layout to `layout`, and notes it there.
-VkImageMemoryBarrier2 transition(Texture& texture, VkImageLayout layout);
-// The same for one level, for a while: the texture's own note of its layout stays.
+// The barrier that brings one level from its layout to `layout`, and notes it there.
+VkImageMemoryBarrier2 transition(Texture& texture, uint32_t level, VkImageLayout layout);
+// The same for a while: the texture's own note of its layout stays.
 VkImageMemoryBarrier2 transition(const Texture& texture, uint32_t level, VkImageLayout from, VkImageLayout to);
 
 class Resources {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// How many samples a pass has drawn: one exact occlusion query for each pass that asks, and none where no pass does.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <span>
+#include <vector>
+
+#include "harness/backend/vulkan/device.h"
+
+namespace lamina::vulkan {
+
+class SampleCounts {
+ public:
+  explicit SampleCounts(Device& device) : device_(device) {}
+
+  // Makes room for the passes. Throws Error(failed) where one asks and the device only tells some from none.
+  void start(VkCommandBuffer commands, std::span<const Pass> passes);
+  void begin(VkCommandBuffer commands, uint32_t pass) const;
+  void end(VkCommandBuffer commands, uint32_t pass) const;
+  // As RunTimes::samples. The device must be idle.
+  std::vector<uint64_t> read(std::span<const Pass> passes) const;
+
+ private:
+  Device& device_;
+  QueryPoolHandle pool_;
+  uint32_t capacity_ = 0;
+};
+
+}  // namespace lamina::vulkan
