@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <type_traits>
 
 #include "harness/shader/shader.h"
@@ -86,11 +87,8 @@ class Reflector {
     result.size_bytes = kind == BindingKind::uniform_buffer
                             ? (size_bytes + block_alignment_bytes - 1) / block_alignment_bytes * block_alignment_bytes
                             : size_bytes;
-    for (unsigned m = 0; m < spvc_type_get_num_member_types(type); ++m) {
-      unsigned offset = 0;
-      check(spvc_compiler_type_struct_member_offset(compiler_, type, m, &offset), context_.get());
-      result.members.push_back({spvc_compiler_get_member_name(compiler_, r.base_type_id, m), offset});
-    }
+    for (unsigned m = 0; m < spvc_type_get_num_member_types(type); ++m)
+      result.members.push_back(member(r.base_type_id, type, m));
     if (kind != BindingKind::uniform_buffer) return result;
     const spvc_buffer_range* first = nullptr;
     size_t count = 0;
@@ -99,6 +97,48 @@ class Reflector {
       result.read.push_back({static_cast<uint32_t>(range.offset), static_cast<uint32_t>(range.range)});
     std::ranges::sort(result.read, {}, &ByteRange::offset);
     return result;
+  }
+
+  BlockMember member(spvc_type_id block_id, spvc_type block, unsigned index) {
+    BlockMember result;
+    result.name = spvc_compiler_get_member_name(compiler_, block_id, index);
+    size_t size = 0;
+    check(spvc_compiler_type_struct_member_offset(compiler_, block, index, &result.offset_bytes), context_.get());
+    check(spvc_compiler_get_declared_struct_member_size(compiler_, block, index, &size), context_.get());
+    result.size_bytes = static_cast<uint32_t>(size);
+
+    const spvc_type type = spvc_compiler_get_type_handle(compiler_, spvc_type_get_member_type(block, index));
+    const std::optional<BlockMember::Scalar> scalar = scalar_of(spvc_type_get_basetype(type));
+    const unsigned dimensions = spvc_type_get_num_array_dimensions(type);
+    if (!scalar || dimensions > 1) return result;
+    if (spvc_compiler_has_member_decoration(compiler_, block_id, index, SpvDecorationRowMajor)) return result;
+    if (dimensions == 1) {
+      // A length that a specialization constant gives is not known here, and a length of 0 is an array that the buffer ends.
+      if (!spvc_type_array_dimension_is_literal(type, 0) || spvc_type_get_array_dimension(type, 0) == 0) return result;
+      result.array_count = spvc_type_get_array_dimension(type, 0);
+      check(spvc_compiler_type_struct_member_array_stride(compiler_, block, index, &result.array_stride_bytes), context_.get());
+    }
+    result.scalar = *scalar;
+    result.rows = spvc_type_get_vector_size(type);
+    result.columns = spvc_type_get_columns(type);
+    if (result.columns > 1)
+      check(spvc_compiler_type_struct_member_matrix_stride(compiler_, block, index, &result.matrix_stride_bytes),
+            context_.get());
+    result.supported = true;
+    return result;
+  }
+
+  static std::optional<BlockMember::Scalar> scalar_of(spvc_basetype type) {
+    switch (type) {
+      case SPVC_BASETYPE_FP32:
+        return BlockMember::Scalar::real;
+      case SPVC_BASETYPE_INT32:
+        return BlockMember::Scalar::integer;
+      case SPVC_BASETYPE_UINT32:
+        return BlockMember::Scalar::unsigned_integer;
+      default:
+        return std::nullopt;
+    }
   }
 
   std::vector<SpecConstantInfo> constants() {

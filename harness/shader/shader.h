@@ -29,6 +29,17 @@ struct ShaderRequest {
 struct BlockMember {
   std::string name;
   uint32_t offset_bytes = 0;
+  // The type, where it is a number, a vector or a column-major matrix of 32-bit numbers, or an array of known length of one of
+  // them. Other types (structs, doubles, row-major matrices, arrays of arrays or of no fixed length) are not `supported`, and
+  // what follows but for the size says nothing. A block holds no booleans: what GLSL declares bool is a uint in SPIR-V.
+  bool supported = false;
+  enum class Scalar : uint8_t { real, integer, unsigned_integer } scalar = Scalar::real;
+  uint32_t rows = 1;                 // components of a vector, or of a matrix's column: 1 to 4
+  uint32_t columns = 1;              // 1 to 4; more than 1: a matrix
+  uint32_t array_count = 0;          // 0: no array
+  uint32_t array_stride_bytes = 0;   // from an element to the next; 0: no array
+  uint32_t matrix_stride_bytes = 0;  // from a column to the next; 0: no matrix
+  uint32_t size_bytes = 0;           // without what pads it at its end; of an array of no fixed length 0
 };
 struct ByteRange {
   uint32_t offset = 0, size = 0;
@@ -70,6 +81,9 @@ struct CompiledShader {
 // breaks the rules above. The module is what glslang writes, unoptimized and with its names, validated with SPIRV-Tools for the
 // API's environment. May be called from several threads.
 CompiledShader compile_shader(const ShaderRequest& request);
+
+// The same shader with the resource at binding `from` at binding `to`, which is free.
+CompiledShader rebound(const CompiledShader& shader, uint32_t from, uint32_t to);
 
 // Words of SPIR-V to the names and numbers of its interface. Throws Error(failed) for words that are not SPIR-V.
 Reflection reflect(const std::vector<uint32_t>& spirv);

@@ -82,6 +82,108 @@ void main() { o = vec4(block.last); }
   }
 }
 
+// Strides by the same section: an array's and a matrix's are those of a vec4 or more; size: to the end of the last column.
+TEST_F(Reflect, MembersHaveTheirTypes) {
+  for (const Api api : both_apis) {
+    const Reflection r = compile(Stage::fragment, api, R"(
+layout(std140, binding = 0) uniform Block {
+  float a;
+  vec2 b;
+  vec3 c;
+  vec4 d;
+  int e;
+  ivec4 f;
+  uint g;
+  mat3 h;
+  mat4 i;
+  mat2x3 j;
+  vec4 k[5];
+  float l[3];
+  mat4 m[2];
+  mat3 n[2];
+  ivec2 o[1];
+} block;
+layout(location = 0) out vec4 colour;
+void main() { colour = vec4(block.a); }
+)")
+                             .reflection;
+    using enum BlockMember::Scalar;
+    struct Expected {
+      const char* name;
+      BlockMember::Scalar scalar;
+      uint32_t rows, columns, array_count, array_stride, matrix_stride, size;
+    };
+    const Expected expected[] = {{"a", real, 1, 1, 0, 0, 0, 4},
+                                 {"b", real, 2, 1, 0, 0, 0, 8},
+                                 {"c", real, 3, 1, 0, 0, 0, 12},
+                                 {"d", real, 4, 1, 0, 0, 0, 16},
+                                 {"e", integer, 1, 1, 0, 0, 0, 4},
+                                 {"f", integer, 4, 1, 0, 0, 0, 16},
+                                 {"g", unsigned_integer, 1, 1, 0, 0, 0, 4},
+                                 {"h", real, 3, 3, 0, 0, 16, 48},
+                                 {"i", real, 4, 4, 0, 0, 16, 64},
+                                 {"j", real, 3, 2, 0, 0, 16, 32},
+                                 {"k", real, 4, 1, 5, 16, 0, 80},
+                                 {"l", real, 1, 1, 3, 16, 0, 48},
+                                 {"m", real, 4, 4, 2, 64, 16, 128},
+                                 {"n", real, 3, 3, 2, 48, 16, 96},
+                                 {"o", integer, 2, 1, 1, 16, 0, 16}};
+    ASSERT_EQ(r.resources.size(), 1u);
+    const auto& members = r.resources[0].members;
+    ASSERT_EQ(members.size(), std::size(expected));
+    for (size_t i = 0; i < members.size(); ++i) {
+      const BlockMember& member = members[i];
+      const Expected& right = expected[i];
+      EXPECT_EQ(member.name, right.name);
+      EXPECT_TRUE(member.supported) << member.name;
+      EXPECT_EQ(member.scalar, right.scalar) << member.name;
+      EXPECT_EQ(member.rows, right.rows) << member.name;
+      EXPECT_EQ(member.columns, right.columns) << member.name;
+      EXPECT_EQ(member.array_count, right.array_count) << member.name;
+      EXPECT_EQ(member.array_stride_bytes, right.array_stride) << member.name;
+      EXPECT_EQ(member.matrix_stride_bytes, right.matrix_stride) << member.name;
+      EXPECT_EQ(member.size_bytes, right.size) << member.name;
+    }
+  }
+}
+
+TEST_F(Reflect, MembersOfOtherTypesAreKeptAsUnsupported) {
+  for (const Api api : both_apis) {
+    const Reflection r = compile(Stage::fragment, api, R"(
+struct Light { vec3 where; float power; };
+layout(constant_id = 1) const int taps = 3;
+layout(std140, binding = 0) uniform Block {
+  Light light;
+  Light lights[2];
+  float nested[2][3];
+  layout(row_major) mat4 by_rows;
+  double wide;
+  float of_constant_length[taps];
+  bool on;
+  float last;
+} block;
+layout(binding = 1) buffer Tally { uint count; float open_ended[]; } tally;
+layout(location = 0) out vec4 colour;
+void main() { colour = vec4(block.last * tally.open_ended[0]); }
+)")
+                             .reflection;
+    ASSERT_EQ(r.resources.size(), 2u);
+    const std::tuple<const char*, bool, uint32_t> expected[] = {{"light", false, 16},  {"lights", false, 32},
+                                                                {"nested", false, 96}, {"by_rows", false, 64},
+                                                                {"wide", false, 8},    {"of_constant_length", false, 48},
+                                                                {"on", true, 4},       {"last", true, 4}};
+    const auto& members = r.resources[0].members;
+    ASSERT_EQ(members.size(), std::size(expected));
+    for (size_t i = 0; i < members.size(); ++i)
+      EXPECT_EQ(std::tie(members[i].name, members[i].supported, members[i].size_bytes), expected[i]) << members[i].name;
+    EXPECT_EQ(members[6].scalar, BlockMember::Scalar::unsigned_integer) << "a bool is a uint in SPIR-V";
+    const auto& tally = r.resources[1].members;
+    ASSERT_EQ(tally.size(), 2u);
+    EXPECT_TRUE(tally[0].supported);
+    EXPECT_EQ(std::tie(tally[1].name, tally[1].supported, tally[1].size_bytes), std::tuple("open_ended", false, 0u));
+  }
+}
+
 TEST_F(Reflect, OnlyWhatTheEntryPointReaches) {
   for (const Api api : both_apis) {
     const Reflection r = compile(Stage::fragment, api, R"(
