@@ -15,8 +15,7 @@ using Json = nlohmann::json;
 
 // "1.5 0.25 1.2", nothing for null. Nine digits tell binary32 numbers apart.
 std::string input_words(const Json& input) {
-  if (!input.is_array()) return "";
-  return fmt::format("{:.9g} {:.9g} {:.9g}", input[0].get<double>(), input[1].get<double>(), input[2].get<double>());
+  return input.is_array() ? fmt::format("{:.9g}", fmt::join(input.get<std::vector<double>>(), " ")) : "";
 }
 
 bool worst_is_over(const Json& row) { return row.at("max_over").get<double>() > -row.at("max_under").get<double>(); }

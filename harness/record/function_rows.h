@@ -2,7 +2,6 @@
 // Lines of the record about a shader's functions: what each variant of one errs by and costs a call.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -33,15 +32,15 @@ struct FunctionRow {
   std::string scale;      // "the smaller cap's area"
   std::string set, what;  // the set's name, and what is in it
   uint64_t points = 0;
-  double max_over = 0, max_under = 0;    // greatest and least error, so 0 or more and 0 or less
-  double mean_absolute = 0, rms = 0;     // over the values that are finite
-  double most_eps = 0;                   // greatest |error| in units of 2^-23
-  double most_eps_kappa = 0;             // greatest |value - truth| / truth in units of 2^-23 max(1, condition number)
-  uint64_t negative = 0, nonfinite = 0;  // of the points
-  uint64_t not_zero = 0;                 // points whose truth is 0, but whose value is not
-  std::array<double, 3> worst_over{}, worst_under{};  // the inputs of max_over and max_under
-  // The first input whose value is not finite, is negative, or is not 0 where 0 is right.
-  std::optional<std::array<double, 3>> first_fault;
+  double max_over = 0, max_under = 0;           // greatest and least error, so 0 or more and 0 or less
+  double mean_absolute = 0, rms = 0;            // over the values that are finite
+  double most_eps = 0;                          // greatest |error| in units of 2^-23
+  double most_eps_kappa = 0;                    // greatest |value - truth| / truth in units of 2^-23 max(1, condition number)
+  uint64_t negative = 0, nonfinite = 0;         // of the points; negative where the truth is not
+  uint64_t not_zero = 0;                        // points whose truth is 0, but whose value is not
+  std::vector<double> worst_over, worst_under;  // the inputs of max_over and max_under, in the function's order
+  // The first inputs whose value is not finite, is negative, or is not 0 where 0 is right.
+  std::optional<std::vector<double>> first_fault;
   std::optional<FunctionBounds> bounds;  // absent where the variant claims none on this set
 };
 

@@ -49,8 +49,8 @@ inline constexpr Type number = {is_number, "a number"};
 inline constexpr Type number_or_null = {[](const Json& v) { return v.is_null() || v.is_number(); }, "a number or null"};
 inline constexpr Type numbers = {[](const Json& v) { return v.is_array() && all_fit<is_number>(v); }, "an array of numbers"};
 inline constexpr Type array = {[](const Json& v) { return v.is_array(); }, "an array"};
-inline constexpr Type point_or_null = {[](const Json& v) { return v.is_null() || (v.size() == 3 && numbers.fits(v)); },
-                                       "an array of three numbers or null"};
+inline constexpr Type point_or_null = {[](const Json& v) { return v.is_null() || (!v.empty() && numbers.fits(v)); },
+                                       "an array of numbers or null"};
 inline constexpr Type object = {[](const Json& v) { return v.is_object(); }, "an object"};
 inline constexpr Type object_or_null = {[](const Json& v) { return v.is_null() || v.is_object(); }, "an object or null"};
 inline constexpr Type numbers_by_name = {[](const Json& v) { return v.is_object() && all_fit<is_number>(v); },

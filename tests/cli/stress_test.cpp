@@ -94,9 +94,52 @@ TEST_F(Stress, BadInputs) {
   }
   EXPECT_SAYS(stress("caps --points /no/such.csv").output, "/no/such.csv: cannot be read");
   EXPECT_SAYS(stress("caps --variant exact_cup").output, "exact_cup");
-  EXPECT_EQ(stress("hats").status, 2);
   EXPECT_EQ(stress("caps --count 5").status, 2);
   EXPECT_EQ(lamina_program("stress caps --count 1000 --out /proc/nothing").status, 2);
+}
+
+TEST_F(Stress, UnknownFamilies) {
+  const Outcome near = stress("cups");
+  EXPECT_EQ(near.status, 2);
+  EXPECT_SAYS(near.output, "unknown family 'cups' (did you mean 'caps'?)");
+  EXPECT_SAYS(stress("elephants").output, "caps");
+  EXPECT_SAYS(stress("/no/such/family.toml").output, "/no/such/family.toml");
+  const Outcome file = stress(write("family.toml", "[family]\nname = \"x\"\nfunctoin = \"y\"\n").string());
+  EXPECT_EQ(file.status, 2);
+  EXPECT_SAYS(file.output, "family.toml:1: 'function' is missing");
+}
+
+// The oracle by name is all that a family of one's own takes from the program.
+TEST_F(Stress, AFamilyMayBeAFileOfOnesOwn) {
+  write(
+      "family.comp",
+      "float always_two(float r0, float r1, float d) { return 2.0; }\n"
+      "float common_area(float r0, float r1, float d) { return COMMON_AREA(r0, r1, d); }\n#include \"stress/function.glsl\"\n");
+  std::string text =
+      "[family]\nname = \"mine\"\nfunction = \"common_area\"\ntitle = \"what caps share\"\ndefinition = \"COMMON_AREA\"\n"
+      "shader = \"family.comp\"\noracle = \"cap_intersection\"\nscale = \"the smaller cap\"\nvalue = \"area\"\n"
+      "[functions.always_two]\nbaseline = true\nclaims = [{ over = 1, under = -1 }]\n";
+  for (const char* input : {"r0", "r1", "d"})
+    text += std::string("[inputs.") + input + "]\nunit = \"radians\"\nfrom = 0.5\nto = 1\n";
+  for (const char* set : {"overlaps", "box", "large", "tiny", "tangent_outside", "tangent_inside", "equal", "hemispheres",
+                          "nearly_whole", "covering"})
+    text += std::string("[sets.") + set + "]\nwhat = \"some\"\n";
+  const Outcome outcome = stress(write("family.toml", text).string() + " --backend vulkan --grid 2");
+  EXPECT_LE(outcome.status, 1) << outcome.output << "a busy machine can fail the timer's certificate";
+  const auto rows = table();
+  ASSERT_EQ(rows.size(), 2u) << outcome.output;
+  EXPECT_EQ(rows[1][1], "always_two");
+  EXPECT_EQ(rows[1][3], "8");
+  EXPECT_SAYS(content("out/record.jsonl"), "\"function\":\"common_area\"");
+  EXPECT_SAYS(content("out/index.html"), "Functions: what caps share");
+}
+
+TEST_F(Stress, WithoutANameEveryFamilyRuns) {
+  const Outcome outcome = stress("--backend vulkan --variant exact_cap --grid 3");
+  EXPECT_LE(outcome.status, 1) << outcome.output << "a busy machine can fail the timer's certificate";
+  EXPECT_SAYS(outcome.output, "caps: the area that two spherical caps share");
+  EXPECT_SAYS(content("out/stress-caps.csv"), "vulkan,exact_cap,grid,27");
+  EXPECT_SAYS(content("out/record.jsonl"), "\"function\":\"cap_intersection\"");
 }
 
 TEST_F(Stress, AGridHasItsNumberOfInputsCubed) {

@@ -128,6 +128,19 @@ TEST_F(FunctionLines, AreReadBackExactly) {
   EXPECT_EQ(record.run, nlohmann::json(run));
 }
 
+// A function may have one input or many.
+TEST_F(FunctionLines, PointsHaveAsManyInputsAsTheFunction) {
+  FunctionRow row = with_bounds(example_function(example_subject(), 0.5));
+  row.worst_over = {0.5};
+  row.worst_under = {1, 2, 3, 4, 5, 6, 7, 8};
+  row.first_fault = {2, 1};
+  replace_function_lines(file_, "cap_intersection", run, {to_json(row)});
+  const nlohmann::json line = read_record(file_).functions.at(0);
+  EXPECT_EQ(line["worst_over"], nlohmann::json({0.5}));
+  EXPECT_EQ(line["worst_under"], nlohmann::json({1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(line["first_fault"], nlohmann::json({2, 1}));
+}
+
 TEST_F(FunctionLines, RoundsAreReadBackAndARecordOfBeforeThemOpens) {
   const Json sampled = to_json(with_samples(example_time(example_subject(), 2)));
   replace_function_lines(file_, "cap_intersection", run, {sampled, every_kind()[1]});
@@ -164,9 +177,10 @@ TEST_F(FunctionLines, WithoutAFieldOrWithAWrongOneAreRefusedWithFileAndLine) {
   refused(with(0, "/rms", "x"), "'rms'");
   refused(with(0, "/rms", nullptr), "'rms' must be null where");
   refused(with(0, "/nonfinite", 1000), "must be null where");
-  refused(with(0, "/worst_over", {1, 2}), "'worst_over'");
+  refused(with(0, "/worst_over", Json::array()), "'worst_over'");
   refused(with(0, "/worst_under", {1, 2, "x"}), "'worst_under'");
-  refused(with(0, "/first_fault", {1, 2}), "'first_fault'");
+  refused(with(0, "/first_fault", {1, "x"}), "'first_fault'");
+  refused(with(0, "/first_fault", 1), "'first_fault'");
   refused(with(0, "/bounds", 1), "'bounds'");
   refused(with(0, "/bounds", {{"over", 1}, {"under", -1}}), "'bounds.eps_kappa'");
   refused(with(0, "/bounds", {{"over", 1}, {"under", "x"}, {"eps_kappa", nullptr}}), "'bounds.under'");

@@ -20,7 +20,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/stress/cap_area.h"
+#include "harness/effects/cap_intersection/cap_area.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of shares, and the shader that reads it on every backend.
-#include "harness/caps/cap_table.h"
+#include "harness/effects/cap_intersection/cap_table.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <glm/gtc/packing.hpp>
 #include <numbers>
 
-#include "harness/caps/cap_area.h"
 #include "harness/core/error.h"
-#include "harness/stress/cap_oracle.h"
-#include "harness/stress/cap_stress.h"
+#include "harness/effects/cap_intersection/cap_area.h"
+#include "harness/effects/cap_intersection/cap_oracle.h"
+#include "tests/effects/caps.h"
 
 namespace lamina {
 namespace {
@@ -97,16 +97,16 @@ class LutCap : public ::testing::TestWithParam<std::string_view> {
       if (error.kind() != ErrorKind::no_device) throw;
       GTEST_SKIP() << error.what();
     }
-    runner_ = std::make_unique<CapRunner>(*backend_, std::filesystem::path(LAMINA_SOURCE_DIR) / "shaders", "lut_cap");
+    runner_ = std::make_unique<FunctionRunner>(*backend_, shaders_folder(), caps(), "lut_cap");
   }
   std::unique_ptr<Backend> backend_;
-  std::unique_ptr<CapRunner> runner_;
+  std::unique_ptr<FunctionRunner> runner_;
 };
 
 TEST_P(LutCap, ErrsByNoMoreThanItsBoundForAllRadii) {
-  for (const CapSet& set : make_cap_sets(100000, 9)) {
+  for (const PointSet& set : make_sets(caps(), 100000, 9)) {
     SCOPED_TRACE(set.name);
-    const CapErrors errors = judge_caps(set.inputs, runner_->areas(set.inputs), truth_of(set));
+    const FunctionErrors errors = judge(set.points, runner_->values(set.points), truth_of_caps(set));
     EXPECT_LE(errors.max_over, cap_table_error);
     EXPECT_GE(errors.max_under, -cap_table_error);
     EXPECT_EQ(errors.negative + errors.nonfinite, 0u);
@@ -119,15 +119,14 @@ TEST_P(LutCap, ErrsByNoMoreThanItsBoundForAllRadii) {
 // Apart, inside and covering are no matter of the table's nodes.
 TEST_P(LutCap, BordersAreExact) {
   constexpr float below_pi = 3.14159250f;
-  const std::vector<CapInput> apart = {
-      {0.5f, 0.25f, 0.75f}, {0.5f, 0.25f, 2}, {1.5f, 1.5f, 3.1f}, {2, 0.5f, 3}, {1e-3f, 1e-5f, 1}};
-  for (const float area : runner_->areas(apart)) EXPECT_EQ(area, 0);
-  const std::vector<CapInput> inside = {{1, 0.5f, 0.25f}, {1, 1, 0}, {2, 0.5f, 0.25f}, {3, 1, 2}, {2, 2, 0}, {below_pi, 1, 3}};
-  const std::vector<CapInput> covering = {{2, 2.5f, 3}, {1.75f, 3, 3}, {3, 1.75f, 2.5f}, {3.1f, 3.1f, 0.5f}};
+  const Points apart(3, {{0.5f, 0.25f, 0.75f}, {0.5f, 0.25f, 2}, {1.5f, 1.5f, 3.1f}, {2, 0.5f, 3}, {1e-3f, 1e-5f, 1}});
+  for (const float area : runner_->values(apart)) EXPECT_EQ(area, 0);
+  const Points inside(3, {{1, 0.5f, 0.25f}, {1, 1, 0}, {2, 0.5f, 0.25f}, {3, 1, 2}, {2, 2, 0}, {below_pi, 1, 3}});
+  const Points covering(3, {{2, 2.5f, 3}, {1.75f, 3, 3}, {3, 1.75f, 2.5f}, {3.1f, 3.1f, 0.5f}});
   for (const auto& inputs : {inside, covering}) {
-    const std::vector<float> areas = runner_->areas(inputs);
+    const std::vector<float> areas = runner_->values(inputs);
     for (size_t i = 0; i < inputs.size(); ++i) {
-      const auto& [r0, r1, d] = inputs[i];
+      const double r0 = inputs[i][0], r1 = inputs[i][1], d = inputs[i][2];
       EXPECT_NEAR(areas[i], cap_intersection_area(r0, r1, d), 3e-6) << r0 << " " << r1 << " " << d;
     }
   }
@@ -135,22 +134,30 @@ TEST_P(LutCap, BordersAreExact) {
 
 TEST_P(LutCap, WhatIsNoCapOrTheWholeSphereHasAnArea) {
   constexpr float pi_above = 3.14159274f;
-  const std::vector<CapInput> inputs = {{0, 1, 0.5f}, {-1, 1, 0.5f},           {std::nanf(""), 1, 0}, {pi_above, 1, 2},
-                                        {4, 1, 2},    {pi_above, pi_above, 1}, {1e-30f, 1, 0}};
+  const Points inputs(3, {{0, 1, 0.5f},
+                          {-1, 1, 0.5f},
+                          {std::nanf(""), 1, 0},
+                          {pi_above, 1, 2},
+                          {4, 1, 2},
+                          {pi_above, pi_above, 1},
+                          {1e-30f, 1, 0}});
   const double cap = smaller_cap_area(1, 1);
   const std::vector<double> expected = {0, 0, 0, cap, cap, 4 * pi, 0};
-  const std::vector<float> areas = runner_->areas(inputs);
+  const std::vector<float> areas = runner_->values(inputs);
   for (size_t i = 0; i < inputs.size(); ++i) EXPECT_NEAR(areas[i], expected[i], 3e-6) << i;
 }
 
 TEST_P(LutCap, DoesNotDependOnTheOrderOfTheCaps) {
-  std::vector<CapInput> there, back;
-  for (const CapSet& set : make_cap_sets(300, 4))
-    for (const CapInput& input : set.inputs) there.push_back(input), back.push_back({input.r1, input.r0, input.d});
-  const std::vector<float> one = runner_->areas(there), other = runner_->areas(back);
+  Points there(3), back(3);
+  for (const PointSet& set : make_sets(caps(), 300, 4))
+    for (size_t i = 0; i < set.points.size(); ++i) {
+      there.add(set.points[i]);
+      back.add({set.points[i][1], set.points[i][0], set.points[i][2]});
+    }
+  const std::vector<float> one = runner_->values(there), other = runner_->values(back);
   for (size_t i = 0; i < there.size(); ++i)
-    ASSERT_NEAR(one[i], other[i], 16 * 0x1p-23 * smaller_cap_area(there[i].r0, there[i].r1))
-        << there[i].r0 << " " << there[i].r1 << " " << there[i].d;
+    ASSERT_NEAR(one[i], other[i], 16 * 0x1p-23 * smaller_cap_area(there[i][0], there[i][1]))
+        << there[i][0] << " " << there[i][1] << " " << there[i][2];
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, LutCap, ::testing::ValuesIn(backend_names().begin(), backend_names().end()),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The double form of shaders/cap_intersection/exact_cap.glsl, which says where it comes from.
-#include "harness/caps/cap_area.h"
+#include "harness/effects/cap_intersection/cap_area.h"
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "harness/stress/cap_oracle.h"
+#include "harness/effects/cap_intersection/cap_oracle.h"
 
 #include <fmt/format.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include "harness/caps/cap_area.h"
 #include "harness/core/error.h"
+#include "harness/effects/cap_intersection/cap_area.h"
 
 namespace lamina {
 namespace {

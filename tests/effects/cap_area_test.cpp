@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The references: the 400-bit oracle against closed forms and tabulated values, and the double form against the oracle.
-#include "harness/caps/cap_area.h"
+#include "harness/effects/cap_intersection/cap_area.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,9 @@
 #include <numbers>
 
 #include "harness/core/error.h"
-#include "harness/stress/cap_oracle.h"
-#include "harness/stress/cap_sets.h"
+#include "harness/effects/cap_intersection/cap_oracle.h"
+#include "harness/effects/cap_intersection/cap_sets.h"
+#include "tests/effects/caps.h"
 
 namespace lamina {
 namespace {
@@ -53,35 +54,36 @@ TEST(CapOracle, RefusesWhatIsNoCap) {
 TEST(CapOracle, AgreesWithTabulatedValues) {
   const std::filesystem::path file = std::filesystem::path(LAMINA_DATA_DIR) / "spherical_cap_intersection.csv";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is absent: reference values are not part of the product";
-  const CapSet set = read_cap_points(file);
+  const PointSet set = read_points(caps(), file);
   size_t compared = 0;
-  for (size_t i = 0; i < set.inputs.size(); ++i) {
-    if (std::isnan(set.areas[i])) continue;
-    const auto& [r0, r1, d] = set.inputs[i];
-    EXPECT_NEAR(cap_intersection_oracle(r0, r1, d), set.areas[i], eps * set.areas[i]) << r0 << " " << r1 << " " << d;
+  for (size_t i = 0; i < set.points.size(); ++i) {
+    if (std::isnan(set.given[i])) continue;
+    const double r0 = set.points[i][0], r1 = set.points[i][1], d = set.points[i][2];
+    EXPECT_NEAR(cap_intersection_oracle(r0, r1, d), set.given[i], eps * set.given[i]) << r0 << " " << r1 << " " << d;
     ++compared;
   }
   EXPECT_GT(compared, 20u);
 }
 
-class CapArea : public ::testing::TestWithParam<size_t> {};
+class CapArea : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(CapArea, DoubleFormIsWithinItsBoundOfTheOracle) {
-  const CapSet set = make_cap_sets(400, 11)[GetParam()];
-  for (const auto& [r0, r1, d] : set.inputs) {
+  const Points points = make_cap_points(GetParam(), 400, 11);
+  for (size_t i = 0; i < points.size(); ++i) {
+    const double r0 = points[i][0], r1 = points[i][1], d = points[i][2];
     const double truth = cap_intersection_oracle(r0, r1, d), area = cap_intersection_area(r0, r1, d);
     ASSERT_LE(std::abs(area - truth), 4 * eps * std::max(1.0, cap_intersection_condition(r0, r1, d, area)) * truth)
-        << set.name << " " << r0 << " " << r1 << " " << d << ": " << area << " for " << truth;
+        << r0 << " " << r1 << " " << d << ": " << area << " for " << truth;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sets, CapArea, ::testing::Range(size_t{0}, make_cap_sets(0, 0).size()),
-                         [](const auto& test) { return make_cap_sets(0, 0)[test.param].name; });
+INSTANTIATE_TEST_SUITE_P(Sets, CapArea, ::testing::ValuesIn(cap_set_names()), [](const auto& test) { return test.param; });
 
 // d area / d d = -2 sin r0 sin A, so the area falls with the distance, by no more than 2 min(sin r0, sin r1) a radian.
 TEST(CapAreaProperty, FallsWithDistanceNoFasterThanItsBound) {
-  for (const CapSet& set : make_cap_sets(300, 3))
-    for (const auto& [r0, r1, d] : set.inputs) {
+  for (const PointSet& set : make_sets(caps(), 300, 3))
+    for (size_t i = 0; i < set.points.size(); ++i) {
+      const double r0 = set.points[i][0], r1 = set.points[i][1], d = set.points[i][2];
       const double step = (pi - d) * 1e-3, here = cap_intersection_area(r0, r1, d),
                    there = cap_intersection_area(r0, r1, d + step);
       const double noise = 64 * eps * smaller_cap_area(r0, r1);

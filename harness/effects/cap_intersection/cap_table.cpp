@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "harness/caps/cap_table.h"
+#include "harness/effects/cap_intersection/cap_table.h"
 
 #include <algorithm>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 #include <numbers>
 
-#include "harness/caps/cap_area.h"
 #include "harness/core/error.h"
+#include "harness/effects/cap_intersection/cap_area.h"
 
 namespace lamina {
 namespace {

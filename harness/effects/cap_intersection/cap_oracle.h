@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What two spherical caps share, to the last bit of a double; what harness/caps/cap_area.h is held to.
+// What two spherical caps share, to the last bit of a double; what harness/effects/cap_intersection/cap_area.h is held to.
 #pragma once
 
 namespace lamina {

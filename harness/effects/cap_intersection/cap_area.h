@@ -10,7 +10,7 @@ namespace lamina {
 bool are_caps(double r0, double r1, double d);
 
 // In double: two circular segments (see shaders/cap_intersection/exact_cap.glsl). Within 4 eps max(1, kappa) of the oracle
-// (harness/stress/cap_oracle.h), relative; eps = 2^-52. The arguments are not checked.
+// (harness/effects/cap_intersection/cap_oracle.h), relative; eps = 2^-52. The arguments are not checked.
 double cap_intersection_area(double r0, double r1, double d);
 
 // Area of the smaller cap.
