@@ -1,65 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
-// The apertures of a scene's objects, each made when first asked for: rays are cast once for an object (or read from the disk
-// cache), and every kind of aperture is made of the same rays.
+// What effects bake for a scene's objects, each made when first asked for.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
+#include <tuple>
 
-#include "harness/bake/apertures.h"
-#include "harness/core/disk_cache.h"
+#include "harness/bake/baker.h"
+#include "harness/manifest/library.h"
+#include "harness/scene/scene.h"
 
 namespace lamina {
 
-// What a variant wants of every point.
-struct ApertureKind {
-  uint32_t count = 1;  // caps, 1 to most_apertures
-  bool anti = false;   // of what is blocked, and then count is 1
-  auto operator<=>(const ApertureKind&) const = default;
-};
-
-// What casting an object's rays took; kept in the record.
-struct BakeStats {
-  size_t object = 0, points = 0, rays = 0;  // rays: a point
-  double seconds = 0;                       // wall clock
-  bool from_cache = false;
-};
-
-class Bakes {
+class Bakes : private BakeTools {
  public:
-  // The scene must outlive this. `progress` is told the fraction of an object's rays that are cast, with the object's name.
-  using Progress = std::function<void(double fraction, const std::string& object)>;
+  // The scene must outlive this. `progress` is told the fraction of an object's bake that is done, and what is baked: "BAKER of
+  // OBJECT".
+  using Progress = std::function<void(double fraction, const std::string& what)>;
   Bakes(
-      const Scene& scene, DiskCache cache, Progress progress = [](double, const std::string&) {});
+      const Scene& scene, const EffectCode& code, DiskCache cache, Progress progress = [](double, const std::string&) {});
 
-  // Of an object that has ApertureBake, [point * count + i]; points as in surface(). Throws Error(failed) for an object whose
-  // unwrap is no good for a map.
-  const std::vector<Aperture>& apertures(size_t object, ApertureKind kind);
-  // A map's i-th apertures, texel by texel, map_texels on a side.
-  std::vector<Aperture> map(size_t object, ApertureKind kind, uint32_t i);
-  const SurfacePoints& surface(size_t object);
+  // Of an object that has the effect's values. Throws Error(failed) for an object that cannot be baked.
+  const Baked& baked(const EffectManifest& effect, size_t object, const BakeOptions& options);
 
-  const Occluders& occluders();
-  DiskCache& cache() { return cache_; }
+  const Occluders& occluders() override;
+  DiskCache& cache() override { return cache_; }
   const std::vector<BakeStats>& stats() const { return stats_; }
 
  private:
-  struct Baked {
-    SurfacePoints surface;
-    std::unique_ptr<Visibility> visibility;
-    std::map<ApertureKind, std::vector<Aperture>> apertures;
-  };
-  Baked& baked(size_t object);
+  void progress(double fraction) override;
+  void add_stats(const BakeStats& stats) override;
 
   const Scene& scene_;
+  const EffectCode& code_;
   DiskCache cache_;
   Progress progress_;
   std::unique_ptr<Occluders> occluders_;
-  std::map<size_t, Baked> baked_;
+  std::map<std::string, std::unique_ptr<Baker>> bakers_;  // by effect
+  std::map<std::tuple<std::string, size_t, BakeOptions>, Baked> baked_;
   std::vector<BakeStats> stats_;
+  const EffectManifest* effect_ = nullptr;  // that is being baked, and the object
+  size_t object_ = 0;
 };
 
 }  // namespace lamina

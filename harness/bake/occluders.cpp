@@ -14,7 +14,7 @@ namespace {
 constexpr float bias_of_radius = 1e-4f;
 
 void add_object(RTCDevice device, RTCScene scene, const Object& object, std::string& hashed) {
-  if (object.mesh.indices.empty()) return;
+  if (object.mesh.indices.empty() || !object.blocks_light) return;
   const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                                 sizeof(glm::vec3), object.mesh.vertices.size()));

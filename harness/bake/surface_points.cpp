@@ -86,32 +86,31 @@ SurfacePoints vertex_points(const Object& object) {
   return made;
 }
 
-SurfacePoints map_points(const Object& object, uint32_t map_texels) {
+SurfacePoints map_points(const Object& object, uint32_t map_side) {
   const auto refuse = [&](const std::string& why) {
-    return Error(
-        ErrorKind::failed, "bake", fmt::format("object '{}'", object.name),
-        fmt::format("an aperture map needs an unwrap of its own: {}; bake a point a vertex (map_texels = 0) instead", why));
+    return Error(ErrorKind::failed, "bake", fmt::format("object '{}'", object.name),
+                 fmt::format("a baked map needs an unwrap of its own: {}; bake a point a vertex instead", why));
   };
   if (!object.unwrap_problem.empty()) throw refuse(object.unwrap_problem);
   SurfacePoints made;
-  made.map_texels = map_texels;
-  made.point_of_texel.assign(size_t{map_texels} * map_texels, none);
+  made.map_side = map_side;
+  made.point_of_texel.assign(size_t{map_side} * map_side, none);
   const std::vector<glm::vec3> normals = world_normals(object);
   for (size_t triangle = 0; triangle < object.mesh.indices.size() / 3; ++triangle) {
     std::array<uint32_t, 3> corner;
     std::array<glm::dvec2, 3> uv;
     for (size_t c = 0; c < 3; ++c) {
       corner[c] = object.mesh.indices[3 * triangle + c];
-      uv[c] = glm::dvec2(object.mesh.vertices[corner[c]].uv) * double(map_texels);
+      uv[c] = glm::dvec2(object.mesh.vertices[corner[c]].uv) * double(map_side);
     }
     const auto twice_area = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
       return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     };
     const double whole = twice_area(uv[0], uv[1], uv[2]);
     if (whole == 0) continue;
-    for (const uint32_t texel : covered_texels(object.mesh, triangle, map_texels)) {
+    for (const uint32_t texel : covered_texels(object.mesh, triangle, map_side)) {
       if (made.point_of_texel[texel] != none) continue;
-      const glm::dvec2 centre(texel % map_texels + 0.5, texel / map_texels + 0.5);
+      const glm::dvec2 centre(texel % map_side + 0.5, texel / map_side + 0.5);
       const auto w0 = static_cast<float>(twice_area(centre, uv[1], uv[2]) / whole);
       const auto w1 = static_cast<float>(twice_area(uv[0], centre, uv[2]) / whole), w2 = 1 - w0 - w1;
       made.point_of_texel[texel] = static_cast<uint32_t>(made.points.size());
@@ -128,10 +127,10 @@ SurfacePoints map_points(const Object& object, uint32_t map_texels) {
     made.neighbours[made.point_of_texel[b]].push_back(made.point_of_texel[a]);
   };
   for (uint32_t texel = 0; texel < made.point_of_texel.size(); ++texel) {
-    if (texel % map_texels + 1 < map_texels) join(texel, texel + 1);
-    if (texel + map_texels < made.point_of_texel.size()) join(texel, texel + map_texels);
+    if (texel % map_side + 1 < map_side) join(texel, texel + 1);
+    if (texel + map_side < made.point_of_texel.size()) join(texel, texel + map_side);
   }
-  spread_to_all(made.point_of_texel, map_texels);
+  spread_to_all(made.point_of_texel, map_side);
   return made;
 }
 

@@ -17,7 +17,7 @@ struct SurfacePoint {
 struct SurfacePoints {
   std::vector<SurfacePoint> points;
   std::vector<std::vector<uint32_t>> neighbours;  // beside points, by index: those that one interpolates between
-  uint32_t map_texels = 0;                        // 0: a point a vertex, in their order
+  uint32_t map_side = 0;                          // 0: a point a vertex, in their order
   std::vector<uint32_t> point_of_texel;           // of a map, row by row: the texel's own point, or the nearest one's
 };
 
@@ -25,6 +25,6 @@ struct SurfacePoints {
 SurfacePoints vertex_points(const Object& object);
 // One point for every texel whose centre a triangle covers in the unwrap. Throws Error(failed) for an object whose unwrap is
 // not unique, or that covers no texel.
-SurfacePoints map_points(const Object& object, uint32_t map_texels);
+SurfacePoints map_points(const Object& object, uint32_t map_side);
 
 }  // namespace lamina

@@ -20,7 +20,7 @@ BackendRun::BackendRun(Backend& backend, SceneResources& resources, const Plan& 
     variant.manifest = &manifest;
     for (const View& view : resources.scene().views)
       variant.rows.push_back(
-          blank_row(backend.info().backend, backend.info().device, resources.scene(), view, manifest, options));
+          blank_row(backend.info().backend, backend.info().device, resources.scene(), *plan.library, view, manifest, options));
     variant.covered.resize(variant.rows.size());
   }
 }
@@ -128,12 +128,13 @@ std::vector<CellRow> BackendRun::rows() const {
   return all;
 }
 
-std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene, const EffectManifest& effect,
-                                 const CompareOptions& options, const std::string& reason) {
+std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene, const Library& library,
+                                 const EffectManifest& effect, const CompareOptions& options, const std::string& reason) {
   std::vector<CellRow> rows;
   for (const VariantManifest& variant : effect.variants) {
     if (!is_compared(variant, options)) continue;
-    for (const View& view : scene.views) fail(rows.emplace_back(blank_row(backend, "", scene, view, variant, options)), reason);
+    for (const View& view : scene.views)
+      fail(rows.emplace_back(blank_row(backend, "", scene, library, view, variant, options)), reason);
   }
   return rows;
 }

@@ -62,7 +62,7 @@ class BackendRun {
 };
 
 // Failed rows for a backend that cannot run at all.
-std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene, const EffectManifest& effect,
-                                 const CompareOptions& options, const std::string& reason);
+std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene, const Library& library,
+                                 const EffectManifest& effect, const CompareOptions& options, const std::string& reason);
 
 }  // namespace lamina

@@ -41,11 +41,10 @@ const EffectManifest& effect_with_variants(const Plan& plan, const Scene& scene)
 // What all gates share: the tree as it is, and the same with extra taps in a pass of the effect's baseline.
 class Bench {
  public:
-  Bench(const GateOptions& given, const Scene& of_scene)
+  explicit Bench(const GateOptions& given)
       : options(given),
-        scene(of_scene),
-        tree(load_tree(load_library(home_folder()), scene, given.compare.backends)),
-        effect(effect_with_variants(tree.plan, scene)),
+        tree(load_tree(load_library(home_folder(), effect_code()), given.compare)),
+        effect(effect_with_variants(tree.plan, *tree.scene)),
         folder_(given.compare.out / "slower-trees") {}
   ~Bench() {
     std::error_code ignored;
@@ -59,7 +58,7 @@ class Bench {
     slower.clear();
     for (size_t i = 0; i < taps.size(); ++i) {
       write_slower_tree(home_folder(), slower_home(i), effect.baseline(), pass, taps[i]);
-      slower.push_back(std::make_unique<Tree>(load_tree(load_library(slower_home(i)), scene, options.compare.backends)));
+      slower.push_back(std::make_unique<Tree>(load_tree(load_library(slower_home(i), effect_code()), options.compare, &tree)));
     }
   }
 
@@ -70,7 +69,6 @@ class Bench {
   }
 
   const GateOptions& options;
-  const Scene& scene;
   Tree tree;
   const EffectManifest& effect;
   std::vector<std::unique_ptr<Tree>> slower;
@@ -122,7 +120,7 @@ std::vector<nlohmann::json> run_processes(Bench& bench, const std::vector<std::s
   for (const std::string& backend : backends)
     works.push_back([&, backend](const EmitLine& emit) {
       const GateTask task{backend, process, false, false, 0};
-      GateProcess opened(task, bench.scene, bench.tree.library.shaders, bench.options, emit);
+      GateProcess opened(task, bench.tree.library.shaders, bench.options, emit);
       BenchFrames frames(opened, bench);
       work(opened, frames, emit);
     });
@@ -215,7 +213,7 @@ std::vector<uint32_t> find_taps(Bench& bench, const std::string& pass) {
 double round_seconds(Bench& bench, const std::string& pass) {
   const fs::path changed = bench.changed_home(pass);
   const Stopwatch watch;
-  TreePair trees = pair_trees(bench.scene, load_library(home_folder()), load_library(changed), bench.options);
+  TreePair trees = pair_trees(load_library(home_folder(), effect_code()), load_library(changed, effect_code()), bench.options);
   const GateMeasurements measured = measure_trees(trees, bench.options, {}, watch);
   if (!measured.failures.empty()) throw Error(ErrorKind::failed, "gate", "calibration", measured.failures.front().sentence);
   const double backends = static_cast<double>(bench.options.compare.backends.size());
@@ -333,12 +331,12 @@ std::vector<size_t> unfinished(const std::vector<CalibratedGate>& done, const Ga
 }  // namespace
 
 int run_calibration(GateOptions options) {
-  const Scene scene = load_scene_for(options.compare.scene);
   const std::vector<DeviceInfo> devices = probe_devices(options);
   options.side_by_side = can_run_side_by_side(devices);
   make_run_folder("gate", options.compare.out);
   const fs::path file = options.compare.out / "calibration.jsonl";
-  Bench bench(options, scene);
+  Bench bench(options);
+  const Scene& scene = *bench.tree.scene;
   Setup setup = ask(options, scene, devices);
   std::vector<CalibratedGate> gates;
   if (const std::vector<nlohmann::json> lines = read_calibration(file); lines.empty()) {

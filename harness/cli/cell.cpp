@@ -6,14 +6,12 @@
 #include <cmath>
 
 #include "harness/core/text.h"
+#include "harness/scene/declare.h"
 
 namespace lamina {
 namespace {
 
 constexpr size_t once_repetitions = 6;  // enough for an interval
-
-// The double that is written as shortly as this float: 10.24, not 10.239999771118164.
-double decimal(float value) { return std::stod(fmt::format("{}", value)); }
 
 std::string linear_hash(const Image& image) {
   return hash_hex({reinterpret_cast<const char*>(image.rgba.data()), image.rgba.size() * sizeof(float)});
@@ -58,8 +56,8 @@ Image with_marked_nonfinite(const Image& image) {
 
 }  // namespace
 
-CellRow blank_row(const std::string& backend, const std::string& device, const Scene& scene, const View& view,
-                  const VariantManifest& variant, const CompareOptions& options) {
+CellRow blank_row(const std::string& backend, const std::string& device, const Scene& scene, const Library& library,
+                  const View& view, const VariantManifest& variant, const CompareOptions& options) {
   CellRow row;
   row.scene = scene.name;
   row.effect = variant.effect;
@@ -71,13 +69,13 @@ CellRow blank_row(const std::string& backend, const std::string& device, const S
   row.width = static_cast<int>(options.width_px);
   row.height = static_cast<int>(options.height_px);
   row.params["scene.time"] = scene.time_s;
-  for (const Object& object : scene.objects)
-    if (object.layers) {
-      row.params[fmt::format("objects.{}.thickness", object.name)] = decimal(object.layers->thickness_texels);
-      row.params[fmt::format("objects.{}.scattering", object.name)] = decimal(object.layers->scattering);
-    }
-  for (const ParameterManifest& parameter : variant.parameters)
-    row.params[fmt::format("{}.{}", variant.name, parameter.name)] = parameter.value;
+  for (const auto& [path, value] : declared_numbers(scene, library)) row.params[path] = value;
+  row.words = declared_words(scene, library);
+  for (const ParameterManifest& parameter : variant.parameters) {
+    const std::string path = fmt::format("{}.{}", variant.name, parameter.name);
+    row.params[path] = parameter.value;
+    if (!parameter.words.empty()) row.words[path] = parameter.text(parameter.value);
+  }
   return row;
 }
 
@@ -105,7 +103,7 @@ void append_row(RecordWriter& record, const CellRow& row) {
     CellRow failed;
     failed.scene = row.scene, failed.effect = row.effect, failed.variant = row.variant, failed.baseline = row.baseline;
     failed.backend = row.backend, failed.device = row.device, failed.view = row.view;
-    failed.width = row.width, failed.height = row.height, failed.params = row.params;
+    failed.width = row.width, failed.height = row.height, failed.params = row.params, failed.words = row.words;
     failed.failed = true, failed.reason = error.what();
     line = to_json(failed);
   }

@@ -14,8 +14,8 @@
 
 namespace lamina {
 
-CellRow blank_row(const std::string& backend, const std::string& device, const Scene& scene, const View& view,
-                  const VariantManifest& variant, const CompareOptions& options);
+CellRow blank_row(const std::string& backend, const std::string& device, const Scene& scene, const Library& library,
+                  const View& view, const VariantManifest& variant, const CompareOptions& options);
 void fail(CellRow& row, const std::string& reason);
 // Does a variant's work unless it has failed before; what the work throws becomes its failure, and that of its rows. The one
 // place where a variant's failure is caught: the others go on. Returns whether the variant is still well.

@@ -49,8 +49,9 @@ struct SweepOptions {
 };
 
 struct StressOptions {
+  std::string family;            // by name, or a family.toml; empty: all
   std::filesystem::path points;  // a file of inputs
-  size_t grid_steps = 0;         // of make_cap_grid(); 0 and no file: the sets of make_cap_sets()
+  size_t grid_steps = 0;         // of make_grid(); 0 and no file: the sets of the family
   size_t count = 100000;         // inputs a set
   std::vector<std::string> variants;
   std::vector<std::string> backends = {"vulkan", "osmesa"};
@@ -99,7 +100,7 @@ int run_gate(const GateOptions& options);
 int run_sweep(const SweepOptions& options);
 // Joins the records of shards in `out`.
 int run_merge(const std::vector<std::filesystem::path>& records, const std::filesystem::path& out);
-int run_stress_caps(const StressOptions& options);
+int run_stress(const StressOptions& options);
 int run_plan(const SceneOptions& options);
 int run_list(const SceneOptions& options);
 int run_list_parameters(const SceneOptions& options);
@@ -129,7 +130,7 @@ void make_run_folder(std::string_view stage, const std::filesystem::path& out);
 std::unique_ptr<Backend> try_open_backend(std::string_view name, const BackendOptions& options, std::string& failure);
 [[noreturn]] void throw_no_backend(std::string_view stage);
 // A scene that has objects and views, or Error(bad_input).
-Scene load_scene_for(const SceneOptions& options);
+Scene load_scene_for(const SceneOptions& options, const Library& library);
 
 // One line on standard error that is written over, with the fraction done and the time left; silent where no person watches.
 class Progress {

@@ -20,7 +20,9 @@ std::filesystem::path home_folder() {
   return home && *home ? home : LAMINA_SOURCE_DIR;
 }
 
-Library load_library_for(const SceneOptions& options) { return load_library(home_folder(), options.variants_dirs); }
+Library load_library_for(const SceneOptions& options) {
+  return load_library(home_folder(), effect_code(), options.variants_dirs);
+}
 
 void check_variant_names(std::string_view stage, const std::vector<std::string>& wanted,
                          const std::vector<std::string>& known) {
@@ -77,8 +79,8 @@ void throw_no_backend(std::string_view stage) {
               "none of the backends could be opened; see the messages above");
 }
 
-Scene load_scene_for(const SceneOptions& options) {
-  Scene scene = load_scene(options.scene, options.time_s);
+Scene load_scene_for(const SceneOptions& options, const Library& library) {
+  Scene scene = load_scene(options.scene, library, options.time_s);
   if (scene.objects.empty()) throw Error(ErrorKind::bad_input, "scene", scene.source, "has no objects");
   if (scene.views.empty()) throw Error(ErrorKind::bad_input, "scene", scene.source, "has no views");
   return scene;

@@ -34,23 +34,23 @@ std::vector<OpenedBackend> probe_backends(const CompareOptions& options) {
   return probed;
 }
 
-// Casts the rays, or reads them, for everything that variants of these effects want. What cannot be baked fails again, with its
-// reason, for the variants that want it.
+// Bakes, or reads what was baked before, everything that variants of these effects want. What cannot be baked fails again, with
+// its reason, for the variants that want it.
 void bake(const Plan& plan, const std::vector<const EffectManifest*>& effects, const Scene& scene,
           const CompareOptions& options, Bakes& bakes, RecordWriter& record) {
   for (const EffectManifest* effect : effects)
     for (const VariantManifest& variant : effect->variants)
       for (const size_t object : plan.of(effect->name)->objects) {
-        if (!variant.apertures || !is_compared(variant, options)) continue;
+        if (effect->baker.empty() || !is_compared(variant, options)) continue;
         const size_t known = bakes.stats().size();
         try {
-          bakes.apertures(object, *variant.apertures);
+          bakes.baked(*effect, object, variant.bake);
         } catch (const Error&) {
           continue;
         }
         if (bakes.stats().size() == known) continue;
         const BakeStats& stats = bakes.stats().back();
-        record.append(to_json(BakeRow{effect->name, scene.objects[object].name, "apertures", stats.points,
+        record.append(to_json(BakeRow{effect->name, scene.objects[object].name, effect->baker, stats.points,
                                       stats.points * stats.rays, stats.seconds, stats.from_cache}));
       }
   for (const std::string& warning : bakes.cache().take_warnings()) fmt::print(stderr, "lamina: warning: {}\n", warning);
@@ -66,7 +66,7 @@ size_t run_backend(const OpenedBackend& opened, const Scene& scene, const Librar
   progress.show(0, "certifying the timer");
   const TimerRow timer = certify_timer(*backend, library.shaders);
   record.append(to_json(timer));
-  SceneResources resources(*backend, scene, options.width_px, options.height_px, &bakes);
+  SceneResources resources(*backend, scene, library, options.width_px, options.height_px, &bakes);
   ShaderCache shaders(backend->info().api, library.shaders);
   while (!effects.empty()) {
     const EffectManifest* effect = effects.front();
@@ -77,7 +77,7 @@ size_t run_backend(const OpenedBackend& opened, const Scene& scene, const Librar
     const RoundsResult rounds = run.time(progress, timer.ok);
     for (const CellRow& row : run.rows()) append_row(record, row);
     effects.erase(effects.begin());
-    if (rounds.rounds == 0) continue;
+    if (!(rounds.device_ms > 0)) continue;
     record.append({{"kind", "phase"},
                    {"backend", opened.name},
                    {"effect", effect->name},
@@ -95,12 +95,15 @@ size_t run_backend(const OpenedBackend& opened, const Scene& scene, const Librar
 }  // namespace
 
 int run_compare(const CompareOptions& options) {
-  const Scene scene = load_scene_for(options.scene);
   const Library library = load_library_for(options.scene);
+  const Scene scene = load_scene_for(options.scene, library);
   const Plan plan = make_plan(library, scene);
   const std::vector<const EffectManifest*> effects = compared_effects(plan);
   check_variant_names("compare", options.variants, variant_names(effects));
   const std::vector<OpenedBackend> backends = probe_backends(options);
+
+  ShaderCache shaders(Api::vulkan, library.shaders);
+  const nlohmann::ordered_json planned = plan_line(plan, scene, shaders);
 
   std::error_code not_there;
   std::filesystem::remove_all(options.out / "images", not_there);  // an earlier run's
@@ -110,13 +113,12 @@ int run_compare(const CompareOptions& options) {
   for (const OpenedBackend& backend : backends)
     if (backend.info) devices.push_back(*backend.info);
   record.append(run_line(options, scene, devices));
-  ShaderCache shaders(Api::vulkan, library.shaders);
-  record.append(plan_line(plan, scene, shaders));
+  record.append(planned);
   for (const std::string& warning : scene.warnings) fmt::print(stderr, "lamina: note: {}\n", warning);
 
   Progress baking("baking");
-  Bakes bakes(scene, DiskCache(options.cache),
-              [&](double fraction, const std::string& object) { baking.show(fraction, "apertures of " + object); });
+  Bakes bakes(scene, *library.code, DiskCache(options.cache),
+              [&](double fraction, const std::string& what) { baking.show(fraction, what); });
   bake(plan, effects, scene, options, bakes, record);
 
   size_t messages = 0;
@@ -130,7 +132,8 @@ int run_compare(const CompareOptions& options) {
     }
     if (failure.empty()) continue;
     for (const EffectManifest* effect : left)
-      for (const CellRow& row : failed_rows(backend.name, scene, *effect, options, failure)) record.append(to_json(row));
+      for (const CellRow& row : failed_rows(backend.name, scene, library, *effect, options, failure))
+        record.append(to_json(row));
   }
 
   write_reports(options.out);

@@ -40,8 +40,8 @@ nlohmann::ordered_json with_picture_before(const nlohmann::json& cell, const std
 }
 
 int run_against(GateOptions options, const Stopwatch& watch) {
-  const Scene scene = load_scene_for(options.compare.scene);
-  TreePair trees = pair_trees(scene, load_library(options.against, {}), load_library_for(options.compare.scene), options);
+  TreePair trees = pair_trees(load_library(options.against, effect_code()), load_library_for(options.compare.scene), options);
+  const Scene& scene = *trees.after.scene;
   const LimitsFile limits = options.limits.empty() ? LimitsFile() : LimitsFile(options.limits, names_in(trees, options));
   const std::vector<DeviceInfo> devices = probe_devices(options);
   options.side_by_side = can_run_side_by_side(devices);

@@ -15,10 +15,12 @@
 
 namespace lamina {
 
-// Variants and shaders at one state of the code.
+// Variants and shaders at one state of the code, and the scene as its effects declare it.
 struct Tree {
-  Library library;
-  Plan plan;  // points into library
+  std::shared_ptr<const Library> owner;
+  const Library& library;              // owner's
+  std::shared_ptr<const Scene> scene;  // one for trees whose effects declare the same
+  Plan plan;                           // points into library
   std::map<Api, ShaderCache> shaders;
 };
 
@@ -33,7 +35,6 @@ struct VariantPair {
 };
 
 struct TreePair {
-  const Scene& scene;
   Tree before, after;
   std::vector<VariantPair> variants;  // of the effects that the scene calls for
 };
@@ -74,7 +75,7 @@ GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, cons
 bool is_drawn(const VariantPair& pair, const Limits& limits);
 
 // The trees of `lamina gate SCENE --against DIR`. Throws Error(bad_input) where they have no variant in common.
-TreePair pair_trees(const Scene& scene, Library before, Library after, const GateOptions& options);
+TreePair pair_trees(Library before, Library after, const GateOptions& options);
 
 // The cell of these among `cells`; null where there is none.
 nlohmann::json find_cell(const std::vector<nlohmann::json>& cells, const std::string& backend, const std::string& effect,
@@ -88,8 +89,9 @@ struct GateResult {
 GateResult judge_trees(const TreePair& trees, const GateMeasurements& measured, const GateOptions& options,
                        const LimitsFile& limits);
 
-// The library's plan for the scene, and shader caches for the APIs of these backends.
-Tree load_tree(Library library, const Scene& scene, const std::vector<std::string>& backends);
+// The library with the scene that the options name, its plan, and shader caches for the APIs of these backends. `known`: a tree
+// whose scene serves this one too where their effects declare the same.
+Tree load_tree(Library library, const CompareOptions& options, const Tree* known = nullptr);
 // Sorts what a process has handed over into `measured`.
 void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements& measured);
 VerdictRow judge_timer(const nlohmann::json& timer);

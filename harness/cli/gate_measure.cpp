@@ -22,8 +22,9 @@ void compare_exactly(GateProcess& process, TreePair& trees, const std::string& e
   const auto run_tree = [&](Tree& tree, const char* side, const BackendRun::Known& known) {
     const std::string images = fmt::format("images/{}", side);
     std::filesystem::create_directories(only.out / images);
-    BackendRun run(*process.backend, process.resources, tree.plan, tree.library.effect(effect),
-                   tree.shaders.at(process.backend->info().api), process.bakes, only, images);
+    GateProcess::SceneThere& there = process.scene_of(tree);
+    BackendRun run(*process.backend, there.resources, tree.plan, tree.library.effect(effect),
+                   tree.shaders.at(process.backend->info().api), there.bakes, only, images);
     run.prepare(progress), run.count(progress), run.score(progress, known);
     std::vector<CellRow> rows = run.rows();
     for (const CellRow& row : rows) emit({{"cell", to_json(row)}, {"side", side}});
@@ -35,7 +36,7 @@ void compare_exactly(GateProcess& process, TreePair& trees, const std::string& e
     return nullptr;
   });
   run_tree(trees.after, "after", [&](const BackendRun::Scored& scored) -> const CellRow* {
-    const std::string &variant = scored.variant.name, &view = trees.scene.views[scored.view].name;
+    const std::string &variant = scored.variant.name, &view = trees.after.scene->views[scored.view].name;
     if (const Image* was = drawn.of(variant, scored.view))
       emit({{"change",
              {{"effect", effect}, {"variant", variant}, {"view", view}, {"most", most_change(scored.picture, *was)}}}});
@@ -71,7 +72,7 @@ void time_pairs(GateProcess& process, TreePair& trees, const LimitsFile& limits,
 
 void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOptions& options, const LimitsFile& limits,
                             const EmitLine& emit) {
-  GateProcess process(task, trees.scene, trees.after.library.shaders, options, emit);
+  GateProcess process(task, trees.after.library.shaders, options, emit);
   if (task.exact) {
     std::set<std::string> effects;
     for (const VariantPair& pair : trees.variants)

@@ -14,15 +14,23 @@ constexpr double enough_of_margin = 0.3;
 
 }  // namespace
 
-GateProcess::GateProcess(const GateTask& of_task, const Scene& scene, const std::filesystem::path& shaders,
-                         const GateOptions& given, const EmitLine& emit)
+GateProcess::GateProcess(const GateTask& of_task, const std::filesystem::path& shaders, const GateOptions& given,
+                         const EmitLine& emit)
     : task(of_task),
       options(given),
       backend(open_backend(task.backend, {options.compare.device, options.compare.validation})),
       certified(!task.certify || certify(*backend, shaders, emit)),
-      bakes(scene, DiskCache(options.compare.cache)),
-      resources(*backend, scene, options.compare.width_px, options.compare.height_px, &bakes),
       random(options.compare.seed + 7919 * task.process) {}
+
+GateProcess::SceneThere::SceneThere(Backend& backend, const Tree& tree, const CompareOptions& options)
+    : bakes(*tree.scene, *tree.library.code, DiskCache(options.cache)),
+      resources(backend, *tree.scene, tree.library, options.width_px, options.height_px, &bakes) {}
+
+GateProcess::SceneThere& GateProcess::scene_of(const Tree& tree) {
+  std::unique_ptr<SceneThere>& there = scenes_[tree.scene.get()];
+  if (!there) there = std::make_unique<SceneThere>(*backend, tree, options.compare);
+  return *there;
+}
 
 bool GateProcess::certify(Backend& backend, const std::filesystem::path& shaders, const EmitLine& emit) {
   const TimerRow timer = certify_timer(backend, shaders);
@@ -35,18 +43,19 @@ void GateProcess::end(const EmitLine& emit) { emit({{"messages", backend->take_m
 ReadyFrame& ProcessFrames::get(Tree& tree, const VariantManifest& variant, size_t copy) {
   std::unique_ptr<ReadyFrame>& ready = made_[{&tree, &variant, copy}];
   if (!ready)
-    ready = std::make_unique<ReadyFrame>(process_.resources, tree.plan, variant, tree.shaders.at(process_.backend->info().api));
+    ready = std::make_unique<ReadyFrame>(process_.scene_of(tree).resources, tree.plan, variant,
+                                         tree.shaders.at(process_.backend->info().api));
   return *ready;
 }
 
 void TimedFrames::add(std::string_view name, ReadyFrame& ready, size_t same_passes) {
   names.emplace_back(name);
   frames.push_back({&ready.frame, same_passes, ready.pass_ms});
+  view = ready.view;
 }
 
 PairsRow TimedFrames::row(const GateProcess& process) const {
-  return {process.task.process, process.task.backend, effect, variant, process.resources.scene().views.front().name, names,
-          paired->passes()};
+  return {process.task.process, process.task.backend, effect, variant, view, names, paired->passes()};
 }
 
 std::vector<PairsRow> rows_of(const std::vector<TimedFrames>& all, const GateProcess& process) {

@@ -17,8 +17,7 @@ class GateProcess {
  public:
   // Opens and, where the task says so, certifies, which emits {"timer":..}. Throws Error where the backend does not open.
   // `shaders`: the folder of the certificate's.
-  GateProcess(const GateTask& task, const Scene& scene, const std::filesystem::path& shaders, const GateOptions& options,
-              const EmitLine& emit);
+  GateProcess(const GateTask& task, const std::filesystem::path& shaders, const GateOptions& options, const EmitLine& emit);
   // Emits {"messages":..}, what the API's checker said, and the seconds that rounds took. Nothing may follow.
   void end(const EmitLine& emit);
 
@@ -27,12 +26,19 @@ class GateProcess {
   const Stopwatch watch;
   std::unique_ptr<Backend> backend;
   bool certified = true;
-  Bakes bakes;
-  SceneResources resources;
   std::mt19937_64 random;  // of the orders: another seed in each process
   double rounds_s = 0;
 
+  // A tree's scene on the device; trees with one scene share it.
+  struct SceneThere {
+    SceneThere(Backend& backend, const Tree& tree, const CompareOptions& options);
+    Bakes bakes;
+    SceneResources resources;
+  };
+  SceneThere& scene_of(const Tree& tree);
+
  private:
+  std::map<const Scene*, std::unique_ptr<SceneThere>> scenes_;
   static bool certify(Backend& backend, const std::filesystem::path& shaders, const EmitLine& emit);
 };
 
@@ -57,6 +63,7 @@ struct TimedFrames {
   std::unique_ptr<PairedFrames> paired;
 
   void add(std::string_view name, ReadyFrame& ready, size_t same_passes = 0);
+  std::string view;  // that is drawn
   PairsRow row(const GateProcess& process) const;
 };
 

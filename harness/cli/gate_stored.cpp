@@ -19,14 +19,15 @@ using Json = nlohmann::json;
 
 // Everything one process measures on one backend: in the first one cells with their counts and errors, then the variants of
 // each effect paired with each other.
-void measure_state(const Scene& scene, Tree& tree, const std::vector<const EffectManifest*>& effects, const GateTask& task,
+void measure_state(Tree& tree, const std::vector<const EffectManifest*>& effects, const GateTask& task,
                    const GateOptions& options, const EmitLine& emit) {
-  GateProcess process(task, scene, tree.library.shaders, options, emit);
+  GateProcess process(task, tree.library.shaders, options, emit);
+  GateProcess::SceneThere& there = process.scene_of(tree);
   ShaderCache& shaders = tree.shaders.at(process.backend->info().api);
   Progress progress(task.backend);
   std::vector<std::unique_ptr<BackendRun>> runs;
   for (const EffectManifest* effect : effects) {
-    runs.push_back(std::make_unique<BackendRun>(*process.backend, process.resources, tree.plan, *effect, shaders, process.bakes,
+    runs.push_back(std::make_unique<BackendRun>(*process.backend, there.resources, tree.plan, *effect, shaders, there.bakes,
                                                 options.compare, "images"));
     BackendRun& run = *runs.back();
     run.prepare(progress);
@@ -159,8 +160,8 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
   const std::filesystem::path file =
       std::filesystem::is_directory(options.baseline) ? options.baseline / "record.jsonl" : options.baseline;
   const std::optional<Record> stored = load_baseline(file, options.update);
-  const Scene scene = load_scene_for(options.compare.scene);
-  Tree tree = load_tree(load_library_for(options.compare.scene), scene, options.compare.backends);
+  Tree tree = load_tree(load_library_for(options.compare.scene), options.compare);
+  const Scene& scene = *tree.scene;
   std::vector<const EffectManifest*> effects;
   GateNames names{{}, {}, options.compare.backends};
   for (const EffectPlan& entry : tree.plan.effects) {
@@ -179,8 +180,8 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
 
   RecordWriter record = begin_record(options.compare.out, run, scene, tree);
   GateMeasurements measured = measure_in_processes(
-      options, watch,
-      [&](const GateTask& task, const EmitLine& emit) { measure_state(scene, tree, effects, task, options, emit); }, {});
+      options, watch, [&](const GateTask& task, const EmitLine& emit) { measure_state(tree, effects, task, options, emit); },
+      {});
   for (const std::string& backend : options.compare.backends)
     add_times(measured.cells_after, measured.pairs, measured.certified(backend), backend);
   for (const Json& timer : measured.timers) record.append(nlohmann::ordered_json(timer));

@@ -18,7 +18,8 @@ const VariantManifest* find_variant(const EffectManifest* effect, const std::str
   return nullptr;
 }
 
-std::map<Api, Identity> identities(Tree& tree, const Scene& scene, const VariantManifest& variant) {
+std::map<Api, Identity> identities(Tree& tree, const VariantManifest& variant) {
+  const Scene& scene = *tree.scene;
   std::map<Api, Identity> all;
   const Configuration configuration = configuration_with(tree.plan, variant);
   for (auto& [api, shaders] : tree.shaders) {
@@ -30,14 +31,14 @@ std::map<Api, Identity> identities(Tree& tree, const Scene& scene, const Variant
 }
 
 // Whether the code is the same; compiles the shaders, so that every process finds them compiled.
-void look_at_code(VariantPair& pair, Tree& before, Tree& after, const Scene& scene) {
+void look_at_code(VariantPair& pair, Tree& before, Tree& after) {
   std::map<Api, Identity> was, now;
   try {
-    if (pair.before) was = identities(before, scene, *pair.before);
+    if (pair.before) was = identities(before, *pair.before);
   } catch (const Error&) {  // its cells say so
   }
   try {
-    if (pair.after) now = identities(after, scene, *pair.after);
+    if (pair.after) now = identities(after, *pair.after);
   } catch (const Error& error) {
     pair.failure = error.what();
   }
@@ -53,13 +54,15 @@ void look_at_code(VariantPair& pair, Tree& before, Tree& after, const Scene& sce
 
 }  // namespace
 
-Tree load_tree(Library library, const Scene& scene, const std::vector<std::string>& backends) {
-  Tree tree{std::move(library), {}, {}};
-  for (const std::string& backend : backends) {
+Tree load_tree(Library library, const CompareOptions& options, const Tree* known) {
+  const auto owner = std::make_shared<const Library>(std::move(library));
+  const bool same = known && known->library.declarations() == owner->declarations();
+  Tree tree{owner, *owner, same ? known->scene : std::make_shared<const Scene>(load_scene_for(options.scene, *owner)), {}, {}};
+  for (const std::string& backend : options.backends) {
     const Api api = backend == "vulkan" ? Api::vulkan : Api::opengl;
     tree.shaders.try_emplace(api, api, tree.library.shaders);
   }
-  tree.plan = make_plan(tree.library, scene);
+  tree.plan = make_plan(tree.library, *tree.scene);
   return tree;
 }
 
@@ -111,11 +114,10 @@ VerdictRow judge_timer(const nlohmann::json& timer) {
   return row;
 }
 
-TreePair pair_trees(const Scene& scene, Library library_before, Library library_after, const GateOptions& options) {
-  TreePair trees{scene,
-                 load_tree(std::move(library_before), scene, options.compare.backends),
-                 load_tree(std::move(library_after), scene, options.compare.backends),
-                 {}};
+TreePair pair_trees(Library library_before, Library library_after, const GateOptions& options) {
+  Tree present = load_tree(std::move(library_after), options.compare);
+  Tree earlier = load_tree(std::move(library_before), options.compare, &present);
+  TreePair trees{std::move(earlier), std::move(present), {}};
   std::vector<std::string> effects, all;
   for (const Plan* plan : {&trees.before.plan, &trees.after.plan})
     for (const EffectPlan& entry : plan->effects)
@@ -137,7 +139,7 @@ TreePair pair_trees(const Scene& scene, Library library_before, Library library_
     for (const std::string& name : names) {
       VariantPair pair{before, after, find_variant(before, name), find_variant(after, name), false, false, 0, ""};
       if (!is_compared(pair.before ? *pair.before : *pair.after, options.compare)) continue;
-      look_at_code(pair, trees.before, trees.after, scene);
+      look_at_code(pair, trees.before, trees.after);
       pairs.push_back(std::move(pair));
     }
     // Errors are against a baseline, and a truth that some variants tell what the pixels show.
@@ -230,7 +232,7 @@ GateResult judge_trees(const TreePair& trees, const GateMeasurements& measured, 
       const VariantManifest& variant = pair.after ? *pair.after : *pair.before;
       const Limits allowed = limits.of(variant.effect, variant.name, backend);
       if (!is_drawn(pair, allowed)) continue;
-      const CellPair cells = cells_of(pair, backend, measured, trees.scene);
+      const CellPair cells = cells_of(pair, backend, measured, *trees.after.scene);
       const auto missing = [](const std::vector<nlohmann::json>& side) {
         return std::all_of(side.begin(), side.end(), [](const nlohmann::json& cell) { return cell.is_null(); });
       };

@@ -14,7 +14,7 @@ int run_list(const SceneOptions& options) {
     for (const VariantManifest& variant : effect.variants) {
       fmt::print("  variant {:<18} {}{}\n", variant.name, variant.baseline ? "baseline: " : "", variant.title);
       for (const ParameterManifest& parameter : variant.parameters)
-        fmt::print("    parameter {:<14} {} [{} to {}] {} {}\n", parameter.name, parameter.value, parameter.low, parameter.high,
+        fmt::print("    parameter {:<14} {} [{} to {}] {} {}\n", parameter.name, parameter.value, parameter.min, parameter.max,
                    parameter.unit, parameter.title);
     }
   }
@@ -31,9 +31,9 @@ int run_list(const SceneOptions& options) {
 
 int run_list_parameters(const SceneOptions& options) {
   const Library library = load_library_for(options);
-  for (const Parameter& parameter : parameters_of(load_scene_for(options), library))
+  for (const Parameter& parameter : parameters_of(load_scene_for(options, library), library))
     fmt::print("{:<40} {:>10} [{:g} to {:g}] {}{}{}\n", parameter.path,
-               parameter.value ? fmt::format("{:.6g}", *parameter.value) : "-", parameter.low, parameter.high, parameter.unit,
+               parameter.value ? fmt::format("{:.6g}", *parameter.value) : "-", parameter.min, parameter.max, parameter.unit,
                parameter.unit.empty() || parameter.title.empty() ? "" : ", ", parameter.title);
   return 0;
 }

@@ -203,20 +203,19 @@ int run(int argc, char** argv) {
 
   StressOptions stress;
   stress.validation = LAMINA_VALIDATION;
-  std::string functions;
   CLI::App& stress_command = *app.add_subcommand("stress", "Hard inputs through the shaders' functions, against exact values");
-  stress_command.add_option("functions", functions, "caps: the area that two spherical caps share")
-      ->required()
-      ->check(CLI::IsMember({"caps"}));
-  CLI::Option* points = stress_command.add_option("--points", stress.points,
-                                                  "File of r0,r1,d[,area] (radians, steradians) instead of the built-in sets");
+  stress_command.add_option(
+      "family", stress.family,
+      "A family of functions, such as caps (the area that two spherical caps share), or a family.toml; all without a name");
+  CLI::Option* points = stress_command.add_option(
+      "--points", stress.points, "File of inputs and, if known, their right value (caps: r0,r1,d[,area]) instead of the sets");
   CLI::Option* count = stress_command.add_option("--count", stress.count, "Inputs a set")
                            ->capture_default_str()
                            ->check(CLI::Range(1000, 4000000));
   stress_command
       .add_option("--grid", stress.grid_steps,
-                  "A grid of N x N x N radii and distances, N from 2 to 160, instead of the built-in sets")
-      ->check(CLI::Range(2, 160))
+                  "An even grid of N values of each input, N from 2 (caps: to 160), instead of the sets")
+      ->check(CLI::PositiveNumber)
       ->excludes(points)
       ->excludes(count);
   stress_command.add_option("--variant", stress.variants, "Only this function (may be given again)");
@@ -276,7 +275,7 @@ int run(int argc, char** argv) {
     return run_sweep(sweep);
   }
   if (merge_command.parsed()) return run_merge(shards, merged);
-  if (stress_command.parsed()) return run_stress_caps(stress);
+  if (stress_command.parsed()) return run_stress(stress);
   if (plan_command.parsed()) return run_plan(plan);
   if (list_command.parsed()) return list_parameters ? run_list_parameters(list) : run_list(list);
   if (history_command.parsed()) return run_history(history);

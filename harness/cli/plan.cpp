@@ -28,8 +28,8 @@ void print_variant(const Json& variant) {
 }  // namespace
 
 int run_plan(const SceneOptions& options) {
-  const Scene scene = load_scene_for(options);
   const Library library = load_library_for(options);
+  const Scene scene = load_scene_for(options, library);
   const Plan plan = make_plan(library, scene);
   ShaderCache shaders(Api::vulkan, library.shaders);
   const Json line = plan_line(plan, scene, shaders);

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "harness/graph/inputs.h"
+#include "harness/scene/digest.h"
 
 namespace lamina {
 namespace {
@@ -22,28 +23,6 @@ class Clock {
   double& sum_ms_;
   std::chrono::steady_clock::time_point start_;
 };
-
-// What is on the device for all points, and must be made anew where it changes.
-std::string resources_key(const Scene& scene) {
-  std::string key;
-  bool apertures = false;
-  for (const Object& object : scene.objects) {
-    key += fmt::format("{} {} {}", object.mesh.vertices.size(), object.mesh.indices.size(), fmt::ptr(object.albedo.get()));
-    if (const auto& layers = object.layers)
-      key += fmt::format(" {} {} {}", fmt::ptr(layers->outer_albedo.get()), fmt::ptr(layers->outer_normal.get()),
-                         fmt::ptr(layers->inner_albedo.get()));
-    if (const auto& bake = object.apertures) {
-      apertures = true;
-      key += fmt::format(" {} {} {} {} {}", static_cast<int>(bake->baker), bake->map_texels, bake->rays, bake->seed,
-                         bake->bias_m.value_or(-1));
-    }
-  }
-  if (!apertures) return key;
-  key += meshes_hash(scene);  // what apertures see
-  for (const Object& object : scene.objects)
-    key.append(reinterpret_cast<const char*>(&object.world_from_object), sizeof object.world_from_object);
-  return key;
-}
 
 }  // namespace
 
@@ -67,16 +46,16 @@ PointRun::~PointRun() {
 
 void PointRun::go_to(size_t point) {
   Scene next = scenes_.at(point);
-  const std::string resources = resources_key(next), meshes = meshes_hash(next);
+  const std::string resources = device_digest(next, library_), meshes = meshes_digest(next);
   scene_ = std::move(next);
   point_ = point;
   if (resources != resources_key_ || !resources_) {
     truth_.reset();
     for (Variant& variant : variants_) variant.prepared.clear();
     resources_.reset();
-    bakes_ = std::make_unique<Bakes>(scene_, DiskCache(options_.compare.cache));
-    resources_ =
-        std::make_unique<SceneResources>(backend_, scene_, options_.compare.width_px, options_.compare.height_px, bakes_.get());
+    bakes_ = std::make_unique<Bakes>(scene_, *library_.code, DiskCache(options_.compare.cache));
+    resources_ = std::make_unique<SceneResources>(backend_, scene_, library_, options_.compare.width_px,
+                                                  options_.compare.height_px, bakes_.get());
   } else {
     resources_->update(meshes != meshes_);
   }
@@ -85,10 +64,11 @@ void PointRun::go_to(size_t point) {
   plan_ = make_plan(library_, scene_);
   std::string plan_key;
   for (const EffectPlan& effect : plan_.effects) {
-    plan_key += "|" + effect.effect->name;
+    plan_key += fmt::format("|{} {}", effect.effect->name, effect.called_for);
+    for (const FeaturePlan& feature : effect.features) plan_key += fmt::format(" {}", feature.on);
     for (const size_t object : effect.objects) {
       plan_key += fmt::format(" {}", object);
-      for (const auto& [name, value] : feature_defines(*effect.effect, scene_.objects[object])) plan_key += "," + name;
+      for (const auto& [name, value] : feature_defines(*effect.effect, scene_, &scene_.objects[object])) plan_key += "," + name;
     }
   }
   if (plan_key != plan_key_ || !truth_)
@@ -102,8 +82,7 @@ void PointRun::go_to(size_t point) {
 std::string PointRun::key_of(const VariantManifest& variant, size_t point) const {
   std::string key = fmt::format("{} {}", plan_key_, scene_.mesh_moves || scene_.lights_move);
   for (const VariantManifest* used : configuration_with(plan_, variant))
-    for (const auto& [name, value] : scenes_.parameters_of_variant(*used, point))
-      key += fmt::format("|{}.{}={}", used->name, name, value);
+    for (const auto& [name, value] : scenes_.parameters_of_variant(*used, point)) key += fmt::format("|{}={}", name, value);
   return key;
 }
 
@@ -111,9 +90,10 @@ void PointRun::start_rows(Variant& variant, size_t point) {
   variant.failure.clear();
   variant.rows.clear();
   for (const View& view : scenes_.scene().views) {
-    CellRow& row = variant.rows.emplace_back(
-        blank_row(backend_.info().backend, backend_.info().device, scene_, view, *variant.manifest, options_.compare));
+    CellRow& row = variant.rows.emplace_back(blank_row(backend_.info().backend, backend_.info().device, scene_, library_, view,
+                                                       *variant.manifest, options_.compare));
     for (const auto& [path, value] : scenes_.params(point)) row.params[path] = value;
+    for (const auto& [path, word] : scenes_.words_at(point)) row.words[path] = word;
     row.timed = options_.time.has(point) && timer_ok_;
     row.counted = options_.fetches.has(point) || options_.time.has(point);
   }
@@ -129,9 +109,10 @@ void PointRun::prepare(Variant& variant, size_t point) {
     const Configuration configuration = configuration_with(plan_, *variant.manifest);
     variant.prepared.resize(std::min(variant.prepared.size(), most_prepared - 1));
     Prepared& made = variant.prepared.emplace_front();
-    for (const VariantManifest* used : configuration) made.parameters.merge(scenes_.parameters_of_variant(*used, point));
-    made.graph = make_graph(plan_, configuration, scene_, shaders_);
-    made.frame = std::make_unique<Frame>(*resources_, made.graph, Build::timed, made.parameters);
+    Parameters parameters;
+    for (const VariantManifest* used : configuration) parameters.merge(scenes_.parameters_of_variant(*used, point));
+    made.graph = make_graph(plan_, configuration, scene_, shaders_, Purpose::frame, parameters);
+    made.frame = std::make_unique<Frame>(*resources_, made.graph, Build::timed);
     made.key = key;  // last: what could not be made is not found again
   }
   Prepared& prepared = variant.prepared.front();
@@ -158,8 +139,7 @@ void PointRun::count(Variant& variant, bool fetches) {
     return;
   }
   const Clock clock(spent_.device);
-  if (!prepared.counting)
-    prepared.counting = std::make_unique<Frame>(*resources_, prepared.graph, Build::counting, prepared.parameters);
+  if (!prepared.counting) prepared.counting = std::make_unique<Frame>(*resources_, prepared.graph, Build::counting);
   prepared.counting->set_background(scene_.background);
   if (const std::string once = once_inputs(prepared.graph, scene_); prepared.counted_once != once) {
     prepared.counting->run_once(Timing::off);

@@ -43,7 +43,6 @@ class PointRun {
   // A variant's passes as the features and parameters of some point want them; kept, for points may share them.
   struct Prepared {
     std::string key;
-    Parameters parameters;
     Graph graph;
     std::unique_ptr<Frame> frame, counting;
     std::string once, counted_once, coverage;  // what these were made from: harness/graph/inputs.h

@@ -13,6 +13,7 @@ struct ReadyFrame {
 
   Graph graph;
   Frame frame;
+  std::string view;             // that was drawn: the scene's first
   std::vector<double> pass_ms;  // of that first frame, beside frame.frame_names(): compiling is in it
 };
 

@@ -34,6 +34,8 @@ Json passes_of(const std::vector<GraphPass>& passes, const Scene& scene, bool ru
       for (const ResolvedRead& read : draw.reads) names.insert(read.source.name);
     }
     for (const std::string& name : names) textures.push_back(name);
+    std::vector<std::string> written = pass.pass->writes;
+    if (!pass.pass->depth_target.empty()) written.push_back(pass.pass->depth_target);
     rows.push_back({{"pass", pass.pass->name},
                     {"effect", pass.variant->effect},
                     {"runs", runs},
@@ -41,7 +43,7 @@ Json passes_of(const std::vector<GraphPass>& passes, const Scene& scene, bool ru
                     {"reason", pass.reason},
                     {"objects", objects},
                     {"reads", textures},
-                    {"writes", pass.pass->writes}});
+                    {"writes", written}});
   }
   return rows;
 }
@@ -151,6 +153,7 @@ Json plan_line(const Plan& plan, const Scene& scene, ShaderCache& shaders) {
         for (const Json& dropped : passes_of(graph.dropped, scene, false)) passes.push_back(dropped);
         variants.push_back({{"variant", variant.name}, {"baseline", variant.baseline}, {"passes", passes}});
       } catch (const Error& error) {
+        if (error.kind() == ErrorKind::bad_input && error.stage() == "variants") throw;  // a mistake of a manifest
         variants.push_back({{"variant", variant.name}, {"baseline", variant.baseline}, {"error", error.what()}});
       }
     }

@@ -12,6 +12,7 @@
 #include "harness/cli/sweep_end.h"
 #include "harness/core/text.h"
 #include "harness/measure/timer_certificate.h"
+#include "harness/scene/digest.h"
 #include "harness/sweep/answers.h"
 #include "harness/sweep/sweep_record.h"
 
@@ -40,8 +41,8 @@ class StopSignals {
   }
 };
 
-Scene scene_of(const SweepOptions& options) {
-  Scene scene = load_scene_for(options.compare.scene);
+Scene scene_of(const SweepOptions& options, const Library& library) {
+  Scene scene = load_scene_for(options.compare.scene, library);
   std::vector<std::string> names;
   for (const View& view : scene.views) names.push_back(view.name);
   for (const std::string& name : options.views)
@@ -65,7 +66,7 @@ SweepPoints points_from(const SweepOptions& options) {
 std::string inputs_hash(const SweepOptions& options, const Scene& scene) {
   std::vector<std::filesystem::path> folders = {home_folder() / "variants", home_folder() / "shaders"};
   folders.insert(folders.end(), options.compare.scene.variants_dirs.begin(), options.compare.scene.variants_dirs.end());
-  std::string text = scene_hash(scene);
+  std::string text = scene_digest(scene);
   for (const std::filesystem::path& folder : folders) {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
@@ -206,7 +207,7 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
 int run_sweep(const SweepOptions& options) {
   const StopSignals signals;
   const Library library = load_library_for(options.compare.scene);
-  SweptScene scenes(scene_of(options), library, points_from(options));
+  SweptScene scenes(scene_of(options, library), library, points_from(options));
   const Scene& scene = scenes.scene();
   const Plan plan = make_plan(library, scene);
   const std::vector<const EffectManifest*> effects = compared_effects(plan);
@@ -214,6 +215,8 @@ int run_sweep(const SweepOptions& options) {
   std::vector<Limit> limits;
   for (const std::string& text : options.limits) limits.push_back(parse_limit(text));
   const std::vector<DeviceInfo> devices = devices_of(options);
+  ShaderCache shaders(Api::vulkan, library.shaders);
+  const nlohmann::ordered_json planned = plan_line(plan, scene, shaders);
 
   make_run_folder("sweep", options.compare.out);
   const FolderLock lock("sweep", options.compare.out);
@@ -223,10 +226,7 @@ int run_sweep(const SweepOptions& options) {
   const std::optional<Earlier> earlier = continue_record(file, run, sweep_line, scenes.points());
   RecordWriter record(file, earlier.has_value());
   if (!earlier) record.append(run), record.append(sweep_line);
-  if (!earlier || !earlier->kinds.contains("plan")) {
-    ShaderCache shaders(Api::vulkan, library.shaders);
-    record.append(plan_line(plan, scene, shaders));
-  }
+  if (!earlier || !earlier->kinds.contains("plan")) record.append(planned);
 
   Tally tally;
   const std::set<CellKey> known = earlier ? earlier->cells : std::set<CellKey>{};

@@ -10,7 +10,7 @@
 #include "harness/cli/commands.h"
 #include "harness/graph/frame.h"
 #include "harness/record/record.h"
-#include "harness/truth/direct_light.h"
+#include "harness/truth/truth.h"
 
 namespace lamina {
 
@@ -22,24 +22,23 @@ class TruthRun {
 
   // Writes a picture and returns its path for the record.
   using Write = std::function<std::string(const std::string& suffix, const DisplayImage& image)>;
-  // The scene's numbers have changed: what was lit is another scene's.
+  // The scene's numbers have changed: what was answered is another scene's.
   void forget();
-  // Fills in the row's truth and assumptions, where the effect has a truth for the variant's kind of apertures and this view
-  // shows any of it. `picture`: the variant's, of this view, all finite.
+  // Fills in the row's truth and assumptions, where the effect has a truth for variants like this one and this view shows any
+  // of it. `picture`: the variant's, of this view, all finite.
   void score(const VariantManifest& variant, size_t view, const Image& picture, CellRow& row, const Write& write,
              const std::function<void(double)>& progress);
 
  private:
-  // What a view shows by one kind of apertures, and its light by the models that ask for them, in the points' order.
-  struct Lit {
-    ShadingPoints points;
-    std::vector<glm::vec3> exact, integrated;
-    std::vector<AssumptionRow> shared;  // the assumptions that all variants with the same apertures make alike
+  // What a view shows, as one variant's passes tell it.
+  struct Answered {
+    TruthAnswer answer;
+    std::vector<AssumptionRow> shared;  // the assumptions that all variants that are told alike make
     std::string image;
+    bool has_shared = false;
   };
   const VariantManifest* teller(const VariantManifest& variant) const;
-  Lit& lit(const VariantManifest& told, size_t view, const std::function<void(double)>& progress);
-  std::vector<glm::vec3> light(const ShadingPoints& points, LightModel model, const std::function<void(double)>& progress);
+  Answered& answered(const VariantManifest& told, size_t view, const std::function<void(double)>& progress);
 
   SceneResources& resources_;
   const Plan& plan_;
@@ -47,12 +46,11 @@ class TruthRun {
   ShaderCache& shaders_;
   Bakes& bakes_;
   const CompareOptions& options_;
+  std::unique_ptr<Truth> truth_;  // started when it is first asked
   std::map<const VariantManifest*, std::unique_ptr<Graph>> graphs_;
   std::map<const VariantManifest*, std::unique_ptr<Frame>> frames_;
-  // Of one view at a time: by kind of apertures; and traced, which is the same for all.
-  size_t view_ = 0;
-  std::map<const VariantManifest*, Lit> lit_;
-  std::vector<glm::vec3> traced_;
+  size_t view_ = 0;  // that answers are kept of
+  std::map<const VariantManifest*, Answered> answers_;
 };
 
 }  // namespace lamina

@@ -71,6 +71,8 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view c
   }
 }
 
+double decimal(float value) { return std::stod(fmt::format("{}", value)); }
+
 std::string hash_hex(std::string_view bytes) { return fmt::format("{:016x}", XXH3_64bits(bytes.data(), bytes.size())); }
 
 }  // namespace lamina

@@ -23,6 +23,9 @@ std::string read_file(const std::filesystem::path& path, std::string_view stage)
 // Writes beside the target and renames over it, so that a reader never sees half a file. Throws Error(failed).
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
+// The double that is written as shortly as this float: 10.24, not 10.239999771118164.
+double decimal(float value);
+
 // 16 hex digits of XXH3-64 of the bytes.
 std::string hash_hex(std::string_view bytes);
 

@@ -39,6 +39,9 @@ bool TomlTable::has(std::string_view key) const { return find(key) != nullptr; }
 bool TomlTable::is_string(std::string_view key) const { return has(key) && find(key)->is_string(); }
 bool TomlTable::is_table(std::string_view key) const { return has(key) && find(key)->is_table(); }
 bool TomlTable::is_list(std::string_view key) const { return has(key) && find(key)->is_array(); }
+bool TomlTable::is_list_of_strings(std::string_view key) const {
+  return is_list(key) && find(key)->is_homogeneous(toml::node_type::string);
+}
 
 std::vector<std::string> TomlTable::keys() const {
   std::vector<std::string> names;

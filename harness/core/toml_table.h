@@ -31,6 +31,7 @@ class TomlTable {
   bool is_string(std::string_view key) const;
   bool is_table(std::string_view key) const;
   bool is_list(std::string_view key) const;
+  bool is_list_of_strings(std::string_view key) const;  // an empty list is none
   std::vector<std::string> keys() const;
   // Present and of the right type, or an Error; the optional forms allow absence. Numbers are finite and within [low, high].
   std::string string(std::string_view key) const;

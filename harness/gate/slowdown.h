@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "harness/plan/manifest.h"
+#include "harness/manifest/library.h"
 
 namespace lamina {
 

@@ -4,15 +4,16 @@
 #include <algorithm>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
+#include <numeric>
 
 #include "harness/graph/frame_builder.h"
 
 namespace lamina {
 
-Frame::Frame(SceneResources& resources, const Graph& graph, Build build, const Parameters& parameters)
+Frame::Frame(SceneResources& resources, const Graph& graph, Build build)
     : resources_(resources), backend_(resources.backend()), build_(build) {
   try {
-    FrameBuilder(*this, graph, parameters).build();
+    FrameBuilder(*this, graph).build();
   } catch (...) {
     release();
     throw;
@@ -23,29 +24,58 @@ Frame::~Frame() { release(); }
 
 void Frame::release() {
   for (const PipelineId id : pipelines_) backend_.destroy(id);
-  for (const BufferId id : buffers_) backend_.destroy(id);
-  for (const TextureId id : textures_) backend_.destroy(id);
+  for (const BufferId id : made_.buffers) backend_.destroy(id);
+  for (const TextureId id : made_.textures) backend_.destroy(id);
+}
+
+// The passes of a view that run. Where a pass repeats until it draws nothing, it is run in full once for every state of the
+// scene, its samples are counted, and the repetitions behind the first empty one are left out from then on. Where repetitions
+// take turns in two buffers they are left out in pairs, so that later passes read the buffer that they were built for.
+const std::vector<size_t>& Frame::running(Sequence& sequence, size_t view) {
+  Sequence::Running& running = sequence.running.at(view);
+  const bool known = !running.passes.empty() && (!sequence.stops_early || running.of_update == resources_.updates());
+  if (known) return running.passes;
+  const std::vector<Pass>& passes = sequence.passes_by_view.at(view);
+  running.of_update = resources_.updates();
+  running.passes.resize(passes.size());
+  std::iota(running.passes.begin(), running.passes.end(), size_t{0});
+  if (!sequence.stops_early) return running.passes;
+  const RunTimes counted = backend_.run(passes, Timing::off);
+  std::vector<uint32_t> kept(sequence.steps.size(), UINT32_MAX);  // repetitions of each step
+  std::map<std::pair<size_t, uint32_t>, uint64_t> drawn;
+  for (size_t i = 0; i < passes.size(); ++i)
+    if (passes[i].count_samples) drawn[{sequence.step_of_pass[i], sequence.repetition_of_pass[i]}] += counted.samples[i];
+  for (const auto& [which, samples] : drawn)
+    if (samples == 0 && kept[which.first] == UINT32_MAX)
+      kept[which.first] = sequence.steps[which.first].turns ? (which.second + 1) / 2 * 2 : which.second;
+  std::erase_if(running.passes, [&](size_t i) { return sequence.repetition_of_pass[i] >= kept[sequence.step_of_pass[i]]; });
+  return running.passes;
 }
 
 FrameTimes Frame::run_sequence(Sequence& sequence, size_t view, Timing timing) {
+  const std::vector<size_t>& which = running(sequence, view);
   for (const Step& step : sequence.steps)
     if (step.counters) backend_.write_buffer(step.counters, std::as_bytes(std::span(step.cleared)));
-  const RunTimes times = backend_.run(sequence.passes_by_view.at(view), timing);
+  const std::vector<Pass>& all = sequence.passes_by_view.at(view);
+  std::vector<Pass> fewer;
+  if (which.size() < all.size())
+    for (const size_t i : which) fewer.push_back(all[i]);
+  const RunTimes times = backend_.run(fewer.empty() ? all : fewer, timing);
   FrameTimes sums;
   sums.wall_ms = times.wall_ms;
   if (timing == Timing::off) return sums;
   sums.pass_ms.assign(sequence.steps.size(), 0);
-  for (size_t i = 0; i < times.pass_ms.size(); ++i) sums.pass_ms[sequence.step_of_pass[i]] += times.pass_ms[i];
+  for (size_t i = 0; i < times.pass_ms.size(); ++i) sums.pass_ms[sequence.step_of_pass[which[i]]] += times.pass_ms[i];
   return sums;
 }
 
 void Frame::set_background(glm::vec3 linear) {
   for (std::vector<Pass>& passes : frame_.passes_by_view)
-    for (size_t i = 0; i < passes.size(); ++i) {
-      const PassManifest& manifest = *frame_.steps[frame_.step_of_pass[i]].pass->pass;
-      for (size_t c = 0; c < passes[i].colors.size(); ++c)
-        if (!manifest.clear && manifest.writes[c] == "frame") passes[i].colors[c].clear = {linear.r, linear.g, linear.b, 0};
-    }
+    for (size_t i = 0; i < passes.size(); ++i)
+      for (Attachment& color : passes[i].colors)
+        if ((color.texture == frame_buffers_[0] || color.texture == frame_buffers_[1]) &&
+            !frame_.steps[frame_.step_of_pass[i]].pass->pass->clear)
+          color.clear = {linear.r, linear.g, linear.b, 0};
 }
 
 FrameTimes Frame::run_once(Timing timing) { return run_sequence(once_, 0, timing); }
@@ -55,26 +85,28 @@ namespace {
 
 // Strips repeat the vertex stage, which must then have no effect but the picture.
 bool can_be_cut(const Pass& pass) {
+  const auto is_smaller_level = [](const Attachment& color) { return color.level > 0; };
   return pass.kind == PassKind::raster && !pass.colors.empty() &&
+         std::none_of(pass.colors.begin(), pass.colors.end(), is_smaller_level) &&
          std::all_of(pass.draws.begin(), pass.draws.end(), [](const Draw& draw) {
-           return draw.images.empty() && std::all_of(draw.buffers.begin(), draw.buffers.end(), [](const BufferBinding& binding) {
-                    return binding.kind == BindingKind::uniform_buffer;
-                  });
+           return draw.images.empty() &&
+                  std::all_of(draw.buffers.begin(), draw.buffers.end(),
+                              [](const BufferBinding& binding) { return binding.kind == BindingKind::uniform_buffer; });
          });
 }
 
 }  // namespace
 
-std::vector<Frame::Slice> Frame::slices(size_t view, std::span<const uint32_t> parts) const {
+std::vector<Frame::Slice> Frame::slices(size_t view, std::span<const uint32_t> parts) {
   std::vector<Slice> slices;
   const std::vector<Pass>& passes = frame_.passes_by_view.at(view);
-  for (size_t i = 0; i < passes.size(); ++i) {
+  for (const size_t i : running(frame_, view)) {
     const size_t step = frame_.step_of_pass[i];
     if (!can_be_cut(passes[i])) {
       slices.push_back({step, passes[i]});
       continue;
     }
-    const Area whole = whole_.at(passes[i].colors.front().texture);
+    const Area whole = made_.whole.at(passes[i].colors.front().texture);
     const uint32_t count = std::clamp(parts[step], 1u, whole.height);
     for (uint32_t strip = 0; strip < count; ++strip) {
       const auto row = [&](uint32_t edge) { return static_cast<uint32_t>(uint64_t{whole.height} * edge / count); };
@@ -89,9 +121,9 @@ Image Frame::picture() {
   return image_from_rgba16(resources_.width_px(), resources_.height_px(), backend_.read_texture(picture_));
 }
 
-Image Frame::target(const std::string& name) {
-  const auto found = targets_.find(name);
-  const Format format = found == targets_.end() ? Format::r8_unorm : found->second.second;
+Image Frame::target(const VariantManifest& variant, const std::string& name) {
+  const auto found = made_.frame_sized.find({&variant, name});
+  const Format format = found == made_.frame_sized.end() ? Format::r8_unorm : found->second.second;
   if (format != Format::rgba16_float && format != Format::rgba32_float)
     throw Error(ErrorKind::failed, "graph", name, "is no target of four floats as large as the frame");
   const std::vector<std::byte> bytes = backend_.read_texture(found->second.first);
@@ -100,6 +132,14 @@ Image Frame::target(const std::string& name) {
   image.rgba.resize(bytes.size() / sizeof(float));
   std::memcpy(image.rgba.data(), bytes.data(), bytes.size());
   return image;
+}
+
+std::map<std::string, Image> Frame::targets_of(const VariantManifest& variant) {
+  std::map<std::string, Image> images;
+  for (const auto& [key, made] : made_.frame_sized)
+    if (key.first == &variant && (made.second == Format::rgba16_float || made.second == Format::rgba32_float))
+      images[key.second] = target(variant, key.second);
+  return images;
 }
 
 std::vector<PassCounts> Frame::counts(Sequence& sequence) {

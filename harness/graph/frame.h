@@ -12,6 +12,7 @@
 #include "harness/graph/counts.h"
 #include "harness/graph/graph.h"
 #include "harness/graph/scene_resources.h"
+#include "harness/graph/targets.h"
 
 namespace lamina {
 
@@ -22,13 +23,10 @@ struct FrameTimes {
 
 enum class Build : uint8_t { timed, counting };
 
-// Values for specialization constants by name: the variant's parameters.
-using Parameters = std::map<std::string, double>;
-
 class Frame {
  public:
   // Everything given must outlive the frame. Throws Error(failed) where the device refuses.
-  Frame(SceneResources& resources, const Graph& graph, Build build, const Parameters& parameters = {});
+  Frame(SceneResources& resources, const Graph& graph, Build build);
   ~Frame();
   Frame(const Frame&) = delete;
   Frame& operator=(const Frame&) = delete;
@@ -44,21 +42,23 @@ class Frame {
   // One frame of scene.views[view].
   FrameTimes run(size_t view, Timing timing);
 
-  // A frame in small pieces, for comparing two frames piece by piece: raster passes are cut into at most `parts[pass]` strips of
-  // whole rows, as equal as they get; what cannot be cut (compute, mip chains, shaders with storage) is one piece. Running all
-  // of them in order makes the picture of run(). `parts` is beside frame_names().
+  // A frame in small pieces, for comparing two frames piece by piece: raster passes are cut into at most `parts[pass]` strips
+  // of whole rows, as equal as they get; what cannot be cut (compute, mip chains, shaders with storage) is one piece. Running
+  // all of them in order makes the picture of run(). `parts` is beside frame_names().
   struct Slice {
     size_t pass = 0;  // index into frame_names()
     Pass piece;
   };
-  std::vector<Slice> slices(size_t view, std::span<const uint32_t> parts) const;
+  std::vector<Slice> slices(size_t view, std::span<const uint32_t> parts);
 
   // The picture of the last run(): linear light; alpha as the passes left it.
   Image picture();
 
-  // A target as large as the frame after the last run(), as floats: rgba16_float or rgba32_float. Throws Error(failed) for any
-  // other.
-  Image target(const std::string& name);
+  // A variant's target as large as the frame after the last run(), as floats: rgba16_float or rgba32_float. Throws
+  // Error(failed) for any other.
+  Image target(const VariantManifest& variant, const std::string& name);
+  // All of them, by name.
+  std::map<std::string, Image> targets_of(const VariantManifest& variant);
 
   // Counting build only: what the last run_once() and run() executed, in the order of the names; and the pixels of the frame in
   // which the passes of `effect` shaded at least one fragment.
@@ -78,6 +78,7 @@ class Frame {
     const GraphPass* pass;
     BufferId counters;  // counting build
     uint32_t coverage_word = 0;
+    bool turns = false;             // each repetition reads what the one before wrote
     std::vector<uint32_t> cleared;  // what the counters hold before a run
     std::vector<Counted> counted;
   };
@@ -86,11 +87,20 @@ class Frame {
     std::vector<std::string> names;
     std::vector<Step> steps;                        // beside names
     std::vector<size_t> step_of_pass;               // beside every list of passes
+    std::vector<uint32_t> repetition_of_pass;       // likewise
     std::vector<std::vector<Pass>> passes_by_view;  // [view]; passes done once: one list
+    // [view]: which of them run, where a pass stops repeating when it has drawn nothing; and for which state of the scene.
+    struct Running {
+      uint64_t of_update = 0;
+      std::vector<size_t> passes;  // by index
+    };
+    std::vector<Running> running;
+    bool stops_early = false;
   };
   friend class FrameBuilder;
 
   void release();
+  const std::vector<size_t>& running(Sequence& sequence, size_t view);
   FrameTimes run_sequence(Sequence& sequence, size_t view, Timing timing);
   std::vector<PassCounts> counts(Sequence& sequence);
 
@@ -99,10 +109,8 @@ class Frame {
   Build build_;
   Sequence once_, frame_;
   TextureId picture_;
-  std::map<std::string, std::pair<TextureId, Format>> targets_;  // as large as the frame, by name
-  std::map<TextureId, Area> whole_;                              // of every target, its level 0
-  std::vector<TextureId> textures_;
-  std::vector<BufferId> buffers_;
+  std::array<TextureId, 2> frame_buffers_;
+  MadeResources made_;
   std::vector<PipelineId> pipelines_;
 };
 

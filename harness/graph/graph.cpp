@@ -4,110 +4,26 @@
 #include <algorithm>
 
 #include "harness/core/text.h"
+#include "harness/graph/blocks.h"
+#include "harness/graph/left_out.h"
 
 namespace lamina {
 namespace {
 
-const std::vector<std::string> object_textures = {"outer_albedo", "outer_normal", "inner_albedo", "albedo"};
-// Textures of objects repeat, as glTF's default sampler does.
-constexpr Sampler object_sampler = {Filter::trilinear, Wrap::repeat};
-
-// Maps are of the unit tile, and radii must not be mixed with what lies across its border.
-constexpr Sampler aperture_sampler = {Filter::linear, Wrap::clamp};
-
-// The samplers of a variant's aperture maps are aperture_0, aperture_1, ...
-std::optional<uint32_t> aperture_named(const VariantManifest& variant, std::string_view sampler) {
-  for (uint32_t i = 0; variant.apertures && i < variant.apertures->count; ++i)
-    if (sampler == fmt::format("aperture_{}", i)) return i;
-  return std::nullopt;
-}
+// The definition that shaders of variants with views of lights get.
+constexpr const char* casting_lights_define = "CASTING_LIGHTS";
 
 bool is_per_object(const PassManifest& pass, const VariantManifest& variant) {
   if (pass.draw == DrawKind::objects || pass.draw == DrawKind::unwrapped) return true;
-  for (const std::string& name : pass.writes)
-    if (const TargetManifest* target = variant.target(name)) return target->scope == Scope::object;
-  return false;
+  return std::any_of(pass.writes.begin(), pass.writes.end(), [&](const std::string& name) {
+    const TargetManifest* target = variant.target(name);
+    return target && target->scope == Scope::object;
+  });
 }
 
-Source resolve_source(const VariantManifest& variant, const PassManifest& pass, const std::string& sampler,
-                      const Object* object) {
-  const auto declared = pass.reads.find(sampler);
-  const ReadManifest read = declared != pass.reads.end() ? declared->second : ReadManifest{sampler, {}, {}};
-  Source source;
-  source.name = read.source;
-  source.variant = &variant;
-  if (const TargetManifest* target = variant.target(read.source)) {
-    source.kind = Source::Kind::target;
-    source.sampler = target->sampler;
-  } else if (read.source == "frame") {
-    source.kind = Source::Kind::frame;
-    source.sampler = {Filter::nearest, Wrap::clamp};
-  } else if (read.source == "depth") {
-    source.kind = Source::Kind::depth;
-    source.sampler = {Filter::nearest, Wrap::clamp};
-    if (pass.depth != Depth::none)
-      throw Error(ErrorKind::bad_input, "variants", pass.where,
-                  "a pass cannot read 'depth' while it tests against it: set depth = \"none\"");
-  } else if (object && object_texture(*object, read.source)) {
-    source.sampler = object_sampler;
-  } else if (const auto aperture = aperture_named(variant, read.source)) {
-    source.kind = Source::Kind::aperture_map;
-    source.aperture = *aperture;
-    source.sampler = aperture_sampler;
-  } else if (read.source == "cap_table") {
-    source.kind = Source::Kind::cap_table;
-    source.sampler = {Filter::linear, Wrap::clamp};
-  } else {
-    std::vector<std::string> names = {"frame", "depth"};
-    for (const TargetManifest& known : variant.targets) names.push_back(known.name);
-    names.emplace_back("cap_table");
-    if (object) names.insert(names.end(), object_textures.begin(), object_textures.end());
-    throw Error(ErrorKind::bad_input, "variants", pass.where,
-                fmt::format("pass '{}' samples '{}': {}", pass.name, sampler, unknown_name("texture", read.source, names)));
-  }
-  if (read.filter) source.sampler.filter = *read.filter;
-  if (read.wrap) source.sampler.wrap = *read.wrap;
-  return source;
-}
-
-void check_constants(const GraphPass& pass, const GraphDraw& draw) {
-  std::vector<std::string> known;
-  for (const auto& stage : draw.stages)
-    for (const SpecConstantInfo& constant : stage->reflection.constants) known.push_back(constant.name);
-  for (const auto& [name, text] : pass.pass->constants)
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw Error(ErrorKind::bad_input, "variants", pass.pass->where, unknown_name("specialization constant", name, known));
-}
-
-GraphDraw make_draw(const GraphPass& pass, const EffectManifest& effect, const Object* object, std::optional<size_t> index,
-                    ShaderCache& shaders) {
-  GraphDraw draw;
-  draw.object = index;
-  std::map<std::string, std::string> defines = object ? feature_defines(effect, *object) : std::map<std::string, std::string>{};
-  if (pass.variant->apertures) {
-    defines["APERTURES"] = fmt::format("{}", pass.variant->apertures->count);
-    if (pass.variant->apertures->anti) defines["ANTI_APERTURE"] = "1";
-  }
-  for (const auto& [name, text] : pass.pass->defines) defines[name] = text;
-  if (!pass.pass->vertex.empty() && pass.pass->draw != DrawKind::mips) {
-    draw.stages.push_back(shaders.get(pass.pass->vertex, Stage::vertex, defines));
-    draw.stages.push_back(shaders.get(pass.pass->fragment, Stage::fragment, defines));
-  }
-  if (pass.pass->draw == DrawKind::compute) draw.stages.push_back(shaders.get(pass.pass->compute, Stage::compute, defines));
-  std::set<uint32_t> seen;
-  for (const auto& stage : draw.stages)
-    for (const ShaderResource& resource : stage->reflection.resources)
-      if (resource.kind == BindingKind::texture && seen.insert(resource.binding).second)
-        draw.reads.push_back(
-            {resource.binding, resource.name, resolve_source(*pass.variant, *pass.pass, resource.name, object)});
-  for (const auto& [sampler, read] : pass.pass->reads) {
-    std::vector<std::string> samplers;
-    for (const ResolvedRead& resolved : draw.reads) samplers.push_back(resolved.sampler);
-    if (!object && std::find(samplers.begin(), samplers.end(), sampler) == samplers.end())
-      throw Error(ErrorKind::bad_input, "variants", pass.pass->where, unknown_name("sampler", sampler, samplers));
-  }
-  check_constants(pass, draw);
-  return draw;
+bool has_light_views(const VariantManifest& variant) {
+  return std::any_of(variant.passes.begin(), variant.passes.end(),
+                     [](const PassManifest& pass) { return pass.view == PassView::light; });
 }
 
 std::string frequency_words(const PassManifest& pass, const Scene& scene, bool& once) {
@@ -120,78 +36,152 @@ std::string frequency_words(const PassManifest& pass, const Scene& scene, bool& 
   return scene.mesh_moves ? "every frame: a mesh moves" : "every frame: a light moves";
 }
 
-// A target, or buffer, of a variant; for one object or for the frame.
-struct Resource {
-  const VariantManifest* variant;
-  std::string name;
-  std::optional<size_t> object;
-  auto operator<=>(const Resource&) const = default;
+class Maker {
+ public:
+  Maker(const Plan& plan, const Scene& scene, ShaderCache& shaders, const Parameters& parameters)
+      : plan_(plan), scene_(scene), shaders_(shaders), parameters_(parameters), casting_(casting_lights(scene)) {}
+
+  GraphPass make_pass(const EffectPlan& effect, const VariantManifest& variant, const PassManifest& manifest) {
+    GraphPass pass;
+    pass.effect = effect.effect, pass.variant = &variant, pass.pass = &manifest;
+    pass.reason = frequency_words(manifest, scene_, pass.once);
+    std::vector<std::optional<size_t>> lights = {std::nullopt};
+    if (manifest.view == PassView::light) {
+      if (casting_.empty())
+        throw Error(
+            ErrorKind::bad_input, "variants", manifest.where,
+            fmt::format("pass '{}' is drawn from each light that casts, and none does: say casts = true for a light of {}",
+                        manifest.name, scene_.name));
+      lights.assign(casting_.begin(), casting_.end());
+    }
+    for (const std::optional<size_t> light : lights) {
+      if (!is_per_object(manifest, variant)) {
+        pass.draws.push_back(make_draw(pass, std::nullopt, light));
+        continue;
+      }
+      for (const size_t object : objects_of(effect, manifest)) pass.draws.push_back(make_draw(pass, object, light));
+    }
+    return pass;
+  }
+
+ private:
+  const std::vector<size_t>& objects_of(const EffectPlan& effect, const PassManifest& pass) const {
+    return pass.of == DrawnObjects::all ? plan_.all : pass.of == DrawnObjects::opaque ? plan_.opaque : effect.objects;
+  }
+
+  std::map<std::string, std::string> definitions(const GraphPass& pass, const Object* object) const {
+    std::map<std::string, std::string> defines = feature_defines(*pass.effect, scene_, object);
+    if (!pass.effect->baker.empty())
+      for (const auto& [name, text] : plan_.library->code->bakers.at(pass.effect->baker)->defines(pass.variant->bake))
+        defines[name] = text;
+    if (has_light_views(*pass.variant)) defines[casting_lights_define] = fmt::format("{}", casting_.size());
+    for (const auto& [name, text] : pass.pass->defines) {
+      defines[name] = text;
+      if (!text.starts_with('$')) continue;
+      const ParameterManifest& parameter = *pass.variant->parameter(text.substr(1));
+      defines[name] = parameter.text(pass.variant->value_of(parameter, parameters_));
+    }
+    return defines;
+  }
+
+  GraphDraw make_draw(const GraphPass& pass, std::optional<size_t> index, std::optional<size_t> light) {
+    const Object* object = index ? &scene_.objects[*index] : nullptr;
+    if (pass.pass->draw == DrawKind::unwrapped && !object->unwrap_problem.empty())
+      throw Error(ErrorKind::failed, "plan", fmt::format("object '{}'", object->name),
+                  fmt::format("cannot be drawn unwrapped, as pass '{}' needs: {}", pass.pass->name, object->unwrap_problem));
+    GraphDraw draw;
+    draw.object = index, draw.light = light;
+    compile(pass, definitions(pass, object), draw);
+    resolve(pass, draw);
+    check_names(pass, draw, object);
+    return draw;
+  }
+
+  void compile(const GraphPass& pass, const std::map<std::string, std::string>& defines, GraphDraw& draw) {
+    if (pass.pass->draw == DrawKind::mips) return;
+    if (!pass.pass->vertex.empty()) {
+      draw.stages.push_back(shaders_.get(pass.pass->vertex, Stage::vertex, defines));
+      draw.stages.push_back(shaders_.get(pass.pass->fragment, Stage::fragment, defines));
+    }
+    if (pass.pass->draw == DrawKind::compute) draw.stages.push_back(shaders_.get(pass.pass->compute, Stage::compute, defines));
+    if (draw.stages.size() == 2) part_blocks(draw);
+  }
+
+  // Both stages may declare a block of one name, each with the members that it wants. Where these differ they are two buffers,
+  // and need two bindings: the fragment stage's moves to one that is free.
+  void part_blocks(GraphDraw& draw) {
+    const std::vector<ShaderResource> vertex = draw.stages[0]->reflection.resources,
+                                      fragment = draw.stages[1]->reflection.resources;
+    uint32_t free = 0;
+    for (const auto* resources : {&vertex, &fragment})
+      for (const ShaderResource& resource : *resources) free = std::max(free, resource.binding + 1);
+    for (const ShaderResource& mine : fragment)
+      for (const ShaderResource& other : vertex)
+        if (mine.binding == other.binding && mine.kind == BindingKind::uniform_buffer && other.kind == mine.kind &&
+            layout_key(mine) != layout_key(other))
+          draw.stages[1] = shaders_.rebound(draw.stages[1], mine.binding, free++);
+  }
+
+  void resolve(const GraphPass& pass, GraphDraw& draw) {
+    const SourceContext sources{plan_, scene_, *pass.effect, *pass.variant, *pass.pass, draw.object, draw.light};
+    const BlockContext blocks{
+        scene_, *plan_.library, *pass.effect, pass.pass->where, 0, pass.pass->view, draw.light, draw.object, 1, 1, {}};
+    std::set<uint32_t> seen;
+    for (const auto& stage : draw.stages)
+      for (const ShaderResource& resource : stage->reflection.resources) {
+        if (!seen.insert(resource.binding).second) continue;
+        if (resource.kind == BindingKind::texture)
+          draw.reads.push_back({resource.binding, resource.name, texture_source(sources, resource.name)});
+        else if (resource.kind == BindingKind::storage_buffer)
+          draw.buffers.push_back({resource.binding, buffer_source(sources, resource.name)});
+      }
+    for (const auto& stage : draw.stages)
+      for (const ShaderResource& resource : stage->reflection.resources)
+        if (resource.kind == BindingKind::uniform_buffer &&
+            checked_.insert({stage.get(), resource.binding, pass.effect, draw.object.has_value(), pass.pass->view}).second)
+          check_block(resource, block_values(resource, blocks), pass.pass->where);
+    for (const ResolvedRead& read : draw.reads)
+      if (read.source.kind == Source::Kind::frame && !pass.effect->reads_frame)
+        throw Error(
+            ErrorKind::bad_input, "variants", pass.pass->where,
+            fmt::format("pass '{}' reads the frame: say reads_frame = true in {}, so that {} is drawn after what does not",
+                        pass.pass->name, pass.effect->file.string(), pass.effect->name));
+  }
+
+  // Samplers and specialization constants that the manifest names and the shaders do not have.
+  void check_names(const GraphPass& pass, const GraphDraw& draw, const Object* object) const {
+    std::vector<std::string> samplers, constants;
+    for (const ResolvedRead& read : draw.reads) samplers.push_back(read.sampler);
+    for (const auto& stage : draw.stages)
+      for (const SpecConstantInfo& constant : stage->reflection.constants) constants.push_back(constant.name);
+    const auto expect = [&](const char* what, const std::string& name, const std::vector<std::string>& known) {
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        throw Error(ErrorKind::bad_input, "variants", pass.pass->where, unknown_name(what, name, known));
+    };
+    // An object's features may have left a sampler out.
+    for (const auto& [sampler, read] : pass.pass->reads)
+      if (!object) expect("sampler", sampler, samplers);
+    for (const auto& [name, text] : pass.pass->constants) expect("specialization constant", name, constants);
+  }
+
+  struct Checked {
+    const CompiledShader* shader;
+    uint32_t binding;
+    const EffectManifest* effect;
+    bool of_object;
+    PassView view;
+    auto operator<=>(const Checked&) const = default;
+  };
+
+  const Plan& plan_;
+  const Scene& scene_;
+  ShaderCache& shaders_;
+  const Parameters& parameters_;
+  const std::vector<size_t> casting_;
+  std::set<Checked> checked_;
 };
 
-// Storage buffers and images that the draw's shaders touch are read and written alike.
-std::vector<Resource> touched_storage(const GraphPass& pass, const GraphDraw& draw) {
-  std::vector<Resource> touched;
-  for (const auto& stage : draw.stages)
-    for (const ShaderResource& resource : stage->reflection.resources) {
-      if (resource.kind != BindingKind::storage_buffer) continue;
-      for (const BufferManifest& buffer : pass.variant->buffers)
-        if (buffer.name == resource.name)
-          touched.push_back({pass.variant, buffer.name, buffer.scope == Scope::object ? draw.object : std::nullopt});
-    }
-  return touched;
-}
-
-Resource written(const GraphPass& pass, const GraphDraw& draw, const std::string& name) {
-  const TargetManifest* target = pass.variant->target(name);
-  return {pass.variant, name, target && target->scope == Scope::object ? draw.object : std::nullopt};
-}
-
-// Backwards from the frame: a draw is needed when it draws into the frame or into something that a needed draw reads.
-void drop_unread(Graph& graph) {
-  std::set<Resource> needed;
-  std::vector<GraphPass> kept;
-  for (auto pass = graph.passes.rbegin(); pass != graph.passes.rend(); ++pass) {
-    std::vector<GraphDraw> draws;
-    for (const GraphDraw& draw : pass->draws) {
-      const std::vector<Resource> storage = touched_storage(*pass, draw);
-      bool wanted = pass->pass->when == Frequency::truth ||
-                    std::any_of(storage.begin(), storage.end(), [&](const Resource& r) { return needed.contains(r); });
-      for (const std::string& name : pass->pass->writes)
-        wanted = wanted || name == "frame" || needed.contains(written(*pass, draw, name));
-      if (!wanted) continue;
-      draws.push_back(draw);
-      needed.insert(storage.begin(), storage.end());
-      for (const ResolvedRead& read : draw.reads)
-        if (read.source.kind == Source::Kind::target) {
-          const TargetManifest* target = pass->variant->target(read.source.name);
-          // An object-scoped target is read for the object that is drawn; by a pass of the whole frame it cannot be.
-          needed.insert({pass->variant, read.source.name, target->scope == Scope::object ? draw.object : std::nullopt});
-        }
-    }
-    if (draws.empty()) {
-      pass->draws.clear();
-      pass->reason = "left out: nothing reads what it writes";
-      graph.dropped.insert(graph.dropped.begin(), *pass);
-    } else {
-      pass->draws = std::move(draws);
-      kept.insert(kept.begin(), *pass);
-    }
-  }
-  graph.passes = std::move(kept);
-}
-
 }  // namespace
-
-std::shared_ptr<const CompiledShader> ShaderCache::get(const std::filesystem::path& file, Stage stage,
-                                                       const std::map<std::string, std::string>& defines) {
-  std::string key = fmt::format("{}|{}", file.string(), static_cast<int>(stage));
-  for (const auto& [name, text] : defines) key += fmt::format("|{}={}", name, text);
-  auto& entry = compiled_[key];
-  if (!entry)
-    entry =
-        std::make_shared<const CompiledShader>(compile_shader({file, stage, api_, defines, {shaders_, file.parent_path()}}));
-  return entry;
-}
 
 std::set<std::string> Graph::shader_hashes() const {
   std::set<std::string> hashes;
@@ -206,42 +196,34 @@ bool has_truth_passes(const VariantManifest& variant) {
                      [](const PassManifest& pass) { return pass.when == Frequency::truth; });
 }
 
-std::shared_ptr<const TextureImage> object_texture(const Object& object, std::string_view name) {
-  if (name == "albedo") return object.albedo;
-  if (!object.layers) return nullptr;
-  if (name == "outer_albedo") return object.layers->outer_albedo;
-  if (name == "outer_normal") return object.layers->outer_normal;
-  if (name == "inner_albedo") return object.layers->inner_albedo;
-  return nullptr;
+Resource target_of(const VariantManifest& variant, const std::string& name, const GraphDraw& draw,
+                   std::optional<size_t> light_of_read) {
+  const TargetManifest* target = variant.target(name);
+  const Scope scope = target ? target->scope : Scope::frame;
+  return {target && target->shared ? nullptr : &variant, name, scope == Scope::object ? draw.object : std::nullopt,
+          scope != Scope::light ? std::nullopt
+          : light_of_read       ? light_of_read
+                                : draw.light};
 }
 
 Graph make_graph(const Plan& plan, const Configuration& configuration, const Scene& scene, ShaderCache& shaders,
-                 Purpose purpose) {
+                 Purpose purpose, const Parameters& parameters) {
   Graph graph;
+  graph.library = plan.library;
+  graph.parameters = parameters;
+  Maker maker(plan, scene, shaders, graph.parameters);
   for (const VariantManifest* variant : configuration) {
     const EffectPlan& effect = *plan.of(variant->effect);
     const bool truth = purpose == Purpose::truth && has_truth_passes(*variant);
     for (const PassManifest& manifest : variant->passes) {
       if ((manifest.when == Frequency::truth) != truth) continue;
-      GraphPass pass;
-      pass.variant = variant;
-      pass.pass = &manifest;
-      pass.reason = frequency_words(manifest, scene, pass.once);
-      if (!is_per_object(manifest, *variant)) {
-        pass.draws.push_back(make_draw(pass, *effect.effect, nullptr, std::nullopt, shaders));
-      } else {
-        for (const size_t index : effect.objects) {
-          const Object& object = scene.objects[index];
-          if (manifest.draw == DrawKind::unwrapped && !object.unwrap_problem.empty())
-            throw Error(ErrorKind::failed, "plan", fmt::format("object '{}'", object.name),
-                        fmt::format("cannot be drawn unwrapped, as pass '{}' needs: {}", manifest.name, object.unwrap_problem));
-          pass.draws.push_back(make_draw(pass, *effect.effect, &object, index, shaders));
-        }
-      }
-      graph.passes.push_back(std::move(pass));
+      if (variant->value_of(manifest.repeat, parameters) < 1) continue;
+      graph.passes.push_back(maker.make_pass(effect, *variant, manifest));
     }
   }
-  drop_unread(graph);
+  leave_out_repeated(graph);
+  leave_out_unread(graph);
+  check_written_before_read(graph);
   return graph;
 }
 

@@ -4,69 +4,69 @@
 #include <algorithm>
 
 #include "harness/core/text.h"
-#include "harness/graph/uniforms.h"
+#include "harness/graph/blocks.h"
+#include "harness/scene/digest.h"
 
 namespace lamina {
 namespace {
 
-template <class T>
-std::string_view bytes_of(std::span<const T> values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
-}
-
 class Gathered {
  public:
-  explicit Gathered(const Scene& scene) : scene_(scene) {}
+  Gathered(const Graph& graph, const Scene& scene) : graph_(graph), scene_(scene) {}
 
-  void add(const CompiledShader& shader, std::optional<size_t> object) {
+  // Of every uniform block, the members that the shader's code reads.
+  void add(const GraphPass& pass, const GraphDraw& draw, const CompiledShader& shader) {
     for (const ShaderResource& resource : shader.reflection.resources) {
-      if (resource.name == "Object" && object) add_read(resource, object_uniforms(scene_.objects[*object]));
-      if (resource.name == "Frame")  // the size in pixels is the same for all, so any does
-        for (const View& view : scene_.views) add_read(resource, frame_uniforms(scene_, view, 1, 1));
+      if (resource.kind != BindingKind::uniform_buffer || resource.name == "Pass") continue;
+      const size_t views = resource.name == "Frame" ? scene_.views.size() : 1;
+      for (size_t view = 0; view < views; ++view) {  // the size in pixels is the same for all, so any does
+        const BlockContext context{
+            scene_, *graph_.library, *pass.effect, pass.pass->where, view, pass.pass->view, draw.light, draw.object, 1, 1, {}};
+        const std::vector<std::byte> bytes = fill_block(resource, block_values(resource, context), pass.pass->where);
+        for (const ByteRange& range : resource.read)
+          text_.append(reinterpret_cast<const char*>(bytes.data()) + range.offset, range.size);
+      }
     }
   }
   void add(const std::string& more) { text_ += more; }
   std::string hash() const { return hash_hex(text_); }
 
  private:
-  template <class Uniforms>
-  void add_read(const ShaderResource& resource, const Uniforms& uniforms) {
-    const std::string_view bytes = bytes_of(std::span(&uniforms, 1));
-    for (const ByteRange& range : resource.read) text_ += bytes.substr(range.offset, range.size);
-  }
-
+  const Graph& graph_;
   const Scene& scene_;
   std::string text_;
 };
 
-// Textures, or buffers other than the scene's apertures.
-bool reads_other_passes(const CompiledShader& shader) {
+// Targets or buffers that other passes write.
+bool reads_other_passes(const GraphDraw& draw, const CompiledShader& shader) {
   return std::any_of(shader.reflection.resources.begin(), shader.reflection.resources.end(),
-                     [](const ShaderResource& resource) {
-                       return resource.kind != BindingKind::uniform_buffer && resource.name != "Apertures";
+                     [&](const ShaderResource& resource) {
+                       if (resource.kind == BindingKind::texture)
+                         return std::any_of(draw.reads.begin(), draw.reads.end(), [&](const ResolvedRead& read) {
+                           return read.binding == resource.binding &&
+                                  (read.source.kind == Source::Kind::target || read.source.kind == Source::Kind::frame ||
+                                   read.source.kind == Source::Kind::depth);
+                         });
+                       return resource.kind == BindingKind::storage_image ||
+                              std::any_of(draw.buffers.begin(), draw.buffers.end(), [&](const ResolvedBuffer& buffer) {
+                                return buffer.binding == resource.binding && buffer.source.kind == Source::Kind::buffer;
+                              });
                      });
 }
 
 }  // namespace
 
-std::string meshes_hash(const Scene& scene) {
-  std::string text;
-  for (const Object& object : scene.objects)
-    text += hash_hex(bytes_of(std::span(object.mesh.vertices))) + hash_hex(bytes_of(std::span(object.mesh.indices)));
-  return hash_hex(text);
-}
-
 std::string once_inputs(const Graph& graph, const Scene& scene) {
-  Gathered gathered(scene);
+  Gathered gathered(graph, scene);
   bool meshes = false;
   for (const GraphPass& pass : graph.passes) {
     if (!pass.once) continue;
     for (const GraphDraw& draw : pass.draws) {
       meshes = meshes || draw.object;
-      for (const auto& stage : draw.stages) gathered.add(*stage, draw.object);
+      for (const auto& stage : draw.stages) gathered.add(pass, draw, *stage);
     }
   }
-  if (meshes) gathered.add(meshes_hash(scene));
+  if (meshes) gathered.add(meshes_digest(scene));
   return gathered.hash();
 }
 
@@ -75,13 +75,13 @@ std::string coverage_inputs(const Graph& graph, const Scene& scene, bool early_t
   for (const GraphPass& pass : graph.passes)
     for (const GraphDraw& draw : pass.draws)
       for (const auto& stage : draw.stages)
-        everything = everything || (stage->stage == Stage::vertex && reads_other_passes(*stage));
-  Gathered gathered(scene);
+        everything = everything || (stage->stage == Stage::vertex && reads_other_passes(draw, *stage));
+  Gathered gathered(graph, scene);
   for (const GraphPass& pass : graph.passes)
     for (const GraphDraw& draw : pass.draws)
       for (const auto& stage : draw.stages)
-        if (everything || stage->stage == Stage::vertex) gathered.add(*stage, draw.object);
-  gathered.add(meshes_hash(scene));
+        if (everything || stage->stage == Stage::vertex) gathered.add(pass, draw, *stage);
+  gathered.add(meshes_digest(scene));
   return gathered.hash();
 }
 

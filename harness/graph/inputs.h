@@ -16,7 +16,4 @@ std::string once_inputs(const Graph& graph, const Scene& scene);
 // vertex shaders decide, unless one of them reads what other passes write.
 std::string coverage_inputs(const Graph& graph, const Scene& scene, bool early_tests);
 
-// Of all vertices and indices.
-std::string meshes_hash(const Scene& scene);
-
 }  // namespace lamina

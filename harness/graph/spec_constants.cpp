@@ -39,9 +39,8 @@ std::vector<SpecConstant> spec_constants(const GraphPass& pass, const GraphDraw&
       std::optional<std::string> text;
       if (const auto given = pass.pass->constants.find(constant.name); given != pass.pass->constants.end())
         text = given->second;
-      for (const ParameterManifest& parameter : pass.variant->parameters)
-        if (parameter.name == constant.name) text = fmt::format("{}", parameter.value);
-      if (const auto set = parameters.find(constant.name); set != parameters.end()) text = fmt::format("{}", set->second);
+      if (const ParameterManifest* parameter = pass.variant->parameter(constant.name))
+        text = fmt::format("{}", pass.variant->value_of(*parameter, parameters));
       if (text) values.push_back({constant.id, constant_bits(constant, *text, pass.pass->where)});
     }
   return values;

@@ -6,15 +6,40 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
+
+#include "harness/core/format.h"
 
 namespace lamina {
 
-struct EffectValues;   // harness/scene/effect_values.h
-struct TextureImage;   // harness/core/image.h
-struct BakerCode;      // harness/bake/baker.h
-class Truth;           // harness/truth/truth.h
+struct EffectValues;  // harness/scene/effect_values.h
+struct TextureImage;  // harness/core/image.h
+struct Scene;         // harness/scene/scene.h
+class Baker;          // harness/bake/baker.h
+class BakeTools;
+class Truth;  // harness/truth/truth.h
 struct TruthSetting;
-class Oracle;          // harness/stress/oracle.h
+class Oracle;  // harness/stress/oracle.h
+
+// What a variant asks of its effect's baker: the numbers of its [bake] table.
+using BakeOptions = std::map<std::string, double>;
+
+// A texture or storage buffer that a baker gives for an object, by the name of the shader's sampler or block.
+struct BakedName {
+  std::string name;
+  bool buffer = false;
+  Sampler sampler{Filter::linear, Wrap::clamp};
+};
+
+struct BakerCode {
+  // Why these options cannot be had; "" where they can.
+  std::string (*problem)(const BakeOptions& options);
+  // What there is to read, and the definitions that shaders get, with these options.
+  std::vector<BakedName> (*names)(const BakeOptions& options);
+  std::map<std::string, std::string> (*defines)(const BakeOptions& options);
+  // Bakes a scene's objects, one after another.
+  std::unique_ptr<Baker> (*start)(const Scene& scene, BakeTools& tools);
+};
 
 struct EffectCode {
   // Makes a texture for an object that brings none, from what the object's effect has so far: textures in the order in which

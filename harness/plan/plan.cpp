@@ -1,17 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/plan/plan.h"
 
-#include "harness/core/text.h"
+#include <algorithm>
+
+#include "harness/scene/declare.h"
 
 namespace lamina {
 namespace {
 
-double fact(const Object& object, const std::string& name, const EffectManifest& effect) {
-  const auto facts = facts_of(object);
-  if (const auto found = facts.find(name); found != facts.end()) return found->second;
-  std::vector<std::string> names;
-  for (const auto& [known, value] : facts) names.push_back(known);
-  throw Error(ErrorKind::bad_input, "variants", effect.name + "/effect.toml", unknown_name("fact", name, names));
+bool is_needed(const EffectManifest& effect, const Scene& scene, const Object* object) {
+  return std::all_of(effect.needs.begin(), effect.needs.end(),
+                     [&](const std::string& need) { return needed_value(effect, scene, object, need) > 0; });
+}
+
+bool is_on(const FeatureManifest& feature, const EffectManifest& effect, const Scene& scene, const Object* object) {
+  return std::all_of(feature.needs.begin(), feature.needs.end(),
+                     [&](const std::string& need) { return needed_value(effect, scene, object, need) > 0; });
+}
+
+EffectPlan& of_effect(Plan& plan, const EffectManifest& effect) {
+  return plan.effects[static_cast<size_t>(&effect - plan.library->effects.data())];
+}
+
+// Gives the object to the effects that draw it. One whose effects need what it has none of is drawn as what no effect draws,
+// where it is a surface.
+void add_object(Plan& plan, const Scene& scene, size_t index) {
+  const Object& object = scene.objects[index];
+  bool drawn = false, over_frame = false;
+  for (const EffectManifest* effect : effects_of(object, *plan.library)) {
+    if (!is_needed(*effect, scene, &object)) continue;
+    of_effect(plan, *effect).objects.push_back(index);
+    drawn = true;
+    over_frame = over_frame || effect->reads_frame;
+  }
+  const EffectManifest* otherwise = plan.library->otherwise();
+  if (!drawn && object.solid && otherwise) of_effect(plan, *otherwise).objects.push_back(index);
+  if (!object.solid) return;
+  plan.all.push_back(index);
+  if (!over_frame) plan.opaque.push_back(index);
+}
+
+void settle_features(EffectPlan& entry, const Scene& scene) {
+  for (const FeatureManifest& feature : entry.effect->features) {
+    size_t on = 0;
+    for (const size_t object : entry.objects) on += is_on(feature, *entry.effect, scene, &scene.objects[object]);
+    if (entry.objects.empty()) on = is_on(feature, *entry.effect, scene, nullptr);
+    std::string reason = on > 0 ? feature.because : feature.not_because;
+    if (on > 0 && on < entry.objects.size()) reason += fmt::format(" (on {} of {} objects)", on, entry.objects.size());
+    entry.features.push_back({feature.define, on > 0, reason});
+  }
 }
 
 }  // namespace
@@ -22,41 +59,32 @@ const EffectPlan* Plan::of(std::string_view effect) const {
   return nullptr;
 }
 
-std::map<std::string, double> facts_of(const Object& object) {
-  const bool layers = object.layers.has_value(), apertures = object.apertures.has_value();
-  return {{"layers", layers},
-          {"apertures", apertures},
-          {"aperture_texels", apertures ? object.apertures->map_texels : 0},
-          {"plain", !layers && !apertures},
-          {"seen_thickness", layers && object.layers->max_transparency > 0 ? object.layers->thickness_texels : 0},
-          {"transparency", layers ? object.layers->max_transparency : 0}};
+double needed_value(const EffectManifest& effect, const Scene& scene, const Object* object, std::string_view name) {
+  if (object)
+    if (const auto values = object->effects.find(effect.name); values != object->effects.end())
+      if (const double value = fact_or_number(values->second, name); value != 0) return value;
+  const auto values = scene.effects.find(effect.name);
+  return values == scene.effects.end() ? 0 : fact_or_number(values->second, name);
 }
 
-std::map<std::string, std::string> feature_defines(const EffectManifest& effect, const Object& object) {
+std::map<std::string, std::string> feature_defines(const EffectManifest& effect, const Scene& scene, const Object* object) {
   std::map<std::string, std::string> defines;
   for (const FeatureManifest& feature : effect.features)
-    if (fact(object, feature.fact, effect) > 0) defines[feature.define] = "1";
+    if (is_on(feature, effect, scene, object)) defines[feature.define] = "1";
   return defines;
 }
 
 Plan make_plan(const Library& library, const Scene& scene) {
   Plan plan;
-  for (const EffectManifest& effect : library.effects) {
-    EffectPlan entry;
-    entry.effect = &effect;
-    for (size_t i = 0; i < scene.objects.size(); ++i)
-      if (fact(scene.objects[i], effect.called_by, effect) > 0) entry.objects.push_back(i);
-    entry.called_for = !entry.objects.empty();
+  plan.library = &library;
+  for (const EffectManifest& effect : library.effects) plan.effects.emplace_back().effect = &effect;
+  for (size_t i = 0; i < scene.objects.size(); ++i) add_object(plan, scene, i);
+  for (EffectPlan& entry : plan.effects) {
+    const EffectManifest& effect = *entry.effect;
+    entry.called_for =
+        effect.of_objects() ? !entry.objects.empty() : scene.effects.contains(effect.name) && is_needed(effect, scene, nullptr);
     entry.reason = entry.called_for ? effect.because : effect.not_because;
-    for (const FeatureManifest& feature : effect.features) {
-      size_t on = 0;
-      for (const size_t object : entry.objects) on += fact(scene.objects[object], feature.fact, effect) > 0;
-      if (!entry.called_for) continue;
-      std::string reason = on > 0 ? feature.because : feature.not_because;
-      if (on > 0 && on < entry.objects.size()) reason += fmt::format(" (on {} of {} objects)", on, entry.objects.size());
-      entry.features.push_back({feature.define, on > 0, reason});
-    }
-    plan.effects.push_back(std::move(entry));
+    if (entry.called_for) settle_features(entry, scene);
   }
   return plan;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/plan/manifest.h"
+#include "harness/manifest/library.h"
 #include "harness/scene/scene.h"
 
 namespace lamina {
@@ -27,25 +27,22 @@ struct EffectPlan {
 };
 
 struct Plan {
+  const Library* library = nullptr;
   std::vector<EffectPlan> effects;  // in drawing order, those not called for too
+  // The solid objects, and those of effects that do not read the frame, by index.
+  std::vector<size_t> all, opaque;
 
   const EffectPlan* of(std::string_view effect) const;
 };
 
-// What is known of an object, as numbers that manifests can ask about:
-//   layers          1 where it has a layered material, else 0
-//   apertures       1 where it is lit through baked apertures, else 0
-//   aperture_texels texels on a side of its aperture map; 0 where apertures are of vertices
-//   plain           1 where no effect of its own draws it, else 0
-//   transparency    greatest transparency of the outer layer wherever it is seen, 0 to 1
-//   seen_thickness  texels of the inner layer's base level; 0 where the inner layer is nowhere seen
-std::map<std::string, double> facts_of(const Object& object);
-
-// Throws Error(bad_input) when a manifest asks for a fact that there is not. The plan points into `library`.
+// In time linear in objects and effects. The plan points into `library`.
 Plan make_plan(const Library& library, const Scene& scene);
 
-// The definitions that the effect's shaders get for this object.
-std::map<std::string, std::string> feature_defines(const EffectManifest& effect, const Object& object);
+// What a number or fact of the effect is worth for an object, or, without one or where the object has none, for the scene.
+double needed_value(const EffectManifest& effect, const Scene& scene, const Object* object, std::string_view name);
+
+// The definitions that the effect's shaders get for this object, or, null, for passes of the whole frame.
+std::map<std::string, std::string> feature_defines(const EffectManifest& effect, const Scene& scene, const Object* object);
 
 // One variant for each effect that is called for, in drawing order.
 using Configuration = std::vector<const VariantManifest*>;

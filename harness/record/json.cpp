@@ -125,6 +125,7 @@ Json to_json(const CellRow& cell) {
   line["height"] = cell.height;
   line["view"] = cell.view;
   line["params"] = std::move(params);
+  if (!cell.words.empty()) line["words"] = cell.words;
   line["status"] = cell.failed ? "failed" : "ok";
   line["reason"] = cell.reason;
   line["timed"] = cell.timed;

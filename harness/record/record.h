@@ -47,7 +47,8 @@ struct CellRow {
   std::string scene, effect, variant, backend, device, view;
   bool baseline = false;
   int width = 0, height = 0;
-  std::map<std::string, double> params;  // by path; "scene.time" is always there
+  std::map<std::string, double> params;      // by path; "scene.time" is always there; a word of a sweep by its place
+  std::map<std::string, std::string> words;  // by path, of parameters that take words
   bool failed = false;
   std::string reason;   // of the failure
   bool timed = true;    // false: the timer's certificate failed, or a sweep did not ask: no time is given
@@ -74,7 +75,7 @@ struct CellRow {
 
 // Work that is done before the first frame, for one object, and whose result may be kept between runs.
 struct BakeRow {
-  std::string effect, object, what;  // what: "apertures"
+  std::string effect, object, what;  // what: the baker
   uint64_t points = 0;               // that were baked
   uint64_t rays = 0;                 // that were cast, or were once for what came from the cache
   double seconds = 0;                // wall clock of this run: casting, or reading the cache

@@ -87,6 +87,7 @@ std::vector<Light> default_lights(const BoundingSphere& bounds) {
   rim.position = bounds.centre + offset;
   // Irradiance 0.9 at the centre, before the square of the distance takes its share.
   rim.radiance = 0.9f * glm::vec3(1.0f, 0.95f, 0.9f) * glm::dot(offset, offset);
+  key.casts = true;
   return {key, fill, rim};
 }
 

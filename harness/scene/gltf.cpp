@@ -8,7 +8,6 @@
 #include <set>
 
 #include "harness/core/error.h"
-#include "harness/scene/default_layers.h"
 #include "harness/scene/gltf_file.h"
 #include "harness/scene/gltf_material.h"
 #include "harness/scene/gltf_mesh.h"
@@ -122,25 +121,20 @@ class ObjectMaker {
       const tinygltf::Primitive& primitive = mesh.primitives[i];
       std::optional<Mesh> triangles = mesh_from_primitive(model_, primitive, mesh_name, place.mirrored, result_.warnings);
       if (!triangles) continue;
-      const MaterialLook& look = look_of(primitive.material);
       Object object;
       object.name = unique(mesh.primitives.size() == 1 ? base : fmt::format("{}_{}", base, i));
       object.mesh = std::move(*triangles);
       object.world_from_object = place.world_from_object;
-      object.layers = look.layers;
-      object.albedo = look.layers.outer_albedo;
-      if (look.thickness)
-        object.layers->thickness_texels = thickness_in_texels(*look.thickness, object.mesh, *look.layers.inner_albedo,
-                                                              fmt::format("object '{}'", object.name));
+      object.look = look_of(primitive.material);
       result_.objects.push_back(std::move(object));
     }
   }
 
  private:
-  const MaterialLook& look_of(int material) {
-    const auto known = looks_.find(material);
-    if (known != looks_.end()) return known->second;
-    return looks_.emplace(material, read_material(model_, material, result_.warnings)).first->second;
+  const std::shared_ptr<const ModelLook>& look_of(int material) {
+    std::shared_ptr<const ModelLook>& look = looks_[material];
+    if (!look) look = std::make_shared<const ModelLook>(read_material(model_, material, result_.warnings));
+    return look;
   }
 
   std::string unique(const std::string& wanted) {
@@ -151,7 +145,7 @@ class ObjectMaker {
 
   const tinygltf::Model& model_;
   LoadedModel& result_;
-  std::map<int, MaterialLook> looks_;
+  std::map<int, std::shared_ptr<const ModelLook>> looks_;
   std::set<std::string> names_;
 };
 

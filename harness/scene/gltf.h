@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A glTF 2.0 model as objects: its scene's nodes, each primitive with triangles an object of its own, named after its node (or
-// mesh), with a layered material. Skins, animations, cameras and lights are left out.
+// mesh), with the look of its material. Skins, animations, cameras and lights are left out.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 namespace lamina {
 
 struct LoadedModel {
-  std::vector<Object> objects;  // at least one; max_transparency and unwrap_problem are not settled: see load_scene.cpp
+  std::vector<Object> objects;  // at least one; effects and unwrap_problem are not settled: see load_scene.cpp
   std::vector<std::string> warnings;
 };
 

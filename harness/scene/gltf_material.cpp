@@ -44,7 +44,7 @@ float opacity(const tinygltf::Material& material, float alpha) {
   return alpha;
 }
 
-Texels outer_layer(const tinygltf::Model& model, const tinygltf::Material& material, const std::string& subject,
+Texels base_colour(const tinygltf::Model& model, const tinygltf::Material& material, const std::string& subject,
                    std::vector<std::string>& warnings) {
   Texels texels{1, 1, {glm::vec4(1)}};
   const tinygltf::TextureInfo& reference = material.pbrMetallicRoughness.baseColorTexture;
@@ -53,15 +53,15 @@ Texels outer_layer(const tinygltf::Model& model, const tinygltf::Material& mater
   const bool opaque = material.alphaMode == "OPAQUE";
   for (glm::vec4& texel : texels.rgba) {
     texel *= factor;
-    texel.a = opaque ? default_transparency : 1 - opacity(material, texel.a);
+    texel.a = opaque ? 1 : opacity(material, texel.a);
   }
   return texels;
 }
 
-std::shared_ptr<const TextureImage> normal_map(const tinygltf::Model& model, const tinygltf::Material& material,
-                                               const std::string& subject, std::vector<std::string>& warnings) {
+std::optional<Texels> normal_map(const tinygltf::Model& model, const tinygltf::Material& material, const std::string& subject,
+                                 std::vector<std::string>& warnings) {
   const tinygltf::NormalTextureInfo& reference = material.normalTexture;
-  if (reference.index < 0) return nullptr;
+  if (reference.index < 0) return std::nullopt;
   Texels texels = decode(model, reference, false, subject + ", normal texture", warnings);
   const auto scale = static_cast<float>(reference.scale);
   if (!std::isfinite(scale)) refuse(subject, "the normal texture's scale is not a finite number");
@@ -72,7 +72,7 @@ std::shared_ptr<const TextureImage> normal_map(const tinygltf::Model& model, con
     if (const float length = glm::length(normal); scale != 1 && length > 0) normal /= length;
     texel = glm::vec4(normal * 0.5f + 0.5f, texel.a);
   }
-  return make_texture(subject + " outer normal", texels, TexelMeaning::normal);
+  return texels;
 }
 
 std::optional<float> volume_thickness(const tinygltf::Material& material, const std::string& subject,
@@ -86,26 +86,27 @@ std::optional<float> volume_thickness(const tinygltf::Material& material, const 
   const double thickness = factor.IsNumber() ? factor.GetNumberAsDouble() : std::nan("");
   if (!(thickness >= 0 && std::isfinite(thickness)))
     refuse(subject, "KHR_materials_volume's thicknessFactor must be a number of at least 0");
-  // The extension's 0 is its default and means a surface without volume: it says nothing about layers.
+  // The extension's 0 is its default and means a surface without volume.
   if (thickness == 0) return std::nullopt;
   return static_cast<float>(thickness);
 }
 
 }  // namespace
 
-MaterialLook read_material(const tinygltf::Model& model, int material, std::vector<std::string>& warnings) {
+ModelLook read_material(const tinygltf::Model& model, int material, std::vector<std::string>& warnings) {
   if (material >= 0 && size_t(material) >= model.materials.size())
     refuse(fmt::format("material {}", material), fmt::format("is referred to; the file has {}", model.materials.size()));
   const tinygltf::Material& from = material < 0 ? tinygltf::Material() : model.materials[size_t(material)];
-  MaterialLook look;
+  ModelLook look;
   look.name = fmt::format("material '{}'", !from.name.empty() ? from.name
                                            : material < 0     ? "default"
                                                               : std::to_string(material));
   if (from.alphaMode != "OPAQUE" && from.alphaMode != "BLEND" && from.alphaMode != "MASK")
     refuse(look.name, fmt::format("alphaMode '{}' is none of OPAQUE, BLEND, MASK", from.alphaMode));
   look.thickness = volume_thickness(from, look.name, warnings);
-  look.layers =
-      default_layers(look.name, outer_layer(model, from, look.name, warnings), normal_map(model, from, look.name, warnings));
+  look.opaque = from.alphaMode == "OPAQUE";
+  look.base_colour = base_colour(model, from, look.name, warnings);
+  look.normal = normal_map(model, from, look.name, warnings);
   return look;
 }
 

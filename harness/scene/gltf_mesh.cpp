@@ -150,7 +150,7 @@ std::optional<Mesh> mesh_from_primitive(const tinygltf::Model& model, const tiny
   if (count == 0) refuse(fmt::format("mesh '{}'", name), "has no POSITION");
   if (uvs.empty())
     refuse(fmt::format("mesh '{}'", name),
-           "has no TEXCOORD_0; layered materials need texture coordinates, so unwrap it and export again");
+           "has no TEXCOORD_0; textures need texture coordinates, so unwrap it and export again");
   const auto require_count = [&](const char* attribute, size_t has) {
     if (has != 0 && has != count)
       refuse(fmt::format("mesh '{}', {}", name, attribute), fmt::format("has {} vertices where POSITION has {}", has, count));

@@ -5,11 +5,12 @@
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
-#include "harness/scene/builtin_scenes.h"
+#include "harness/scene/declare.h"
 #include "harness/scene/default_views.h"
+#include "harness/scene/facts.h"
+#include "harness/scene/made/builtin_scenes.h"
 #include "harness/scene/scene.h"
 #include "harness/scene/scene_file.h"
-#include "harness/scene/seen_transparency.h"
 #include "harness/scene/split_overlaps.h"
 #include "harness/scene/unwrap_check.h"
 
@@ -21,13 +22,17 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-Scene read_scene(const std::string& source, std::optional<float> time_s) {
+Scene read_scene(const std::string& source, const Library& library, std::optional<float> time_s) {
   const std::vector<std::string> builtin = builtin_scenes();
-  if (std::find(builtin.begin(), builtin.end(), source) != builtin.end()) return read_builtin(source, time_s.value_or(0));
+  if (std::find(builtin.begin(), builtin.end(), source) != builtin.end()) {
+    Scene scene = read_builtin(source, time_s.value_or(0));
+    declare_objects(scene.objects, library);
+    return scene;
+  }
   const std::filesystem::path file(source);
   const std::string extension = lower_case(file.extension().string());
-  if (extension == ".toml") return read_scene_file(file, time_s);
-  if (extension == ".glb" || extension == ".gltf") return read_model(file, time_s.value_or(0));
+  if (extension == ".toml") return read_scene_file(file, library, time_s);
+  if (extension == ".glb" || extension == ".gltf") return read_model(file, library, time_s.value_or(0));
   const std::string expected = "a scene is a .toml scene file, a .glb or .gltf model, or the name of a built-in scene";
   if (std::filesystem::exists(file)) throw Error(ErrorKind::bad_input, "scene", source, "is no scene: " + expected);
   throw Error(ErrorKind::bad_input, "scene", source, fmt::format("{}; {}", unknown_name("scene", source, builtin), expected));
@@ -35,16 +40,22 @@ Scene read_scene(const std::string& source, std::optional<float> time_s) {
 
 }  // namespace
 
-Scene load_scene(const std::string& source, std::optional<float> time_s) {
-  Scene scene = read_scene(source, time_s);
+Scene load_scene(const std::string& source, const Library& library, std::optional<float> time_s) {
+  Scene scene = read_scene(source, library, time_s);
   scene.source = source;
+  declare_scene(scene, library);
   if (scene.lights.empty()) scene.lights = default_lights(bounding_sphere(scene.objects));
   if (scene.views.empty()) scene.views = default_views(scene.objects);
   for (Object& object : scene.objects) move_to_unit_tile(object.mesh);
-  split_overlapping_objects(scene.objects, scene.warnings);
+  split_overlapping_objects(scene.objects, library, scene.warnings);
   for (Object& object : scene.objects) {
+    object.look.reset();
     settle_unwrap(object, scene.warnings);
-    if (object.layers) settle_transparency(*object.layers, object.mesh);
+    for (const EffectManifest* effect : effects_of(object, library)) {
+      object.solid = object.solid && effect->solid;
+      object.blocks_light = object.blocks_light && effect->blocks_light;
+    }
+    for (const EffectManifest& effect : library.effects) settle_facts(object, effect);
   }
   return scene;
 }

@@ -5,10 +5,12 @@
 
 #include "harness/core/text.h"
 #include "harness/core/toml_table.h"
-#include "harness/scene/builtin_scenes.h"
+#include "harness/scene/declare.h"
 #include "harness/scene/default_views.h"
 #include "harness/scene/gltf.h"
-#include "harness/scene/object_overrides.h"
+#include "harness/scene/made/builtin_scenes.h"
+#include "harness/scene/place_objects.h"
+#include "harness/scene/read_keys.h"
 #include "harness/scene/toml_values.h"
 
 namespace lamina {
@@ -49,14 +51,14 @@ Light read_light(const std::string& name, const TomlTable& table) {
   Light light;
   light.name = name;
   if (kind == "directional") {
-    expect_keys(table, {"kind", "direction", "angular_radius_degrees", "color", "intensity"});
+    expect_keys(table, {"kind", "direction", "angular_radius_degrees", "color", "intensity", "casts"});
     const glm::vec3 direction = required_vec3(table, "direction");
     if (!(glm::length(direction) > 1e-6f))
       throw table.error("direction", "'direction' has no length; give the way the light travels");
     light.direction = glm::normalize(direction);
     light.angular_radius = glm::radians(static_cast<float>(table.optional_number("angular_radius_degrees", 0, 90).value_or(0)));
   } else if (kind == "point") {
-    expect_keys(table, {"kind", "position", "radius", "color", "intensity"});
+    expect_keys(table, {"kind", "position", "radius", "color", "intensity", "casts"});
     light.kind = Light::Kind::point;
     light.position = required_vec3(table, "position");
     light.radius_m = static_cast<float>(table.optional_number("radius", 0, 1e9).value_or(0));
@@ -65,6 +67,7 @@ Light read_light(const std::string& name, const TomlTable& table) {
   }
   light.radiance = colour(table, "color", brightest).value_or(glm::vec3(1)) *
                    static_cast<float>(table.optional_number("intensity", 0, brightest).value_or(1));
+  light.casts = table.optional_bool("casts").value_or(false);
   return light;
 }
 
@@ -107,17 +110,51 @@ void read_views(Scene& scene, const TomlTable& root) {
   }
 }
 
+// [objects.NAME]: where it is, and what effects are told of it. "*" holds for all, before the entries that name one.
+void read_objects(Scene& scene, const TomlTable& root, const std::filesystem::path& folder, const Library& library) {
+  std::vector<std::string> names;
+  for (const Object& object : scene.objects) names.push_back(object.name);
+  std::vector<std::pair<std::string, TomlTable>> entries = root.tables("objects");
+  std::stable_partition(entries.begin(), entries.end(), [](const auto& entry) { return entry.first == "*"; });
+  for (const auto& [name, table] : entries) {
+    const Keys keys = read_object_keys(table, placement_keys, library, folder);
+    const Placement place = read_placement(table);
+    const bool all = name == "*";
+    if (!all && std::find(names.begin(), names.end(), name) == names.end())
+      throw table.error({}, unknown_name("object", name, names));
+    for (Object& object : scene.objects) {
+      if (!all && object.name != name) continue;
+      object.world_from_object = place.applied(object.world_from_object);
+      apply_keys(object, keys, all, library);
+    }
+  }
+}
+
+// [effects.NAME]: what an effect is told of the whole scene.
+void read_effects(Scene& scene, const TomlTable& root, const std::filesystem::path& folder, const Library& library) {
+  std::vector<std::string> known;
+  for (const EffectManifest& effect : library.effects)
+    if (!effect.scene.empty() || !effect.of_objects()) known.push_back(effect.name);
+  for (const auto& [name, table] : root.tables("effects")) {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw root.table("effects").error(name, unknown_name("effect with something to say of a scene", name, known));
+    const EffectManifest& effect = library.effect(name);
+    apply_scene_keys(scene, effect, read_scene_keys(table, effect, folder), library);
+  }
+}
+
 }  // namespace
 
-Scene read_model(const std::filesystem::path& file, float time_s) {
+Scene read_model(const std::filesystem::path& file, const Library& library, float time_s) {
   Scene scene = scene_of_objects(load_gltf(file), time_s);
   scene.name = file.stem().string();
+  declare_objects(scene.objects, library);
   return scene;
 }
 
-Scene read_scene_file(const std::filesystem::path& file, std::optional<float> time_s) {
+Scene read_scene_file(const std::filesystem::path& file, const Library& library, std::optional<float> time_s) {
   const TomlTable root = TomlTable::parse(file, "scene");
-  expect_keys(root, {"scene", "objects", "lights", "views"});
+  expect_keys(root, {"scene", "objects", "effects", "lights", "views"});
   if (!root.has("scene")) throw root.error({}, "[scene] is missing; it names the model or the built-in scene");
   const TomlTable table = root.table("scene");
   expect_keys(table, {"model", "builtin", "name", "time", "background", "ambient"});
@@ -128,7 +165,9 @@ Scene read_scene_file(const std::filesystem::path& file, std::optional<float> ti
   scene.name = table.optional_string("name").value_or(file.stem().string());
   scene.background = colour(table, "background", brightest).value_or(scene.background);
   scene.ambient = colour(table, "ambient", brightest).value_or(scene.ambient);
-  override_objects(scene.objects, root, folder);
+  declare_objects(scene.objects, library);
+  read_objects(scene, root, folder, library);
+  read_effects(scene, root, folder, library);
   read_lights(scene, root);
   read_views(scene, root);
   return scene;

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "harness/scene/declare.h"
 #include "harness/scene/unwrap_check.h"
 #include "harness/scene/uv_raster.h"
 
@@ -83,11 +84,20 @@ std::vector<Mesh> split_overlaps(const Mesh& mesh) {
   return meshes;
 }
 
-void split_overlapping_objects(std::vector<Object>& objects, std::vector<std::string>& warnings) {
+namespace {
+
+bool needs_unique_unwrap(const Object& object, const Library& library) {
+  const std::vector<const EffectManifest*> effects = effects_of(object, library);
+  return std::any_of(effects.begin(), effects.end(), [](const EffectManifest* effect) { return effect->unique_unwrap; });
+}
+
+}  // namespace
+
+void split_overlapping_objects(std::vector<Object>& objects, const Library& library, std::vector<std::string>& warnings) {
   std::vector<Object> settled;
   for (Object& object : objects) {
     std::vector<Mesh> parts;
-    if (object.layers && unwrap_problem(object.mesh).empty() && overlap_fraction(object.mesh) > 0)
+    if (needs_unique_unwrap(object, library) && unwrap_problem(object.mesh).empty() && overlap_fraction(object.mesh) > 0)
       parts = split_overlaps(object.mesh);
     if (parts.size() <= 1) {
       settled.push_back(std::move(object));

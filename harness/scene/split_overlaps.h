@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "harness/manifest/library.h"
 #include "harness/scene/scene.h"
 
 namespace lamina {
@@ -16,7 +17,8 @@ inline constexpr size_t most_parts = 8;
 // mesh itself where its charts share none. Triangles keep their order within a part; vertices that no part uses are dropped.
 std::vector<Mesh> split_overlaps(const Mesh& mesh);
 
-// The same for every object with layers: the parts are called NAME, NAME.2, NAME.3 ... Says so in `warnings`.
-void split_overlapping_objects(std::vector<Object>& objects, std::vector<std::string>& warnings);
+// The same for every object of an effect with unique_unwrap: the parts are called NAME, NAME.2, NAME.3 ... Says so in
+// `warnings`.
+void split_overlapping_objects(std::vector<Object>& objects, const Library& library, std::vector<std::string>& warnings);
 
 }  // namespace lamina

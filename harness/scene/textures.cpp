@@ -141,6 +141,7 @@ std::vector<std::byte> encoded(const Texels& level, TexelMeaning meaning) {
   for (size_t i = 0; i < level.rgba.size(); ++i) {
     glm::vec4 texel = level.rgba[i];
     if (meaning == TexelMeaning::normal) texel = glm::vec4(unit_or_flat(glm::vec3(texel)) * 0.5f + 0.5f, texel.a);
+    if (meaning == TexelMeaning::normal_mean) texel = glm::vec4(glm::vec3(texel) * 0.5f + 0.5f, texel.a);
     for (int c = 0; c < 3; ++c) bytes[i * 4 + c] = meaning == TexelMeaning::colour ? srgb_code(texel[c]) : unorm_code(texel[c]);
     bytes[i * 4 + 3] = unorm_code(texel.a);
   }
@@ -181,7 +182,7 @@ std::shared_ptr<const TextureImage> make_texture(std::string name, const Texels&
   texture->height = base.height;
 
   Texels level = base;
-  if (meaning == TexelMeaning::normal)
+  if (meaning == TexelMeaning::normal || meaning == TexelMeaning::normal_mean)
     for (glm::vec4& texel : level.rgba) texel = glm::vec4(unit_or_flat(glm::vec3(texel) * 2.0f - 1.0f), texel.a);
   texture->levels.push_back(encoded(level, meaning));
   // Each level is filtered from the one above before that is rounded or renormalized, so every level is a box of the base.

@@ -63,7 +63,7 @@ void settle_unwrap(Object& object, std::vector<std::string>& warnings) {
   if (!object.unwrap_problem.empty()) return;
   if (const double overlap = overlap_fraction(object.mesh); overlap > worrying_overlap)
     warnings.push_back(
-        fmt::format("{:.1f}% of {}'s texture is used twice; a light map or aperture map holds what is true of one use.",
+        fmt::format("{:.1f}% of {}'s texture is used twice; a map over its unwrap holds what is true of one use.",
                     100 * overlap, object.name));
 }
 

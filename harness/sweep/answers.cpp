@@ -17,7 +17,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// "thickness" of "objects.heart.thickness", "position.x" of "lights.rim.position.x", and "key.intensity" of
+// "fov_y_degrees" of "views.front.fov_y_degrees", "position.x" of "lights.rim.position.x", and "key.intensity" of
 // "lights.key.intensity" where the curve has "lights.rim.intensity" too.
 std::string short_name(const std::string& path, const Curve& curve) {
   static const std::vector<std::string> parts = {"x", "y", "z", "red", "green", "blue"};

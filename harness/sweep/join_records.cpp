@@ -64,7 +64,7 @@ std::vector<std::string> texts(const Json& settings, const char* name) {
   return settings.value(name, std::vector<std::string>{});
 }
 
-// "layered_material/vertex_normal on vulkan: 2 of 33 points are missing: objects.heart.thickness 1; ...".
+// "effect/variant on vulkan: 2 of 33 points are missing: objects.heart.thickness 1; ...".
 std::string words_of_missing(const std::string& backend, const std::string& variant, const std::vector<size_t>& points,
                              const SweepPoints& all) {
   constexpr size_t most_named = 8;

@@ -10,9 +10,9 @@
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
+#include "harness/scene/declare.h"
 #include "harness/scene/default_views.h"
-#include "harness/scene/seen_transparency.h"
-#include "harness/scene/textures.h"
+#include "harness/scene/facts.h"
 
 namespace lamina {
 namespace {
@@ -20,16 +20,15 @@ namespace {
 constexpr double furthest_m = 1e6, brightest = 60000;
 constexpr std::array<const char*, 3> axes = {"x", "y", "z"}, channels = {"red", "green", "blue"};
 
-// The double that is written as shortly as this float: 10.24, not 10.239999771118164.
-double decimal(float value) { return std::stod(fmt::format("{}", value)); }
-
 class Collector {
  public:
   explicit Collector(const Scene& scene) : scene_(scene) {}
 
-  void add(std::string path, std::string unit, std::string title, double low, double high, std::optional<double> value,
-           std::function<void(Scene&, double)> set, bool whole = false) {
-    all.push_back({std::move(path), std::move(unit), std::move(title), low, high, whole, false, value, std::move(set)});
+  Parameter& add(std::string path, std::string unit, std::string title, double min, double max, std::optional<double> value,
+                 std::function<void(Scene&, double)> set, bool whole = false) {
+    all.push_back(
+        {std::move(path), std::move(unit), std::move(title), min, max, false, whole, {}, false, value, std::move(set)});
+    return all.back();
   }
   // `get` finds the number in any scene like this one.
   template <class Get>
@@ -52,47 +51,62 @@ class Collector {
 };
 
 // The alpha of every texel, where it is one.
-std::optional<double> transparency_of(const TextureImage& outer_albedo) {
-  const std::vector<std::byte>& texels = outer_albedo.levels[0];
+std::optional<double> alpha_of(const TextureImage& texture) {
+  const std::vector<std::byte>& texels = texture.levels[0];
   for (size_t i = 7; i < texels.size(); i += 4)
     if (texels[i] != texels[3]) return std::nullopt;
   return std::round(std::to_integer<int>(texels[3]) / 255.0 * 1e4) / 1e4;
 }
 
-void set_transparency(Object& object, double value) {
-  Texels texels = base_texels(*object.layers->outer_albedo);
-  for (glm::vec4& texel : texels.rgba) texel.a = static_cast<float>(value);
-  object.layers->outer_albedo = make_texture(object.layers->outer_albedo->name, texels, TexelMeaning::colour);
-  settle_transparency(*object.layers, object.mesh);
+double place_of(const std::vector<std::string>& words, const std::string& word) {
+  return static_cast<double>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 
-void add_object(Collector& out, const Scene& scene, size_t i) {
+// What an effect declares, of an object or of the scene: `values` finds it in any scene like this one, and `changed` is told
+// after a texture was replaced.
+void add_declared(Collector& out, const std::string& prefix, const Declarations& declared, const Scene& unchanged,
+                  const std::function<EffectValues&(Scene&)>& values, const std::function<void(Scene&)>& changed) {
+  const EffectValues& now = values(const_cast<Scene&>(unchanged));  // only read here
+  for (const NumberManifest& number : declared.numbers) {
+    const auto known = now.numbers.find(number.name);
+    Parameter& made = out.add(
+        prefix + number.key, number.unit, number.title, number.min, number.max,
+        known == now.numbers.end() ? std::nullopt : std::optional(known->second),
+        [values, name = number.name, whole = number.whole](Scene& scene, double value) {
+          values(scene).numbers[name] = whole ? value : decimal(static_cast<float>(value));
+        },
+        number.whole);
+    made.or_zero = number.or_zero;
+  }
+  for (const TextureManifest& texture : declared.textures) {
+    if (texture.alpha.empty()) continue;
+    out.add(prefix + texture.alpha, "", texture.alpha_title, 0, 1, alpha_of(*now.textures.at(texture.name)),
+            [values, changed, name = texture.name, meaning = texture.meaning](Scene& scene, double value) {
+              set_alpha(values(scene).textures.at(name), meaning, static_cast<float>(value));
+              changed(scene);
+            });
+  }
+  for (const WordManifest& word : declared.words) {
+    Parameter& made = out.add(
+        prefix + word.key, "", word.title, 0, static_cast<double>(word.of.size() - 1),
+        place_of(word.of, now.words.at(word.name)),
+        [values, name = word.name, of = word.of](Scene& scene, double value) {
+          values(scene).words[name] = of.at(static_cast<size_t>(value));
+        },
+        true);
+    made.words = word.of;
+  }
+}
+
+void add_object(Collector& out, const Scene& scene, const Library& library, size_t i) {
   const Object& object = scene.objects[i];
   const std::string path = "objects." + object.name + ".";
-  if (object.layers) {
-    out.add_float(path + "thickness", "texels", "distance from outer to inner layer", 0, 65536,
-                  [i](Scene& s) -> float& { return s.objects[i].layers->thickness_texels; });
-    out.add_float(path + "scattering", "", "radius of the light's blur per texel of thickness", 0, 1000,
-                  [i](Scene& s) -> float& { return s.objects[i].layers->scattering; });
-    out.add(path + "outer.transparency", "", "of the outer layer, everywhere", 0, 1,
-            transparency_of(*object.layers->outer_albedo),
-            [i](Scene& s, double value) { set_transparency(s.objects[i], value); });
-  }
-  if (object.apertures) {
-    out.add(
-        path + "aperture.rays", "rays", "a point", 16, 65536, object.apertures->rays,
-        [i](Scene& s, double value) { s.objects[i].apertures->rays = static_cast<uint32_t>(value); }, true);
-    if (object.apertures->map_texels > 0)
-      out.add(
-          path + "aperture.map_texels", "texels", "side of the aperture map", 8, 4096, object.apertures->map_texels,
-          [i](Scene& s, double value) { s.objects[i].apertures->map_texels = static_cast<uint32_t>(value); }, true);
-    out.add(
-        path + "aperture.seed", "", "of the rays", 0, 9007199254740992, static_cast<double>(object.apertures->seed),
-        [i](Scene& s, double value) { s.objects[i].apertures->seed = static_cast<uint64_t>(value); }, true);
-    out.add(path + "aperture.bias", "m", "height above the surface at which rays start", 1e-9, 1e6,
-            object.apertures->bias_m ? std::optional<double>(decimal(*object.apertures->bias_m)) : std::nullopt,
-            [i](Scene& s, double value) { s.objects[i].apertures->bias_m = static_cast<float>(value); });
-  }
+  for (const EffectManifest& effect : library.effects)
+    if (object.effects.contains(effect.name))
+      add_declared(
+          out, path, effect.object, scene,
+          [i, name = effect.name](Scene& s) -> EffectValues& { return s.objects[i].effects.at(name); },
+          [i, &effect](Scene& s) { settle_facts(s.objects[i], effect); });
   for (int axis = 0; axis < 3; ++axis)
     out.add_float(path + "position." + axes[axis], "m", "where its origin lies", -furthest_m, furthest_m,
                   [i, axis](Scene& s) -> float& { return s.objects[i].world_from_object[3][axis]; });
@@ -224,15 +238,21 @@ std::vector<Parameter> parameters_of(const Scene& scene, const Library& library)
   out.add_vec3("scene.ambient", channels, "", "irradiance from all around, linear", 0, brightest,
                [](Scene& s) -> glm::vec3& { return s.ambient; });
   out.add_vec3("scene.background", channels, "", "linear", 0, brightest, [](Scene& s) -> glm::vec3& { return s.background; });
-  for (size_t i = 0; i < scene.objects.size(); ++i) add_object(out, scene, i);
+  for (const EffectManifest& effect : library.effects)
+    if (scene.effects.contains(effect.name))
+      add_declared(
+          out, "effects." + effect.name + ".", effect.scene, scene,
+          [name = effect.name](Scene& s) -> EffectValues& { return s.effects.at(name); }, [](Scene&) {});
+  for (size_t i = 0; i < scene.objects.size(); ++i) add_object(out, scene, library, i);
   add_for_all(out, scene);
   for (size_t i = 0; i < scene.lights.size(); ++i) add_light(out, scene, i);
   for (size_t i = 0; i < scene.views.size(); ++i) add_view(out, scene, i);
   for (const EffectManifest& effect : library.effects)
     for (const VariantManifest& variant : effect.variants)
       for (const ParameterManifest& parameter : variant.parameters)
-        out.add(variant.name + "." + parameter.name, parameter.unit, parameter.title, parameter.low, parameter.high,
-                parameter.value, {});
+        out.add(variant.name + "." + parameter.name, parameter.unit, parameter.title, parameter.min, parameter.max,
+                parameter.value, {}, parameter.whole)
+            .words = parameter.words;
   for (Parameter& parameter : out.all) {
     const auto has = [&](const char* part) { return parameter.path.find(part) != std::string::npos; };
     parameter.moves =
@@ -255,9 +275,10 @@ void check_value(const Parameter& parameter, double value) {
   const auto refuse = [&](const std::string& why) {
     throw Error(ErrorKind::bad_input, "sweep", "--set " + parameter.path, fmt::format("{} {}", value, why));
   };
-  if (!(value >= parameter.low && value <= parameter.high))
-    refuse(fmt::format("is out of range: it takes {} to {}{}{}", parameter.low, parameter.high,
-                       parameter.unit.empty() ? "" : " ", parameter.unit));
+  if (parameter.or_zero && value == 0) return;
+  if (!(value >= parameter.min && value <= parameter.max))
+    refuse(fmt::format("is out of range: it takes {}{} to {}{}{}", parameter.or_zero ? "0, or " : "", parameter.min,
+                       parameter.max, parameter.unit.empty() ? "" : " ", parameter.unit));
   if (parameter.whole && value != std::floor(value)) refuse("is not a whole number");
 }
 

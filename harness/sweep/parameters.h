@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/plan/manifest.h"
+#include "harness/manifest/library.h"
 #include "harness/scene/scene.h"
 
 namespace lamina {
@@ -16,10 +16,12 @@ namespace lamina {
 struct Parameter {
   std::string path;         // "objects.heart.thickness", "scene.time", "VARIANT.PARAMETER"
   std::string unit, title;  // unit "" for a pure number
-  double low = 0, high = 0;
-  bool whole = false;           // takes whole numbers alone
-  bool moves = false;           // objects or cameras
-  std::optional<double> value;  // in the scene as it is; none where it is no one number (a map, objects that differ)
+  double min = 0, max = 0;
+  bool or_zero = false;            // 0 is allowed beside the range
+  bool whole = false;              // takes whole numbers alone
+  std::vector<std::string> words;  // not empty: the value is one of these, told by its place
+  bool moves = false;              // objects or cameras
+  std::optional<double> value;     // in the scene as it is; none where it is no one number (a map, objects that differ)
   // Sets it in a scene with the same objects, lights and views; empty for scene.time, which load_scene() takes, and for
   // parameters of variants, which their shaders take.
   std::function<void(Scene&, double)> set;

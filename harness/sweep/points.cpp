@@ -112,7 +112,12 @@ SweptParameter parse_swept(const std::string& text) {
                 "takes PATH=VALUES, as in objects.heart.thickness=0:32:1; 'lamina list --parameters SCENE' names the paths");
   SweptParameter swept;
   swept.path = text.substr(0, equals);
-  swept.values = Values("--set " + text).parse(std::string_view(text).substr(equals + 1));
+  const std::string_view values = std::string_view(text).substr(equals + 1);
+  const auto is_word = [](std::string_view part) { return !part.empty() && std::isalpha(static_cast<unsigned char>(part[0])); };
+  if (is_word(values))
+    for (const std::string_view word : split(values, ',')) swept.words.emplace_back(word);
+  else
+    swept.values = Values("--set " + text).parse(values);
   return swept;
 }
 

@@ -12,6 +12,7 @@ namespace lamina {
 struct SweptParameter {
   std::string path, unit;
   std::vector<double> values;
+  std::vector<std::string> words;  // as given, of a parameter that takes words; `values` are then their places
 };
 
 // VALUES: "FROM:TO:STEP" (both ends included; TO only where a step meets it), "FROM:TO:xFACTOR" (geometric), or "A,B,C".

@@ -1,37 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/sweep/swept_scene.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
-#include "harness/graph/inputs.h"
 #include "harness/scene/default_views.h"
+#include "harness/scene/digest.h"
 
 namespace lamina {
 namespace {
 
-using Texture = std::shared_ptr<const TextureImage>;
-
-// Every texture of a scene, in a fixed order; null where an object has no layers.
+// Every texture of a scene, in a fixed order.
 std::vector<Texture*> textures_of(Scene& scene) {
   std::vector<Texture*> textures;
-  for (Object& object : scene.objects) {
-    textures.push_back(&object.albedo);
-    if (!object.layers) continue;
-    for (Texture* texture : {&object.layers->outer_albedo, &object.layers->outer_normal, &object.layers->inner_albedo})
-      textures.push_back(texture);
-  }
+  const auto add = [&](auto& effects) {
+    for (auto& [effect, values] : effects)
+      for (auto& [name, texture] : values.textures) textures.push_back(&texture);
+  };
+  for (Object& object : scene.objects) add(object.effects);
+  add(scene.effects);
   return textures;
-}
-
-bool same(const TextureImage& a, const TextureImage& b) {
-  return a.format == b.format && a.width == b.width && a.height == b.height && a.levels == b.levels;
-}
-
-template <class T>
-std::string_view bytes_of(const T& value) {
-  return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
 // What was moved out of the depth range that a view was given comes back into it.
@@ -58,14 +49,31 @@ bool undoes(const Scene& scene, const std::string& earlier, const std::string& l
   });
 }
 
+// Words as their places among those that the parameter takes.
+void settle_words(SweptParameter& swept, const Parameter& parameter) {
+  const auto refuse = [&](const std::string& why) { throw Error(ErrorKind::bad_input, "sweep", "--set " + swept.path, why); };
+  if (parameter.words.empty() && !swept.words.empty())
+    refuse(fmt::format("'{}' is no number, which it takes", swept.words.front()));
+  if (!parameter.words.empty() && swept.words.empty()) refuse(fmt::format("takes words: {}", fmt::join(parameter.words, ", ")));
+  for (const std::string& word : swept.words) {
+    const auto found = std::find(parameter.words.begin(), parameter.words.end(), word);
+    if (found == parameter.words.end()) refuse(unknown_name("word", word, parameter.words));
+    const auto place = static_cast<double>(found - parameter.words.begin());
+    if (std::find(swept.values.begin(), swept.values.end(), place) != swept.values.end())
+      refuse("has a value twice; give each once");
+    swept.values.push_back(place);
+  }
+}
+
 std::string words_of_number(double value) { return fmt::format("{:.6g}", value); }
 
 }  // namespace
 
 SweptScene::SweptScene(Scene scene, const Library& library, SweepPoints points)
-    : base_(std::move(scene)), moment_(base_), points_(std::move(points)) {
-  points_.check();
+    : library_(library), base_(std::move(scene)), moment_(base_), points_(std::move(points)) {
   const std::vector<Parameter> all = lamina::parameters_of(base_, library);
+  for (SweptParameter& swept : points_.parameters) settle_words(swept, parameter_named(all, swept.path));
+  points_.check();
   for (SweptParameter& swept : points_.parameters) {
     const Parameter& parameter = parameter_named(all, swept.path);
     for (const Parameter& earlier : parameters_)
@@ -81,13 +89,13 @@ SweptScene::SweptScene(Scene scene, const Library& library, SweepPoints points)
 
 const Scene& SweptScene::at_time(float time_s) {
   if (moment_.time_s == time_s) return moment_;
-  Scene next = load_scene(base_.source, time_s);
+  Scene next = load_scene(base_.source, library_, time_s);
   std::erase_if(next.views, [&](const View& view) {
     return std::none_of(base_.views.begin(), base_.views.end(), [&](const View& kept) { return kept.name == view.name; });
   });
   const std::vector<Texture*> known = textures_of(base_), made = textures_of(next);
   for (size_t i = 0; i < made.size() && made.size() == known.size(); ++i)
-    if (*made[i] && *known[i] && same(**made[i], **known[i])) *made[i] = *known[i];
+    if (texture_digest(*made[i]) == texture_digest(*known[i])) *made[i] = *known[i];
   moment_ = std::move(next);
   return moment_;
 }
@@ -112,12 +120,19 @@ std::map<std::string, double> SweptScene::params(size_t point) const {
   return params;
 }
 
+std::map<std::string, std::string> SweptScene::words_at(size_t point) const {
+  std::map<std::string, std::string> words;
+  const std::vector<double> values = points_.at(point);
+  for (size_t i = 0; i < values.size(); ++i)
+    if (!parameters_[i].words.empty()) words[parameters_[i].path] = parameters_[i].words[static_cast<size_t>(values[i])];
+  return words;
+}
+
 Parameters SweptScene::parameters_of_variant(const VariantManifest& variant, size_t point) const {
   Parameters own;
   const std::map<std::string, double> values = params(point);
   for (const ParameterManifest& parameter : variant.parameters)
-    if (const auto set = values.find(variant.name + "." + parameter.name); set != values.end())
-      own[parameter.name] = set->second;
+    if (const auto set = values.find(variant.name + "." + parameter.name); set != values.end()) own.insert(*set);
   return own;
 }
 
@@ -125,40 +140,11 @@ std::string SweptScene::words(size_t point) const {
   std::string text;
   const std::vector<double> values = points_.at(point);
   for (size_t i = 0; i < values.size(); ++i)
-    text += fmt::format("{}{} {}{}{}", i == 0 ? "" : ", ", parameters_[i].path, words_of_number(values[i]),
-                        parameters_[i].unit.empty() ? "" : " ", parameters_[i].unit);
+    text += fmt::format(
+        "{}{} {}{}{}", i == 0 ? "" : ", ", parameters_[i].path,
+        parameters_[i].words.empty() ? words_of_number(values[i]) : parameters_[i].words[static_cast<size_t>(values[i])],
+        parameters_[i].unit.empty() ? "" : " ", parameters_[i].unit);
   return text;
-}
-
-std::string scene_hash(const Scene& scene) {
-  Scene copy = scene;  // textures_of() hands out pointers to change them by
-  std::string text = scene.name + meshes_hash(scene);
-  for (const Texture* texture : textures_of(copy)) {
-    if (!*texture) continue;
-    text += bytes_of((*texture)->format);
-    for (const std::vector<std::byte>& level : (*texture)->levels)
-      text += hash_hex({reinterpret_cast<const char*>(level.data()), level.size()});
-  }
-  for (const Object& object : scene.objects) {
-    text += object.name;
-    text += bytes_of(object.world_from_object);
-    if (object.layers) text += fmt::format(" {} {}", object.layers->thickness_texels, object.layers->scattering);
-    if (const auto& bake = object.apertures)
-      text += fmt::format(" {} {} {} {} {}", static_cast<int>(bake->baker), bake->map_texels, bake->rays, bake->seed,
-                          bake->bias_m.value_or(0));
-  }
-  for (const Light& light : scene.lights) {
-    text += light.name;
-    text += fmt::format(" {} {} {}", static_cast<int>(light.kind), light.angular_radius, light.radius_m);
-    for (const glm::vec3& v : {light.direction, light.position, light.radiance}) text += bytes_of(v);
-  }
-  for (const View& view : scene.views) {
-    text += view.name;
-    for (const glm::vec3& v : {view.eye, view.target, view.up}) text += bytes_of(v);
-    text += fmt::format(" {} {} {}", view.fov_y_degrees, view.near_m, view.far_m);
-  }
-  text += bytes_of(scene.ambient), text += bytes_of(scene.background);
-  return hash_hex(text);
 }
 
 }  // namespace lamina

@@ -24,6 +24,8 @@ class SweptScene {
   Scene at(size_t point);
   // Every swept path with its value, as cells name them.
   std::map<std::string, double> params(size_t point) const;
+  // Of those that take words, the words.
+  std::map<std::string, std::string> words_at(size_t point) const;
   // Of these, the ones of a variant's own parameters.
   Parameters parameters_of_variant(const VariantManifest& variant, size_t point) const;
 
@@ -33,13 +35,11 @@ class SweptScene {
  private:
   const Scene& at_time(float time_s);
 
+  const Library& library_;
   Scene base_;
   Scene moment_;  // the last that was loaded for its time
   SweepPoints points_;
   std::vector<Parameter> parameters_;  // beside the points'
 };
-
-// Of all that a picture of the scene follows from: meshes, textures, numbers of objects, lights and views.
-std::string scene_hash(const Scene& scene);
 
 }  // namespace lamina

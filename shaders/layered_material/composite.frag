@@ -46,9 +46,8 @@ void main() {
   vec3 view_tangent = normalize(eye_world.xyz - point.position) * point.world_from_tangent;
 #ifdef LAYER_DEPTH
   vec2 texel = 1.0 / vec2(textureSize(inner_albedo, 0));
-  float thickness_texels = layer.x;
-  vec2 light_radius = thickness_texels * layer.y * texel;
-  InnerPoint inner = inner_point(point.uv, view_tangent, normal_tangent, thickness_texels, texel);
+  vec2 light_radius = thickness * scattering * texel;
+  InnerPoint inner = inner_point(point.uv, view_tangent, normal_tangent, thickness, texel);
   vec3 inner_base = poisson_disc(inner_albedo, inner.uv, inner.distance_texels * texel, footprint);
 #else
   // No depth: no offset, and a disc of radius 0 is its centre.

@@ -6,6 +6,10 @@
 //   INNER_LAYER  the outer layer lets the inner one show somewhere
 //   LAYER_DEPTH  the layers are apart (thickness above 0)
 
+layout(std140, binding = 3) uniform Effect {
+  float thickness;   // texels of inner_albedo's base level
+  float scattering;  // radius of the light's blur per texel of thickness
+};
 layout(binding = 4) uniform sampler2D outer_albedo;  // rgb linear; alpha = transparency
 layout(binding = 5) uniform sampler2D outer_normal;
 layout(binding = 6) uniform sampler2D inner_albedo;

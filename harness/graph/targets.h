@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// The targets and storage buffers of a frame while it is being built: made when a pass first names them, with the size and
+// format that their variant's parameters give, and which of two buffers is read and which written.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+
+#include "harness/graph/graph.h"
+#include "harness/graph/scene_resources.h"
+
+namespace lamina {
+
+struct FrameTarget {
+  std::array<TextureId, 2> buffers;
+  uint32_t current = 0;
+  uint32_t width = 0, height = 0, levels = 1;
+  Format format = Format::rgba16_float;
+  bool written = false;  // in the sequence being built
+};
+
+// What was made, for whoever gives it back.
+struct MadeResources {
+  std::vector<TextureId> textures;
+  std::vector<BufferId> buffers;
+  std::map<TextureId, Area> whole;  // of every target, its level 0
+  // Targets as large as the frame, by variant and name.
+  std::map<std::pair<const VariantManifest*, std::string>, std::pair<TextureId, Format>> frame_sized;
+};
+
+class Targets {
+ public:
+  // All must outlive this.
+  Targets(SceneResources& resources, const Graph& graph, MadeResources& made);
+
+  FrameTarget& frame() { return frame_; }
+  FrameTarget& depth() { return depth_; }
+  // A pass's target by name, "frame" included, or the one that a resolved source names. `light`: of a source of a light's
+  // target that is read from elsewhere.
+  FrameTarget& target(const GraphPass& pass, const GraphDraw& draw, const std::string& name,
+                      std::optional<size_t> light = std::nullopt);
+  FrameTarget& source_target(const GraphPass& pass, const GraphDraw& draw, const Source& source);
+  BufferId buffer(const GraphPass& pass, const GraphDraw& draw, const ResolvedBuffer& buffer);
+  // Nothing is written yet in the sequence that begins.
+  void begin_sequence();
+
+ private:
+  FrameTarget make(const std::string& label, uint32_t width, uint32_t height, Format format, bool mips, uint32_t buffers,
+                   bool storage);
+  std::pair<uint32_t, uint32_t> size_of(const GraphPass& pass, const SizeRule& rule, std::optional<size_t> object);
+
+  SceneResources& resources_;
+  const Graph& graph_;
+  MadeResources& made_;
+  FrameTarget frame_, depth_;
+  std::map<Resource, FrameTarget> targets_;
+  std::map<Resource, BufferId> buffers_;
+};
+
+// Whether the draw reads what it also writes under this name.
+bool reads_back(const GraphPass& pass, const GraphDraw& draw, const std::string& name);
+
+}  // namespace lamina

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every effect with its variants, from the folders variants/ and shaders/ and a user's own.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "harness/manifest/effect_manifest.h"
+
+namespace lamina {
+
+struct Library {
+  std::vector<EffectManifest> effects;  // in drawing order: those that do not read the frame, then those that do
+  std::filesystem::path shaders;        // the folder of the built-in shaders
+  const EffectCode* code = nullptr;
+
+  // Throws Error(bad_input) with the nearest names.
+  const EffectManifest& effect(std::string_view name) const;
+  // Equal for libraries whose effects declare the same, byte for byte.
+  std::string declarations() const;
+  // What objects are drawn by that no other effect draws; null where no effect says so.
+  const EffectManifest* otherwise() const;
+};
+
+// `home` holds variants/ and shaders/. Each of `user_dirs` holds variant manifests (which name their effect) and their shaders,
+// or folders of whole effects with an effect.toml like the built-in ones. Throws Error(bad_input, "variants", "FILE:LINE",
+// ...), also where two effects claim one key.
+Library load_library(const std::filesystem::path& home, const EffectCode& code,
+                     const std::vector<std::filesystem::path>& user_dirs = {});
+
+}  // namespace lamina

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/scene/made/builtin_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/core/error.h"
+#include "harness/core/text.h"
+#include "harness/scene/made/conical_pit.h"
+#include "harness/scene/made/heart.h"
+#include "harness/scene/made/open_plane.h"
+#include "harness/scene/made/sphere_over_plane.h"
+#include "harness/scene/made/terrain.h"
+#include "harness/scene/made/two_windows.h"
+
+namespace lamina {
+namespace {
+
+struct Builtin {
+  const char* name;
+  Scene (*make)(float time_s);
+};
+
+constexpr Builtin builtins[] = {
+    {"heart", [](float time_s) { return make_heart({.time_s = time_s}); }},
+    {"terrain", make_terrain},
+    {"sphere_over_plane", [](float) { return make_sphere_over_plane(); }},
+    {"two_windows", [](float) { return make_two_windows(); }},
+    {"open_plane", [](float) { return make_open_plane(); }},
+    {"conical_pit", [](float) { return make_conical_pit(); }},
+};
+
+}  // namespace
+
+std::vector<std::string> builtin_scenes() {
+  std::vector<std::string> names;
+  for (const Builtin& builtin : builtins) names.emplace_back(builtin.name);
+  return names;
+}
+
+Scene read_builtin(const std::string& name, float time_s) {
+  const auto found = std::find_if(std::begin(builtins), std::end(builtins), [&](const Builtin& b) { return b.name == name; });
+  if (found == std::end(builtins))
+    throw Error(ErrorKind::bad_input, "scene", name, unknown_name("built-in scene", name, builtin_scenes()));
+  if (!std::isfinite(time_s)) throw Error(ErrorKind::bad_input, "scene", name, "time is not a finite number; give seconds");
+  Scene scene = found->make(time_s);
+  scene.name = scene.source = name;
+  scene.time_s = time_s;
+  scene.lights.front().casts = true;  // the key light, or the sun
+  return scene;
+}
+
+}  // namespace lamina
