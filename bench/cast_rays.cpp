@@ -60,7 +60,8 @@ void cast_bare(RTCScene scene, std::vector<RTCRay8>& packets) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const Scene scene = load_scene(argc > 1 ? argv[1] : "terrain");
+  const Library library = load_library(LAMINA_SOURCE_DIR, effect_code());
+  const Scene scene = load_scene(argc > 1 ? argv[1] : "terrain", library);
   const Occluders occluders(scene);
   std::vector<SurfacePoint> points = vertex_points(scene.objects.front()).points;
   // Points from all over the object.

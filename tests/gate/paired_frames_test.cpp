@@ -27,7 +27,7 @@ class Pieces : public EachBackend {
     scene_.mesh_moves = true;  // so that the light is drawn every frame
     plan_ = make_plan(library(), scene_);
     shaders_ = std::make_unique<ShaderCache>(backend_->info().api, library().shaders);
-    resources_ = std::make_unique<SceneResources>(*backend_, scene_, 96, 80);
+    resources_ = std::make_unique<SceneResources>(*backend_, scene_, library(), 96, 80);
   }
   void TearDown() override {
     ready_.clear();
@@ -200,7 +200,7 @@ class ChangedTrees : public Pieces {
   ChangedTrees() : folder_(std::filesystem::temp_directory_path() / ("lamina_changed_" + std::to_string(::getpid()))) {}
   ~ChangedTrees() override { std::filesystem::remove_all(folder_); }
   void expect_same_pictures(const std::map<std::string, uint64_t>& more_fetches) {
-    const Library changed = load_library(folder_);
+    const Library changed = load_library(folder_, effect_code());
     const Plan plan = make_plan(changed, scene_);
     ShaderCache shaders(backend_->info().api, changed.shaders);
     for (const VariantManifest& variant : plan.of("layered_material")->effect->variants) {

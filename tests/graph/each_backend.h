@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/graph/frame.h"
+#include "tests/builtin_library.h"
 
 namespace lamina {
 
@@ -23,10 +24,7 @@ class EachBackend : public testing::TestWithParam<std::string_view> {
     for (const std::string& message : backend_->take_messages()) ADD_FAILURE() << message;
   }
 
-  const Library& library() {
-    static const Library loaded = load_library(LAMINA_SOURCE_DIR);
-    return loaded;
-  }
+  const Library& library() { return builtin_library(); }
   const VariantManifest& variant(std::string_view name) {
     for (const EffectManifest& effect : library().effects)
       for (const VariantManifest& candidate : effect.variants)
@@ -37,8 +35,8 @@ class EachBackend : public testing::TestWithParam<std::string_view> {
   Image picture(const Scene& scene, std::string_view name, uint32_t size = 64, Build build = Build::timed) {
     const Plan plan = make_plan(library(), scene);
     ShaderCache shaders(backend_->info().api, library().shaders);
-    Bakes bakes(scene, DiskCache(""));
-    SceneResources resources(*backend_, scene, size, size, &bakes);
+    Bakes bakes(scene, *library().code, DiskCache(""));
+    SceneResources resources(*backend_, scene, library(), size, size, &bakes);
     const Graph graph = make_graph(plan, configuration_with(plan, variant(name)), scene, shaders);
     Frame frame(resources, graph, build);
     frame.run_once(Timing::off);

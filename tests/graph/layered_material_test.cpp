@@ -12,6 +12,7 @@ namespace {
 class LayeredMaterial_ : public EachBackend {};
 INSTANTIATE_TEST_SUITE_P(Backends, LayeredMaterial_, backend_parameters, backend_test_name);
 constexpr std::string_view all_variants[] = {"light_map", "normal_map_taps", "vertex_normal"};
+EffectValues& layers_of(Scene& scene) { return scene.objects[0].effects.at("layered_material"); }
 // Half floats keep 11 bits; albedos are stored in 8.
 constexpr float tolerance = 0.004f;
 
@@ -44,8 +45,7 @@ TEST_P(LayeredMaterial_, GrazingViewPrefersTheOuterLayer) {
 TEST_P(LayeredMaterial_, ParallaxOffsetIsThicknessTimesTangentInTexelsOfTheBoundTexture) {
   for (const uint32_t size : {64u, 128u}) {
     Scene scene = quad_scene({6, 1, glm::vec3(0.0f), glm::vec3(0.0f), size});
-    LayeredMaterial& layers = *scene.objects[0].layers;
-    layers.inner_albedo = make_texture(
+    layers_of(scene).textures["inner_albedo"] = make_texture(
         "ramp", filled(size, [&](uint32_t x, uint32_t) { return glm::vec4((float(x) + 0.5f) / float(size), 0, 0, 1); }),
         TexelMeaning::colour);
     const float angle = float(M_PI) / 4;
@@ -68,14 +68,14 @@ TEST_P(LayeredMaterial_, ParallaxOffsetIsThicknessTimesTangentInTexelsOfTheBound
 // A mapped normal turned towards +u by t reflects the head-on view by 2t, so that the ray arrives d tan 2t texels along +u.
 TEST_P(LayeredMaterial_, MappedNormalTurnsTheTransmittedRayByTwiceItsAngle) {
   Scene scene = quad_scene({5, 1, glm::vec3(0.0f), glm::vec3(0.0f)});
-  LayeredMaterial& layers = *scene.objects[0].layers;
+  EffectValues& layers = layers_of(scene);
   const float tilt = 0.2f;
-  layers.outer_normal = make_texture(
+  layers.textures["outer_normal"] = make_texture(
       "tilted",
       filled(64, [&](uint32_t,
                      uint32_t) { return glm::vec4(0.5f + 0.5f * std::sin(tilt), 0.5f, 0.5f + 0.5f * std::cos(tilt), 1); }),
       TexelMeaning::normal);
-  layers.inner_albedo =
+  layers.textures["inner_albedo"] =
       make_texture("ramp", filled(64, [&](uint32_t x, uint32_t) { return glm::vec4((float(x) + 0.5f) / 64, 0, 0, 1); }),
                    TexelMeaning::colour);
   const Image image = picture(scene, "vertex_normal");
@@ -91,7 +91,7 @@ TEST_P(LayeredMaterial_, CompositeMakesTheChaptersNumberOfFetches) {
   const Scene scene = bumpy_scene(6, 1);
   const Plan plan = make_plan(library(), scene);
   ShaderCache shaders(backend_->info().api, library().shaders);
-  SceneResources resources(*backend_, scene, 96, 80);
+  SceneResources resources(*backend_, scene, library(), 96, 80);
   const std::map<std::string_view, uint64_t> expected = {{"light_map", 29}, {"normal_map_taps", 28}, {"vertex_normal", 15}};
   for (const auto& [name, fetches] : expected) {
     const Graph graph = make_graph(plan, configuration_with(plan, variant(name)), scene, shaders);
@@ -124,16 +124,16 @@ TEST_P(LayeredMaterial_, SameInputsGiveTheSameBits) {
 TEST_P(LayeredMaterial_, CullingAtThicknessZeroChangesNoPixel) {
   const Scene culled = bumpy_scene(0, 1);
   Scene whole = culled;
-  whole.objects[0].layers->thickness_texels = 1e-30f;  // above 0 for the plan, nothing for the picture
+  layers_of(whole).numbers["thickness"] = 1e-30f;  // above 0 for the plan, nothing for the picture
   for (const std::string_view name : all_variants) EXPECT_EQ(picture(culled, name).rgba, picture(whole, name).rgba) << name;
 }
 
 TEST_P(LayeredMaterial_, CullingUnderAnOpaqueLayerChangesNoPixel) {
   const Scene whole = bumpy_scene(6, 0);
   Scene culled = whole;
-  culled.objects[0].layers->max_transparency = 0;
+  layers_of(culled).facts["transparency"] = 0;
   Scene uncut = whole;
-  uncut.objects[0].layers->max_transparency = 1;
+  layers_of(uncut).facts["transparency"] = 1;
   for (const std::string_view name : all_variants) EXPECT_EQ(picture(culled, name).rgba, picture(uncut, name).rgba) << name;
 }
 
@@ -141,7 +141,7 @@ TEST_P(LayeredMaterial_, CullingDropsFetchesAndTextures) {
   const auto fetches_per_fragment = [&](const Scene& scene, std::string_view name) {
     const Plan plan = make_plan(library(), scene);
     ShaderCache shaders(backend_->info().api, library().shaders);
-    SceneResources resources(*backend_, scene, 64, 64);
+    SceneResources resources(*backend_, scene, library(), 64, 64);
     const Graph graph = make_graph(plan, configuration_with(plan, variant(name)), scene, shaders);
     Frame frame(resources, graph, Build::counting);
     frame.run_once(Timing::off);
@@ -163,7 +163,7 @@ TEST_P(LayeredMaterial_, StillSceneMakesItsLightMapOnce) {
     scene.mesh_moves = moves;
     const Plan plan = make_plan(library(), scene);
     ShaderCache shaders(backend_->info().api, library().shaders);
-    SceneResources resources(*backend_, scene, 32, 32);
+    SceneResources resources(*backend_, scene, library(), 32, 32);
     const Graph graph = make_graph(plan, configuration_with(plan, variant("light_map")), scene, shaders);
     Frame frame(resources, graph, Build::timed);
     return std::pair(frame.once_names(), frame.frame_names());
@@ -182,8 +182,8 @@ TEST_P(LayeredMaterial_, NoTapReadsBackgroundBeyondTheCharts) {
   for (Vertex& vertex : scene.objects[0].mesh.vertices) vertex.uv = vertex.uv * 0.5f + 0.25f;
   scene.views[0].eye = {3, 2, 5};
   scene.views[0].fov_y_degrees = 15;
-  scene.objects[0].layers->outer_albedo = constant_texture("white", {1, 1, 1, 1}, TexelMeaning::colour);
-  scene.objects[0].layers->inner_albedo =
+  layers_of(scene).textures["outer_albedo"] = constant_texture("white", {1, 1, 1, 1}, TexelMeaning::colour);
+  layers_of(scene).textures["inner_albedo"] =
       make_texture("inner", filled(64, [](uint32_t, uint32_t) { return glm::vec4(1); }), TexelMeaning::colour);
   const Image image = picture(scene, "light_map");
   size_t drawn = 0;
@@ -196,7 +196,7 @@ TEST_P(LayeredMaterial_, NoTapReadsBackgroundBeyondTheCharts) {
 }
 
 TEST(LayeredMaterialAcrossBackends, OpenGlAgreesWithVulkan) {
-  const Library library = load_library(LAMINA_SOURCE_DIR);
+  const Library library = load_library(LAMINA_SOURCE_DIR, effect_code());
   const Scene scene = bumpy_scene(6, 1);
   const Plan plan = make_plan(library, scene);
   std::map<std::string, std::map<std::string, Image>> pictures;  // [backend][variant]
@@ -204,7 +204,7 @@ TEST(LayeredMaterialAcrossBackends, OpenGlAgreesWithVulkan) {
     try {
       const auto backend = open_backend(name, {"", true});
       ShaderCache shaders(backend->info().api, library.shaders);
-      SceneResources resources(*backend, scene, 128, 128);
+      SceneResources resources(*backend, scene, library, 128, 128);
       for (const VariantManifest& variant : library.effect("layered_material").variants) {
         const Graph graph = make_graph(plan, configuration_with(plan, variant), scene, shaders);
         Frame frame(resources, graph, Build::timed);

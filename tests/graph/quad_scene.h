@@ -37,18 +37,17 @@ inline Scene quad_scene(const QuadOptions& options) {
   Object object;
   object.name = "quad";
   object.mesh = unit_square();
-  object.albedo = constant_texture("albedo", {options.outer, 1}, TexelMeaning::colour);
-  LayeredMaterial layers;
-  layers.outer_albedo = make_texture(
+  object.effects["surface"].textures["albedo"] = constant_texture("albedo", {options.outer, 1}, TexelMeaning::colour);
+  EffectValues& layers = object.effects["layered_material"];
+  layers.textures["outer_albedo"] = make_texture(
       "outer", filled(options.size, [&](uint32_t, uint32_t) { return glm::vec4(options.outer, options.transparency); }),
       TexelMeaning::colour);
-  layers.outer_normal = make_texture(
+  layers.textures["outer_normal"] = make_texture(
       "normal", filled(options.size, [](uint32_t, uint32_t) { return glm::vec4(0.5f, 0.5f, 1, 1); }), TexelMeaning::normal);
-  layers.inner_albedo = make_texture(
+  layers.textures["inner_albedo"] = make_texture(
       "inner", filled(options.size, [&](uint32_t, uint32_t) { return glm::vec4(options.inner, 1); }), TexelMeaning::colour);
-  layers.thickness_texels = options.thickness_texels;
-  layers.max_transparency = options.transparency;
-  object.layers = layers;
+  layers.numbers = {{"thickness", options.thickness_texels}, {"scattering", 1}};
+  layers.facts["transparency"] = options.transparency;
   scene.objects.push_back(object);
   scene.ambient = glm::vec3(1);
   scene.background = glm::vec3(0);
@@ -67,23 +66,23 @@ inline Scene bumpy_scene(float thickness_texels, float transparency) {
   options.thickness_texels = thickness_texels;
   options.transparency = transparency;
   Scene scene = quad_scene(options);
-  LayeredMaterial& layers = *scene.objects[0].layers;
+  auto& layers = scene.objects[0].effects.at("layered_material").textures;
   const auto wave = [](uint32_t x, uint32_t y, float f) { return 0.5f + 0.5f * std::sin(f * float(x) + 0.7f * f * float(y)); };
-  layers.outer_albedo = make_texture("outer",
-                                     filled(64,
-                                            [&](uint32_t x, uint32_t y) {
-                                              return glm::vec4(0.2f + 0.01f * float(x), 0.9f - 0.01f * float(y),
-                                                               wave(x, y, 0.2f), transparency * wave(y, x, 0.13f));
-                                            }),
-                                     TexelMeaning::colour);
-  layers.outer_normal = make_texture("normal",
-                                     filled(64,
-                                            [&](uint32_t x, uint32_t y) {
-                                              return glm::vec4(0.5f + 0.3f * (wave(x, y, 0.6f) - 0.5f),
-                                                               0.5f + 0.3f * (wave(y, x, 0.4f) - 0.5f), 0.9f, 1);
-                                            }),
-                                     TexelMeaning::normal);
-  layers.inner_albedo = make_texture(
+  layers["outer_albedo"] = make_texture("outer",
+                                        filled(64,
+                                               [&](uint32_t x, uint32_t y) {
+                                                 return glm::vec4(0.2f + 0.01f * float(x), 0.9f - 0.01f * float(y),
+                                                                  wave(x, y, 0.2f), transparency * wave(y, x, 0.13f));
+                                               }),
+                                        TexelMeaning::colour);
+  layers["outer_normal"] = make_texture("normal",
+                                        filled(64,
+                                               [&](uint32_t x, uint32_t y) {
+                                                 return glm::vec4(0.5f + 0.3f * (wave(x, y, 0.6f) - 0.5f),
+                                                                  0.5f + 0.3f * (wave(y, x, 0.4f) - 0.5f), 0.9f, 1);
+                                               }),
+                                        TexelMeaning::normal);
+  layers["inner_albedo"] = make_texture(
       "inner", filled(64, [&](uint32_t x, uint32_t y) { return glm::vec4((x / 8 + y / 8) % 2 ? 0.8f : 0.1f, 0.1f, 0.3f, 1); }),
       TexelMeaning::colour);
   scene.ambient = glm::vec3(0.1f);

@@ -36,10 +36,11 @@ TEST(SpecConstants, LaterOnesComeOverEarlierOnes) {
   example.manifest.constants["taps"] = "5";
   EXPECT_EQ(example.values().at(0).id, 3u);
   EXPECT_EQ(example.values().at(0).bits, 5u);
+  example.variant.name = "mine";
   example.variant.parameters.push_back({"taps", "", "", 7, 0, 100});
   EXPECT_EQ(example.values().at(0).bits, 7u);
-  EXPECT_EQ(example.values({{"taps", 11}}).at(0).bits, 11u);
-  EXPECT_EQ(example.values({{"radius", 11}}).at(0).bits, 7u);
+  EXPECT_EQ(example.values({{"mine.taps", 11}}).at(0).bits, 11u);
+  EXPECT_EQ(example.values({{"other.taps", 11}}).at(0).bits, 7u);
 }
 
 TEST(SpecConstants, AreWrittenAsTheirTypes) {

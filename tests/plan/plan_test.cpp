@@ -6,14 +6,12 @@
 namespace lamina {
 namespace {
 
-Library builtin() { return load_library(LAMINA_SOURCE_DIR); }
+Library builtin() { return load_library(LAMINA_SOURCE_DIR, effect_code()); }
 
 Object layered(float thickness, float transparency) {
   Object object;
   object.name = "object";
-  object.layers.emplace();
-  object.layers->thickness_texels = thickness;
-  object.layers->max_transparency = transparency;
+  object.effects["layered_material"] = {{{"thickness", thickness}}, {}, {}, {{"transparency", transparency}}};
   return object;
 }
 
@@ -41,9 +39,10 @@ TEST(Plan, EachObjectGetsTheFeaturesThatItsFactsCallFor) {
   const Library library = builtin();
   const EffectManifest& effect = library.effect("layered_material");
   using Defines = std::map<std::string, std::string>;
-  EXPECT_EQ(feature_defines(effect, layered(8, 1)), (Defines{{"INNER_LAYER", "1"}, {"LAYER_DEPTH", "1"}}));
-  EXPECT_EQ(feature_defines(effect, layered(0, 1)), (Defines{{"INNER_LAYER", "1"}}));
-  EXPECT_EQ(feature_defines(effect, layered(8, 0)), Defines{}) << "no depth where no inner layer is seen";
+  const auto defines = [&](const Object& object) { return feature_defines(effect, Scene{}, &object); };
+  EXPECT_EQ(defines(layered(8, 1)), (Defines{{"INNER_LAYER", "1"}, {"LAYER_DEPTH", "1"}}));
+  EXPECT_EQ(defines(layered(0, 1)), (Defines{{"INNER_LAYER", "1"}}));
+  EXPECT_EQ(defines(layered(8, 0)), Defines{}) << "no depth where no inner layer is seen";
 }
 
 TEST(Plan, SaysWhyAFeatureIsOffAndOnHowManyObjectsItIsOn) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surfaces of blocks against their volumes and areas.
-#include "harness/scene/block_mesh.h"
+#include "harness/scene/made/block_mesh.h"
 
 #include <gtest/gtest.h>
 

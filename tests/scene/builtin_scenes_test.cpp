@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // What every scene made by code promises, and the closed forms of those that have them.
-#include "harness/scene/builtin_scenes.h"
+#include "harness/scene/made/builtin_scenes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "harness/scene/conical_pit.h"
-#include "harness/scene/day.h"
-#include "harness/scene/noise.h"
-#include "harness/scene/two_windows.h"
+#include "harness/scene/made/conical_pit.h"
+#include "harness/scene/made/day.h"
+#include "harness/scene/made/noise.h"
+#include "harness/scene/made/two_windows.h"
 #include "harness/scene/unwrap_check.h"
+#include "tests/scene/declared.h"
 #include "tests/scene/made_files.h"
 #include "tests/scene/rays.h"
 
@@ -27,13 +28,13 @@ const Object& named(const Scene& scene, const std::string& name) {
 class BuiltinScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(BuiltinScene, IsSoundInEveryVertexAndTriangle) {
-  const Scene scene = load_scene(GetParam());
+  const Scene scene = load_scene(GetParam(), builtin_library());
   EXPECT_EQ(scene.name, GetParam());
   EXPECT_EQ(scene.source, GetParam());
   EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
   for (const Object& object : scene.objects) {
     SCOPED_TRACE(object.name);
-    EXPECT_TRUE(object.albedo);
+    EXPECT_TRUE(albedo_of(object));
     EXPECT_EQ(object.unwrap_problem, "");
     EXPECT_LE(overlap_fraction(object.mesh), 0.001);
     const Mesh& mesh = object.mesh;
@@ -83,18 +84,18 @@ TEST(BuiltinScenes, AnUnknownNameIsRefusedWithTheNearest) {
 
 TEST(BuiltinScenes, AperturesWhereTheSceneIsMadeForThem) {
   for (const std::string name : {"terrain", "sphere_over_plane", "two_windows", "open_plane"})
-    for (const Object& object : load_scene(name).objects) {
-      EXPECT_TRUE(object.apertures.has_value()) << name;
-      EXPECT_FALSE(object.layers.has_value()) << name;
+    for (const Object& object : load_scene(name, builtin_library()).objects) {
+      EXPECT_TRUE(has_apertures(object)) << name;
+      EXPECT_FALSE(has_layers(object)) << name;
     }
-  const Scene pit = load_scene("conical_pit");
-  EXPECT_TRUE(named(pit, "floor").apertures.has_value());
-  EXPECT_FALSE(named(pit, "cone").apertures.has_value());
+  const Scene pit = load_scene("conical_pit", builtin_library());
+  EXPECT_TRUE(has_apertures(named(pit, "floor")));
+  EXPECT_FALSE(has_apertures(named(pit, "cone")));
 }
 
 TEST(Terrain, IsLitByTheDay) {
   for (const float time : {0.0f, 6.1f, 18.0f}) {
-    const Scene scene = load_scene("terrain", time);
+    const Scene scene = load_scene("terrain", builtin_library(), time);
     const Daylight day = daylight(time);
     ASSERT_EQ(scene.lights.size(), 1u);
     EXPECT_EQ(scene.lights[0].name, "sun");
@@ -108,7 +109,7 @@ TEST(Terrain, IsLitByTheDay) {
 }
 
 TEST(Terrain, ViewsStandAboveTheGround) {
-  const Scene scene = load_scene("terrain");
+  const Scene scene = load_scene("terrain", builtin_library());
   for (const View& view : scene.views) {
     EXPECT_TRUE(blocks(scene.objects[0], view.eye, {0, -1, 0})) << view.name;
     EXPECT_FALSE(blocks(scene.objects[0], view.eye, {0, 1, 0})) << view.name;
@@ -116,18 +117,18 @@ TEST(Terrain, ViewsStandAboveTheGround) {
 }
 
 TEST(ApertureLightingScenes, TheExampleFilesLoad) {
-  const Scene noon = load_scene(LAMINA_SOURCE_DIR "/variants/aperture_lighting/scenes/terrain_noon.toml");
+  const Scene noon = load_scene(LAMINA_SOURCE_DIR "/variants/aperture_lighting/scenes/terrain_noon.toml", builtin_library());
   EXPECT_EQ(noon.time_s, 6.1f);
-  EXPECT_EQ(noon.objects.at(0).apertures.value().rays, 4096u);
+  EXPECT_EQ(apertures_of(noon.objects.at(0)).numbers.at("rays"), 4096);
   EXPECT_LT(glm::distance(noon.lights.at(0).direction, -daylight(6.1f).to_sun), 0.01f) << "the sun of noon";
   EXPECT_NEAR(glm::degrees(noon.lights.at(0).angular_radius), 0.2665f, 1e-5f);
-  const Scene model = load_scene(LAMINA_SOURCE_DIR "/variants/aperture_lighting/scenes/model.toml");
-  for (const Object& object : model.objects) EXPECT_TRUE(object.apertures.has_value());
+  const Scene model = load_scene(LAMINA_SOURCE_DIR "/variants/aperture_lighting/scenes/model.toml", builtin_library());
+  for (const Object& object : model.objects) EXPECT_TRUE(has_apertures(object));
 }
 
 // From the floor's middle the sky begins at the rim, all around.
 TEST(ConicalPit, TheRimIsSeenAtItsAngle) {
-  const Scene scene = load_scene("conical_pit");
+  const Scene scene = load_scene("conical_pit", builtin_library());
   for (int i = 0; i < 90; ++i) {
     const double around = 0.07 * i;
     const auto direction = [&](double degrees) {
@@ -145,7 +146,7 @@ TEST(ConicalPit, TheRimIsSeenAtItsAngle) {
 }
 
 TEST(OpenPlane, HidesNothingOfTheSky) {
-  const Scene scene = load_scene("open_plane");
+  const Scene scene = load_scene("open_plane", builtin_library());
   EXPECT_NEAR(glm::degrees(scene.lights.at(0).angular_radius), 10.0f, 1e-4f);
   for (const Vertex& vertex : scene.objects.at(0).mesh.vertices) {
     EXPECT_EQ(vertex.position.y, 0.0f);
@@ -154,7 +155,7 @@ TEST(OpenPlane, HidesNothingOfTheSky) {
 }
 
 TEST(SphereOverPlane, IsARoundBallAboveAFlatPlane) {
-  const Scene scene = load_scene("sphere_over_plane");
+  const Scene scene = load_scene("sphere_over_plane", builtin_library());
   const Object& sphere = named(scene, "sphere");
   for (const Vertex& vertex : sphere.mesh.vertices) {
     EXPECT_NEAR(glm::length(vertex.position), 1.0f, 1e-5f);
@@ -171,7 +172,7 @@ TEST(SphereOverPlane, IsARoundBallAboveAFlatPlane) {
 
 // A ray leaves the room where it passes through one window's rectangle on both sides of the wall, and nowhere else.
 TEST(TwoWindows, TheSkyIsSeenThroughTheWindowsAlone) {
-  const Scene scene = load_scene("two_windows");
+  const Scene scene = load_scene("two_windows", builtin_library());
   const Object& room = named(scene, "room");
   const glm::dvec3 middle = glm::dvec3(room_low + room_high) / 2.0;
   const double wall = 0.24;
@@ -202,7 +203,7 @@ TEST(TwoWindows, TheSkyIsSeenThroughTheWindowsAlone) {
 }
 
 TEST(TwoWindows, TheWallsAreThick) {
-  const Scene scene = load_scene("two_windows");
+  const Scene scene = load_scene("two_windows", builtin_library());
   const glm::dvec3 inside = room_high - room_low, outside = inside + 2 * 0.24;
   double holes = 0;
   for (int i = 0; i < 2; ++i) {

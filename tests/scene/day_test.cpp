@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sun's path against the sky's geometry, and the light along it.
-#include "harness/scene/day.h"
+#include "harness/scene/made/day.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eroded land: no slope that would slide, and water that reaches the outlet.
-#include "harness/scene/erosion.h"
+#include "harness/scene/made/erosion.h"
 
 #include <gtest/gtest.h>
 

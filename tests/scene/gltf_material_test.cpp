@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials of glTF models as layered ones.
+// Materials of glTF models, and what a bare model gets of them.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "harness/scene/default_layers.h"
 #include "harness/scene/gltf.h"
+#include "harness/scene/texel_density.h"
+#include "tests/scene/declared.h"
 #include "tests/scene/made_files.h"
 
 namespace lamina {
@@ -24,23 +25,25 @@ LoadedModel load(const Folder& folder, const std::string& material, const std::v
   }
   maker.more = fmt::format(R"(,"materials":[{}],"textures":[{}],"images":[{}])", material, fmt::join(textures, ","),
                            fmt::join(images, ","));
-  return load_gltf(folder.write("model.glb", maker.glb()));
+  LoadedModel model = load_gltf(folder.write("model.glb", maker.glb()));
+  declare_objects(model.objects, builtin_library());
+  return model;
 }
 
-const LayeredMaterial& layers(const LoadedModel& model) { return model.objects.at(0).layers.value(); }
+const TextureImage& texture(const LoadedModel& model, const std::string& name) { return layer(model.objects.at(0), name); }
+double thickness(const LoadedModel& model) { return thickness_of(model.objects.at(0)); }
 glm::vec4 first_texel(const TextureImage& texture) { return base_texels(texture).rgba.at(0); }
 
 TEST(GltfMaterial, AModelThatSaysNothingGetsSensibleLayers) {
   const Folder folder;
   const LoadedModel model = load(folder, R"({"name":"plain"})");
-  const LayeredMaterial& plain = layers(model);
-  EXPECT_EQ(glm::vec3(first_texel(*plain.outer_albedo)), glm::vec3(1));
-  EXPECT_NEAR(first_texel(*plain.outer_albedo).a, 0.55f, 0.5f / 255);
-  EXPECT_LT(glm::distance(glm::vec3(first_texel(*plain.outer_normal)) * 2.0f - 1.0f, glm::vec3(0, 0, 1)), 0.01f);
-  EXPECT_EQ(plain.inner_albedo->width, 512u);
-  EXPECT_FLOAT_EQ(plain.thickness_texels, 5.12f) << "a hundredth of the inner layer's width";
-  EXPECT_FLOAT_EQ(plain.scattering, 1);
-  EXPECT_EQ(model.objects[0].albedo, plain.outer_albedo);
+  EXPECT_EQ(glm::vec3(first_texel(texture(model, "outer_albedo"))), glm::vec3(1));
+  EXPECT_NEAR(first_texel(texture(model, "outer_albedo")).a, 0.55f, 0.5f / 255);
+  EXPECT_LT(glm::distance(glm::vec3(first_texel(texture(model, "outer_normal"))) * 2.0f - 1.0f, glm::vec3(0, 0, 1)), 0.01f);
+  EXPECT_EQ(texture(model, "inner_albedo").width, 512u);
+  EXPECT_EQ(thickness(model), 5.12) << "a hundredth of the inner layer's width";
+  EXPECT_EQ(layers_of(model.objects[0]).numbers.at("scattering"), 1);
+  EXPECT_EQ(albedo_of(model.objects[0]), layers_of(model.objects[0]).textures.at("outer_albedo")) << "made once";
 }
 
 TEST(GltfMaterial, FactorAndTextureMultiplyInLinearLight) {
@@ -49,7 +52,7 @@ TEST(GltfMaterial, FactorAndTextureMultiplyInLinearLight) {
   const LoadedModel model =
       load(folder, R"({"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,1,1],"baseColorTexture":{"index":0}}})", {"a.png"});
   // 188 is linear 0.503; half of it is linear 0.251, code 137.
-  const glm::vec4 texel = first_texel(*layers(model).outer_albedo);
+  const glm::vec4 texel = first_texel(texture(model, "outer_albedo"));
   EXPECT_NEAR(texel.r, 0.2514f, 0.002f);
   EXPECT_NEAR(texel.g, 0.25f, 0.002f);
   EXPECT_EQ(texel.b, 0.0f);
@@ -65,7 +68,7 @@ TEST(GltfMaterial, AlphaIsOpacityWhereItCounts) {
                  R"(","alphaCutoff":0.6,)"
                  R"("pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.9],"baseColorTexture":{"index":0}}})",
              {"a.png"});
-    const Texels texels = base_texels(*layers(model).outer_albedo);
+    const Texels texels = base_texels(texture(model, "outer_albedo"));
     return glm::vec2(texels.rgba.at(0).a, texels.rgba.at(1).a);
   };
   const float code = 0.51f / 255;
@@ -81,7 +84,7 @@ TEST(GltfMaterial, NormalMapsAreTurnedGreenDownAndScaled) {
   write_png(folder / "n.png", 1, 1, 3, {code(0.6), code(0.48), code(0.64)});
   const auto normal = [&](const std::string& scale) {
     const LoadedModel model = load(folder, R"({"normalTexture":{"index":0)" + scale + "}}", {"n.png"});
-    return glm::vec3(first_texel(*layers(model).outer_normal)) * 2.0f - 1.0f;
+    return glm::vec3(first_texel(texture(model, "outer_normal"))) * 2.0f - 1.0f;
   };
   EXPECT_LT(glm::distance(normal(""), glm::vec3(0.6f, -0.48f, 0.64f)), 0.01f);
   EXPECT_LT(glm::distance(normal(R"(,"scale":3)"), glm::normalize(glm::vec3(1.8f, -1.44f, 0.64f))), 0.01f);
@@ -92,26 +95,26 @@ TEST(GltfMaterial, NormalMapsAreTurnedGreenDownAndScaled) {
 TEST(GltfMaterial, VolumeThicknessBecomesTexels) {
   const Folder folder;
   const LoadedModel thick = load(folder, R"({"extensions":{"KHR_materials_volume":{"thicknessFactor":0.01}}})");
-  EXPECT_NEAR(layers(thick).thickness_texels, 5.12f, 1e-4f);
+  EXPECT_NEAR(thickness(thick), 5.12, 1e-4);
   const LoadedModel whole = load(folder, R"({"extensions":{"KHR_materials_volume":{"thicknessFactor":2}}})");
-  EXPECT_NEAR(layers(whole).thickness_texels, 1024.0f, 1e-2f);
+  EXPECT_NEAR(thickness(whole), 1024, 1e-2);
   const LoadedModel thin = load(folder, R"({"extensions":{"KHR_materials_volume":{}}})");
-  EXPECT_FLOAT_EQ(layers(thin).thickness_texels, 5.12f) << "says nothing: the default";
+  EXPECT_EQ(thickness(thin), 5.12) << "says nothing: the default";
   expect_refused([&] { load(folder, R"({"extensions":{"KHR_materials_volume":{"thicknessFactor":-1}}})"); },
                  {"thicknessFactor"});
 }
 
 // Density is the mesh's mean: a quad stretched to 2 m x 8 m over the same texture has sqrt(1 / 16) of the density.
-TEST(ThicknessInTexels, IsTheMeanDensityOfTheMesh) {
+TEST(LengthInTexels, IsTheMeanDensityOfTheMesh) {
   Mesh mesh;
   for (const glm::vec2 p : {glm::vec2(0, 0), {1, 0}, {1, 1}, {0, 1}})
     mesh.vertices.push_back({glm::vec3(2 * p.x, 0, 8 * p.y), {0, 1, 0}, {1, 0, 0, 1}, p});
   mesh.indices = {0, 1, 2, 0, 2, 3};
   TextureImage texture;
   texture.width = 64, texture.height = 256;
-  EXPECT_NEAR(thickness_in_texels(0.5f, mesh, texture, "quad"), 0.5f * 128 / 4, 1e-4f);
+  EXPECT_NEAR(length_in_texels(0.5f, mesh, texture, "quad"), 0.5f * 128 / 4, 1e-4f);
   for (Vertex& vertex : mesh.vertices) vertex.uv.x = 0;
-  expect_refused([&] { thickness_in_texels(0.5f, mesh, texture, "quad"); }, {"quad", "no area"});
+  expect_refused([&] { length_in_texels(0.5f, mesh, texture, "quad"); }, {"quad", "no area"});
 }
 
 TEST(GltfMaterial, WarnsOfWhatItLeavesOut) {

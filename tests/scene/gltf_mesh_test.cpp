@@ -6,7 +6,7 @@
 #include <set>
 
 #include "harness/scene/gltf.h"
-#include "harness/scene/textures.h"
+#include "harness/scene/model_look.h"
 #include "tests/scene/made_files.h"
 
 namespace lamina {
@@ -46,7 +46,7 @@ TEST(LoadGltf, ReadsAQuadFromGlbAndFromJsonAlike) {
       EXPECT_EQ(vertex.uv, glm::vec2(vertex.position.x, 1 - vertex.position.y));
     }
     EXPECT_TRUE(model.warnings.empty()) << model.warnings[0];
-    ASSERT_TRUE(wall.layers && wall.albedo);
+    ASSERT_TRUE(wall.look);
   }
 }
 
@@ -62,7 +62,7 @@ TEST(LoadGltf, FindsBuffersAndPicturesBesideTheFile) {
   const std::string before = R"("buffers":[{)";
   json.insert(json.find(before) + before.size(), R"("uri":"all.bin",)");
   const LoadedModel model = load_gltf(folder.write("model.gltf", json));
-  const Texels texels = base_texels(*model.objects.at(0).albedo);
+  const Texels& texels = model.objects.at(0).look->base_colour;
   EXPECT_EQ(glm::vec3(texels.rgba.at(0)), glm::vec3(1, 0, 0));
 }
 

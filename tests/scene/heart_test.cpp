@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The built-in heart, held to what it promises: a closed surface with a unique unwrap, textures without seams, and a beat.
-#include "harness/scene/heart.h"
+#include "harness/scene/made/heart.h"
 
 #include <gtest/gtest.h>
 
@@ -13,23 +13,34 @@
 #include <tuple>
 
 #include "harness/core/error.h"
+#include "harness/scene/facts.h"
+#include "tests/scene/declared.h"
 
 namespace lamina {
 namespace {
 
 constexpr float period_s = 0.9f;
 
+// With what its keys give it.
+Scene heart(float time_s, uint32_t texture_size) {
+  Scene scene = make_heart({.time_s = time_s, .texture_size = texture_size});
+  declare_objects(scene.objects, builtin_library());
+  for (Object& object : scene.objects) settle_facts(object, builtin_library().effect("layered_material"));
+  return scene;
+}
 const Scene& expanded() {
-  static const Scene scene = make_heart({.time_s = 0, .texture_size = 256});
+  static const Scene scene = heart(0, 256);
   return scene;
 }
 // The middle of the hold, a third of the way through a beat.
 const Scene& contracted() {
-  static const Scene scene = make_heart({.time_s = period_s / 3, .texture_size = 256});
+  static const Scene scene = heart(period_s / 3, 256);
   return scene;
 }
 const Mesh& mesh_of(const Scene& scene) { return scene.objects.at(0).mesh; }
-const LayeredMaterial& layers_of(const Scene& scene) { return *scene.objects.at(0).layers; }
+const Texture& texture_of(const Scene& scene, const std::string& name) {
+  return layers_of(scene.objects.at(0)).textures.at(name);
+}
 
 std::array<Vertex, 3> triangle(const Mesh& mesh, size_t first) {
   return {mesh.vertices[mesh.indices[first]], mesh.vertices[mesh.indices[first + 1]], mesh.vertices[mesh.indices[first + 2]]};
@@ -178,21 +189,21 @@ TEST(Heart, SurfaceIsClosedAndSeamsShareNormals) {
 }
 
 TEST(Heart, TexturesAgreeAcrossSeams) {
-  const LayeredMaterial& layers = layers_of(expanded());
-  for (const auto* texture : {&layers.outer_albedo, &layers.inner_albedo}) {
+  for (const std::string name : {"outer_albedo", "inner_albedo"}) {
+    const TextureImage& texture = *texture_of(expanded(), name);
     double across = 0, apart = 0;
     size_t pairs = 0;
     const auto seams = seam_vertices(mesh_of(expanded()));
     for (size_t i = 0; i < seams.size(); ++i) {
-      const glm::vec4 here = sample(**texture, seams[i][0].uv), there = sample(**texture, seams[i][1].uv);
+      const glm::vec4 here = sample(texture, seams[i][0].uv), there = sample(texture, seams[i][1].uv);
       // For comparison: some other place of the seam.
-      const glm::vec4 elsewhere = sample(**texture, seams[(i + seams.size() / 2) % seams.size()][1].uv);
+      const glm::vec4 elsewhere = sample(texture, seams[(i + seams.size() / 2) % seams.size()][1].uv);
       across += glm::length(here - there);
       apart += glm::length(here - elsewhere);
       ++pairs;
     }
-    EXPECT_LT(across / static_cast<double>(pairs), 0.01) << (*texture)->name;
-    EXPECT_GT(apart, 10 * across) << (*texture)->name;
+    EXPECT_LT(across / static_cast<double>(pairs), 0.01) << name;
+    EXPECT_GT(apart, 10 * across) << name;
   }
 }
 
@@ -203,7 +214,7 @@ TEST(Heart, NormalMapAgreesAcrossSeamsInWorldSpace) {
     std::array<glm::vec3, 2> world;
     for (size_t k = 0; k < 2; ++k) {
       const Vertex& v = vertices[k];
-      const glm::vec3 n = 2.0f * glm::vec3(sample(*layers_of(expanded()).outer_normal, v.uv)) - 1.0f, tangent(v.tangent);
+      const glm::vec3 n = 2.0f * glm::vec3(sample(*texture_of(expanded(), "outer_normal"), v.uv)) - 1.0f, tangent(v.tangent);
       world[k] = glm::normalize(tangent * n.x + v.tangent.w * glm::cross(v.normal, tangent) * n.y + v.normal * n.z);
     }
     across += glm::length(world[0] - world[1]);
@@ -216,7 +227,7 @@ TEST(Heart, NormalMapAgreesAcrossSeamsInWorldSpace) {
 // Muscle and arteries are brighter on their ridges than between them, so where brightness rises to the right, the normal leans
 // to the left, and where it rises downwards, the normal leans up: n = (-dh/du, -dh/dv, 1), with v down.
 TEST(Heart, NormalMapLeansAwayFromRidges) {
-  const TextureImage &albedo = *layers_of(expanded()).outer_albedo, &normal = *layers_of(expanded()).outer_normal;
+  const TextureImage &albedo = *texture_of(expanded(), "outer_albedo"), &normal = *texture_of(expanded(), "outer_normal");
   double agree_u = 0, agree_v = 0, size_u = 0, size_v = 0;
   for (size_t y = 1; y + 1 < albedo.height; ++y)
     for (size_t x = 1; x + 1 < albedo.width; ++x) {
@@ -238,7 +249,7 @@ TEST(Heart, NormalMapLeansAwayFromRidges) {
 
 TEST(Heart, TransparencyReachesBothEnds) {
   const Scene& scene = expanded();
-  const TextureImage& outer = *layers_of(scene).outer_albedo;
+  const TextureImage& outer = *texture_of(scene, "outer_albedo");
   size_t opaque = 0, clear = 0, between = 0;
   const size_t count = size_t{outer.width} * outer.height;
   for (size_t i = 0; i < count; ++i) {
@@ -250,11 +261,11 @@ TEST(Heart, TransparencyReachesBothEnds) {
   EXPECT_GT(opaque, count / 10);
   EXPECT_GT(clear, count / 10);
   EXPECT_GT(between, count / 10);
-  EXPECT_GT(layers_of(scene).max_transparency, 0.8f);
+  EXPECT_GT(transparency_of(scene.objects[0]), 0.8);
 }
 
 TEST(Heart, InnerLayerHasRedAndBlueVesselsOverDarkFlesh) {
-  const TextureImage& inner = *layers_of(expanded()).inner_albedo;
+  const TextureImage& inner = *texture_of(expanded(), "inner_albedo");
   size_t red = 0, blue = 0, flesh = 0;
   const size_t count = size_t{inner.width} * inner.height;
   for (size_t i = 0; i < count; ++i) {
@@ -274,16 +285,16 @@ TEST(Heart, SystoleShrinksTheHeartAndThinsTheLayer) {
   EXPECT_LT(systole, 0.9 * diastole);
   EXPECT_GT(systole, 0.5 * diastole);
   // Figure 11: about 16 and 5 texels at 1024, so a quarter of that at 256.
-  EXPECT_NEAR(layers_of(expanded()).thickness_texels, 4, 0.5);
-  EXPECT_NEAR(layers_of(contracted()).thickness_texels, 1.25, 0.25);
+  EXPECT_NEAR(thickness_of(expanded().objects[0]), 4, 0.5);
+  EXPECT_NEAR(thickness_of(contracted().objects[0]), 1.25, 0.25);
 }
 
 TEST(Heart, BeatsWithItsPeriodAtAnyTime) {
   for (const float time : {0.13f, 0.45f, 0.62f}) {
-    const Scene now = make_heart({.time_s = time, .texture_size = 64});
+    const Scene now = heart(time, 64);
     for (const float later : {time + period_s, time - 3 * period_s}) {
-      const Scene then = make_heart({.time_s = later, .texture_size = 64});
-      EXPECT_NEAR(layers_of(now).thickness_texels, layers_of(then).thickness_texels, 1e-4);
+      const Scene then = heart(later, 64);
+      EXPECT_NEAR(thickness_of(now.objects[0]), thickness_of(then.objects[0]), 1e-4);
       float farthest = 0;
       for (size_t i = 0; i < mesh_of(now).vertices.size(); ++i)
         farthest = std::max(farthest, glm::distance(mesh_of(now).vertices[i].position, mesh_of(then).vertices[i].position));
@@ -294,13 +305,13 @@ TEST(Heart, BeatsWithItsPeriodAtAnyTime) {
 }
 
 TEST(Heart, SameBytesTwiceAndTexturesStayPut) {
-  const Scene again = make_heart({.time_s = period_s / 3, .texture_size = 256});
+  const Scene again = heart(period_s / 3, 256);
   const Mesh &a = mesh_of(contracted()), &b = mesh_of(again);
   ASSERT_EQ(a.vertices.size(), b.vertices.size());
   for (size_t i = 0; i < a.vertices.size(); ++i) ASSERT_EQ(a.vertices[i].position, b.vertices[i].position);
   EXPECT_EQ(a.indices, b.indices);
   for (size_t i = 0; i < a.vertices.size(); ++i) ASSERT_EQ(a.vertices[i].uv, mesh_of(expanded()).vertices[i].uv);
-  EXPECT_EQ(layers_of(again).outer_albedo, layers_of(expanded()).outer_albedo) << "made once a size, whatever the time";
+  EXPECT_EQ(texture_of(again, "outer_albedo"), texture_of(expanded(), "outer_albedo")) << "made once a size, whatever the time";
 }
 
 TEST(Heart, RefusesTimesAndSizesThatAreNone) {

@@ -6,6 +6,7 @@
 
 #include "harness/scene/default_views.h"
 #include "harness/scene/scene.h"
+#include "tests/scene/declared.h"
 #include "tests/scene/made_files.h"
 
 namespace lamina {
@@ -13,10 +14,10 @@ namespace {
 
 TEST(LoadScene, RefusesWhatIsNoScene) {
   const Folder folder;
-  expect_refused([] { load_scene("hart"); }, {"hart", "did you mean 'heart'?"});
-  expect_refused([] { load_scene(""); }, {"built-in scene"});
-  expect_refused([&] { load_scene(folder.write("a.obj", "v 0 0 0").string()); }, {"a.obj", ".glb"});
-  expect_refused([&] { load_scene((folder / "none.glb").string()); }, {"none.glb", "cannot be read"});
+  expect_refused([] { load_scene("hart", builtin_library()); }, {"hart", "did you mean 'heart'?"});
+  expect_refused([] { load_scene("", builtin_library()); }, {"built-in scene"});
+  expect_refused([&] { load_scene(folder.write("a.obj", "v 0 0 0").string(), builtin_library()); }, {"a.obj", ".glb"});
+  expect_refused([&] { load_scene((folder / "none.glb").string(), builtin_library()); }, {"none.glb", "cannot be read"});
 }
 
 TEST(LoadScene, AModelByItsNameAloneIsComplete) {
@@ -25,14 +26,14 @@ TEST(LoadScene, AModelByItsNameAloneIsComplete) {
   maker.add_mesh("square", {maker.quad()});
   maker.add_node(R"({"mesh":0,"name":"wall"})");
   const std::string file = folder.write("Square.GLB", maker.glb()).string();
-  const Scene scene = load_scene(file, 2.0f);
+  const Scene scene = load_scene(file, builtin_library(), 2.0f);
   EXPECT_EQ(scene.name, "Square");
   EXPECT_EQ(scene.source, file);
   EXPECT_EQ(scene.time_s, 2.0f);
   EXPECT_EQ(scene.views.size(), 3u);
   EXPECT_EQ(scene.lights.size(), 3u);
   EXPECT_FALSE(scene.mesh_moves || scene.lights_move);
-  EXPECT_NEAR(scene.objects.at(0).layers.value().max_transparency, 0.55f, 0.5f / 255);
+  EXPECT_NEAR(transparency_of(scene.objects.at(0)), 0.55, 0.5 / 255);
   EXPECT_TRUE(scene.warnings.empty());
 }
 
@@ -41,18 +42,17 @@ TEST(LoadScene, AModelByItsNameAloneIsComplete) {
 TEST(LoadScene, DamagedHelmet) {
   const std::string file = LAMINA_DATA_DIR "/models/DamagedHelmet.glb";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "there is no " << file;
-  const Scene scene = load_scene(file);
+  const Scene scene = load_scene(file, builtin_library());
   ASSERT_FALSE(scene.objects.empty());
   EXPECT_EQ(scene.objects[0].name, "node_damagedHelmet_-6514");
   size_t indices = 0, leaning = 0;
   double volume = 0;  // by the divergence theorem: positive where triangles face outward
   for (const Object& part : scene.objects) {
     EXPECT_EQ(part.unwrap_problem, "");
-    const LayeredMaterial& layers = part.layers.value();
-    EXPECT_EQ(layers.outer_albedo->width, 2048u);
-    EXPECT_EQ(layers.outer_normal->width, 2048u);
-    EXPECT_EQ(layers.inner_albedo->width, 1024u);
-    EXPECT_FLOAT_EQ(layers.thickness_texels, 10.24f);
+    EXPECT_EQ(layer(part, "outer_albedo").width, 2048u);
+    EXPECT_EQ(layer(part, "outer_normal").width, 2048u);
+    EXPECT_EQ(layer(part, "inner_albedo").width, 1024u);
+    EXPECT_EQ(thickness_of(part), 10.24);
     indices += part.mesh.indices.size();
     for (size_t i = 0; i < part.mesh.indices.size(); i += 3) {
       const auto p = [&](size_t corner) { return glm::dvec3(part.mesh.vertices[part.mesh.indices[i + corner]].position); };
@@ -74,25 +74,25 @@ TEST(LoadScene, DamagedHelmet) {
 }
 
 TEST(LoadScene, TheHeartWithAndWithoutAnExampleFile) {
-  const Scene heart = load_scene("heart");
+  const Scene heart = load_scene("heart", builtin_library());
   EXPECT_EQ(heart.name, "heart");
   EXPECT_EQ(heart.source, "heart");
   EXPECT_FALSE(heart.objects.empty() || heart.views.empty() || heart.lights.empty());
 
-  const Scene thick = load_scene(LAMINA_SOURCE_DIR "/variants/layered_material/scenes/heart_thick.toml");
+  const Scene thick = load_scene(LAMINA_SOURCE_DIR "/variants/layered_material/scenes/heart_thick.toml", builtin_library());
   ASSERT_EQ(thick.objects.size(), heart.objects.size());
   EXPECT_EQ(thick.views.size(), 2u);
   const BoundingSphere bounds = bounding_sphere(thick.objects);
   for (const View& view : thick.views) EXPECT_GT(glm::distance(view.eye, bounds.centre), 0.5f * bounds.radius);
   bool any = false;
   for (const Object& object : thick.objects) {
-    EXPECT_EQ(object.layers ? object.layers->thickness_texels : 24.0f, 24.0f);
-    any |= object.layers && object.layers->max_transparency > 0;
+    EXPECT_EQ(has_layers(object) ? thickness_of(object) : 24, 24);
+    any |= has_layers(object) && transparency_of(object) > 0;
   }
   EXPECT_TRUE(any);
 
-  const Scene opaque = load_scene(LAMINA_SOURCE_DIR "/variants/layered_material/scenes/opaque.toml");
-  for (const Object& object : opaque.objects) EXPECT_EQ(object.layers ? object.layers->max_transparency : 0.0f, 0.0f);
+  const Scene opaque = load_scene(LAMINA_SOURCE_DIR "/variants/layered_material/scenes/opaque.toml", builtin_library());
+  for (const Object& object : opaque.objects) EXPECT_EQ(has_layers(object) ? transparency_of(object) : 0, 0);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "harness/scene/marble.h"
+#include "harness/scene/made/marble.h"
 
 #include <gtest/gtest.h>
 

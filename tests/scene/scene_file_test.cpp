@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "harness/scene/textures.h"
+#include "tests/scene/declared.h"
 #include "tests/scene/made_files.h"
 
 namespace lamina {
@@ -28,12 +28,12 @@ class SceneFile : public testing::Test {
   std::string write(const std::string& rest) {
     return folder_.write("a.toml", "[scene]\nmodel = \"model.glb\"\n" + rest).string();
   }
-  Scene load(const std::string& rest) { return load_scene(write(rest)); }
+  Scene load(const std::string& rest) { return load_scene(write(rest), builtin_library()); }
   // Refused at a.toml's `line` in words that hold all of `parts`.
   void expect_refused_at(int line, const std::string& rest, std::vector<std::string> parts) {
     const std::string file = write(rest);
     parts.push_back(fmt::format("a.toml:{}:", line));
-    expect_refused([&] { load_scene(file); }, parts);
+    expect_refused([&] { load_scene(file, builtin_library()); }, parts);
   }
   static const Object& named(const Scene& scene, const std::string& name) {
     for (const Object& object : scene.objects)
@@ -54,7 +54,7 @@ TEST_F(SceneFile, AloneIsTheModelWithDefaults) {
   EXPECT_EQ(scene.lights.size(), 3u);
   EXPECT_EQ(scene.background, glm::vec3(0.05f));
   EXPECT_EQ(scene.time_s, 0.0f);
-  EXPECT_NEAR(scene.objects[0].layers.value().max_transparency, 0.55f, 0.5f / 255);
+  EXPECT_NEAR(transparency_of(scene.objects[0]), 0.55, 0.5 / 255);
 }
 
 TEST_F(SceneFile, SceneKeys) {
@@ -64,64 +64,74 @@ TEST_F(SceneFile, SceneKeys) {
   EXPECT_EQ(scene.time_s, 1.5f);
   EXPECT_EQ(scene.background, glm::vec3(0, 0.5f, 1));
   EXPECT_EQ(scene.ambient, glm::vec3(0.1f, 0.2f, 0.3f));
-  EXPECT_EQ(load_scene(write(keys), 9.0f).time_s, 9.0f) << "the caller's time goes first";
+  EXPECT_EQ(load_scene(write(keys), builtin_library(), 9.0f).time_s, 9.0f) << "the caller's time goes first";
 }
 
 TEST_F(SceneFile, ThicknessAndScatteringOfOneAndOfAll) {
   const Scene scene = load("[objects.wall]\nthickness = 3\n[objects.\"*\"]\nthickness = 24.5\nscattering = 0.5\n");
-  EXPECT_EQ(named(scene, "wall").layers->thickness_texels, 3.0f) << "the entry that names it comes last";
-  EXPECT_EQ(named(scene, "floor").layers->thickness_texels, 24.5f);
-  EXPECT_EQ(named(scene, "wall").layers->scattering, 0.5f);
+  EXPECT_EQ(thickness_of(named(scene, "wall")), 3) << "the entry that names it comes last";
+  EXPECT_EQ(thickness_of(named(scene, "floor")), 24.5);
+  EXPECT_EQ(layers_of(named(scene, "wall")).numbers.at("scattering"), 0.5);
 }
 
 TEST_F(SceneFile, LayersCanBeTakenAway) {
   const Scene scene = load("[objects.wall]\nlayers = false\nalbedo = [1, 0, 0]\n");
-  EXPECT_FALSE(named(scene, "wall").layers.has_value());
-  EXPECT_EQ(glm::vec3(texel(*named(scene, "wall").albedo)), glm::vec3(1, 0, 0));
-  EXPECT_TRUE(named(scene, "floor").layers.has_value());
+  EXPECT_FALSE(has_layers(named(scene, "wall")));
+  EXPECT_EQ(glm::vec3(texel(*albedo_of(named(scene, "wall")))), glm::vec3(1, 0, 0));
+  EXPECT_TRUE(has_layers(named(scene, "floor")));
   // Taken from all, given back to one.
   const Scene back = load("[objects.\"*\"]\nlayers = false\n[objects.floor.outer]\nalbedo = [0, 1, 0]\n");
-  EXPECT_FALSE(named(back, "wall").layers.has_value());
-  EXPECT_NEAR(named(back, "floor").layers.value().max_transparency, 0.55f, 0.5f / 255);
-  expect_refused_at(5, "[objects.\"*\"]\nlayers = false\n[objects.floor]\nthickness = 2\n", {"'floor'", "outer.albedo"});
+  EXPECT_FALSE(has_layers(named(back, "wall")));
+  EXPECT_NEAR(transparency_of(named(back, "floor")), 0.55, 0.5 / 255);
+  // The model's own come back.
+  const Scene own = load("[objects.\"*\"]\nlayers = false\n[objects.floor]\nlayers = true\nthickness = 2\n");
+  EXPECT_FALSE(has_layers(named(own, "wall")));
+  EXPECT_EQ(thickness_of(named(own, "floor")), 2);
+  EXPECT_EQ(glm::vec3(texel(layer(named(own, "floor"), "outer_albedo"))), glm::vec3(1));
+}
+
+TEST_F(SceneFile, LayersWithoutAnOuterAlbedoAreRefused) {
+  const std::string file =
+      folder_.write("b.toml", "[scene]\nbuiltin = \"open_plane\"\n[objects.plane]\nthickness = 2\n").string();
+  expect_refused([&] { load_scene(file, builtin_library()); }, {"b.toml:3:", "'plane'", "outer.albedo"});
 }
 
 TEST_F(SceneFile, OuterAlbedoAndTransparencyCombineAtTheLargerSize) {
   const Scene scene = load(
       "[objects.wall.outer]\nalbedo = [0, 1, 0]\ntransparency = \"ramp.png\"\n"
       "[objects.floor.outer]\nalbedo = \"ramp.png\"\n");
-  const TextureImage& wall = *named(scene, "wall").layers->outer_albedo;
+  const TextureImage& wall = layer(named(scene, "wall"), "outer_albedo");
   ASSERT_EQ(wall.width, 4u);
   ASSERT_EQ(wall.height, 2u);
   for (size_t x = 0; x < 4; ++x) {
     EXPECT_NEAR(texel(wall, x).a, float(x) / 3, 1e-6f) << "red, as it is in the file";
     EXPECT_EQ(glm::vec3(texel(wall, x)), glm::vec3(0, 1, 0));
   }
-  const TextureImage& floor = *named(scene, "floor").layers->outer_albedo;
+  const TextureImage& floor = layer(named(scene, "floor"), "outer_albedo");
   EXPECT_NEAR(texel(floor, 1).r, 0.0908417f, 1e-5f) << "code 85 in linear light";
   EXPECT_NEAR(texel(floor, 1).a, 0.55f, 0.5f / 255) << "the transparency that was there";
 }
 
 TEST_F(SceneFile, TransparencyZeroCallsForNothing) {
   const Scene scene = load("[objects.\"*\".outer]\ntransparency = 0\n");
-  for (const Object& object : scene.objects) EXPECT_EQ(object.layers.value().max_transparency, 0.0f);
+  for (const Object& object : scene.objects) EXPECT_EQ(transparency_of(object), 0);
 }
 
 TEST_F(SceneFile, InnerAlbedoKeepsTheThicknessAsAShareOfItsWidth) {
   const Scene scene = load("[objects.wall.inner]\nalbedo = [0.5, 0, 0]\n[objects.floor.inner]\nalbedo = \"ramp.png\"\n");
-  const LayeredMaterial& wall = named(scene, "wall").layers.value();
-  EXPECT_EQ(wall.inner_albedo->width, 512u) << "one colour is spread over the size that was there";
-  EXPECT_FLOAT_EQ(wall.thickness_texels, 5.12f);
-  const LayeredMaterial& floor = named(scene, "floor").layers.value();
-  EXPECT_EQ(floor.inner_albedo->width, 4u);
-  EXPECT_FLOAT_EQ(floor.thickness_texels, 0.04f);
+  const Object& wall = named(scene, "wall");
+  EXPECT_EQ(layer(wall, "inner_albedo").width, 512u) << "one colour is spread over the size that was there";
+  EXPECT_EQ(thickness_of(wall), 5.12);
+  const Object& floor = named(scene, "floor");
+  EXPECT_EQ(layer(floor, "inner_albedo").width, 4u);
+  EXPECT_EQ(thickness_of(floor), 0.04);
 }
 
 TEST_F(SceneFile, NormalMapsAreGreenUpInTheFile) {
   const auto code = [](double v) { return uint8_t(std::lround((v * 0.5 + 0.5) * 255)); };
   write_png(folder_ / "n.png", 1, 1, 3, {code(0.6), code(0.48), code(0.64)});
   const Scene scene = load("[objects.wall.outer]\nnormal = \"n.png\"\n");
-  const glm::vec3 n = glm::vec3(texel(*named(scene, "wall").layers->outer_normal)) * 2.0f - 1.0f;
+  const glm::vec3 n = glm::vec3(texel(layer(named(scene, "wall"), "outer_normal"))) * 2.0f - 1.0f;
   EXPECT_LT(glm::distance(n, glm::vec3(0.6f, -0.48f, 0.64f)), 0.01f);
 }
 
@@ -222,39 +232,41 @@ TEST_F(SceneFile, AnApertureTableTakesTheLayersPlace) {
   const Scene scene = load(
       "[objects.wall.aperture]\n"
       "[objects.floor.aperture]\nbaker = \"spherical_harmonics\"\nmap_texels = 8\nrays = 65536\nseed = 7\nbias = 0.01\n");
-  const ApertureBake wall = named(scene, "wall").apertures.value();
-  EXPECT_FALSE(named(scene, "wall").layers.has_value());
-  EXPECT_EQ(wall.baker, ApertureBake::Baker::rays);
-  EXPECT_EQ(wall.map_texels, 0u);
-  EXPECT_EQ(wall.rays, 1024u);
-  EXPECT_EQ(wall.seed, 1u);
-  EXPECT_FALSE(wall.bias_m.has_value());
-  const ApertureBake floor = named(scene, "floor").apertures.value();
-  EXPECT_EQ(floor.baker, ApertureBake::Baker::spherical_harmonics);
-  EXPECT_EQ(floor.map_texels, 8u);
-  EXPECT_EQ(floor.rays, 65536u);
-  EXPECT_EQ(floor.seed, 7u);
-  EXPECT_EQ(floor.bias_m, 0.01f);
+  const EffectValues& wall = apertures_of(named(scene, "wall"));
+  EXPECT_FALSE(has_layers(named(scene, "wall")));
+  EXPECT_EQ(wall.words.at("baker"), "rays");
+  EXPECT_EQ(wall.numbers.at("map_texels"), 0);
+  EXPECT_EQ(wall.numbers.at("rays"), 1024);
+  EXPECT_EQ(wall.numbers.at("seed"), 1);
+  EXPECT_FALSE(wall.numbers.contains("bias"));
+  const EffectValues& floor = apertures_of(named(scene, "floor"));
+  EXPECT_EQ(floor.words.at("baker"), "spherical_harmonics");
+  EXPECT_EQ(floor.numbers.at("map_texels"), 8);
+  EXPECT_EQ(floor.numbers.at("rays"), 65536);
+  EXPECT_EQ(floor.numbers.at("seed"), 7);
+  EXPECT_EQ(floor.numbers.at("bias"), 0.01);
 }
 
 TEST_F(SceneFile, AperturesOfAllAndOfOne) {
   const Scene scene = load(
       "[objects.wall.aperture]\nrays = 64\n[objects.\"*\".aperture]\nrays = 32\nseed = 5\n"
       "[objects.floor]\napertures = false\nalbedo = [1, 0, 0]\n");
-  EXPECT_EQ(named(scene, "wall").apertures.value().rays, 64u) << "the entry that names it comes last";
-  EXPECT_EQ(named(scene, "wall").apertures.value().seed, 5u) << "and keeps what it does not change";
-  EXPECT_FALSE(named(scene, "floor").apertures.has_value());
-  EXPECT_FALSE(named(scene, "floor").layers.has_value());
+  EXPECT_EQ(apertures_of(named(scene, "wall")).numbers.at("rays"), 64) << "the entry that names it comes last";
+  EXPECT_EQ(apertures_of(named(scene, "wall")).numbers.at("seed"), 5) << "and keeps what it does not change";
+  EXPECT_FALSE(has_apertures(named(scene, "floor")));
+  EXPECT_FALSE(has_layers(named(scene, "floor")));
   // Layers given back to one take its apertures away.
   const Scene back = load("[objects.\"*\".aperture]\n[objects.floor.outer]\nalbedo = [0, 1, 0]\n");
-  EXPECT_TRUE(named(back, "wall").apertures.has_value());
-  EXPECT_FALSE(named(back, "floor").apertures.has_value());
-  EXPECT_TRUE(named(back, "floor").layers.has_value());
+  EXPECT_TRUE(has_apertures(named(back, "wall")));
+  EXPECT_FALSE(has_apertures(named(back, "floor")));
+  EXPECT_TRUE(has_layers(named(back, "floor")));
 }
 
 TEST_F(SceneFile, AperturesAndLayersExcludeEachOther) {
-  expect_refused_at(5, "[objects.wall]\nthickness = 2\n[objects.wall.aperture]\n", {"apertures or layers"});
-  expect_refused_at(3, "[objects.\"*\".aperture]\n[objects.\"*\".outer]\nalbedo = [0, 1, 0]\n", {"apertures or layers"});
+  expect_refused_at(3, "[objects.wall]\nthickness = 2\n[objects.wall.aperture]\n",
+                    {"layered_material or aperture_lighting", "leave out thickness, or aperture"});
+  expect_refused_at(3, "[objects.\"*\".aperture]\n[objects.\"*\".outer]\nalbedo = [0, 1, 0]\n",
+                    {"layered_material or aperture_lighting", "leave out outer, or aperture"});
   expect_refused_at(4, "[objects.wall]\napertures = false\n[objects.wall.aperture]\n", {"apertures = false"});
 }
 
@@ -271,8 +283,8 @@ TEST_F(SceneFile, ApertureAndLightSizeValuesAreRefusedWhereTheyStand) {
   aperture("rays = 65537", {"'rays'", "from 16 to 65536"});
   aperture("rays = nan", {"'rays'", "number"});
   aperture("seed = -1", {"'seed'", "from 0"});
-  aperture("bias = 0", {"'bias'", "above 0"});
-  aperture("bias = -0.1", {"'bias'", "from 0"});
+  aperture("bias = 0", {"'bias'", "from 1e-09"});
+  aperture("bias = -0.1", {"'bias'", "from 1e-09"});
   aperture("bais = 1", {"unknown key 'bais'", "'bias'"});
   expect_refused_at(4, "[objects.wall]\naperture = true\n", {"'aperture'", "table"});
   expect_refused_at(4, "[objects.wall]\napertures = 0\n", {"'apertures'", "true or false"});
@@ -299,7 +311,7 @@ TEST_F(SceneFile, NoMoreLightsThanAreDrawn) {
 TEST_F(SceneFile, NeedsOneModelThatExists) {
   const auto refused = [&](const std::string& text, const std::vector<std::string>& parts) {
     const std::string file = folder_.write("b.toml", text).string();
-    expect_refused([&] { load_scene(file); }, parts);
+    expect_refused([&] { load_scene(file, builtin_library()); }, parts);
   };
   refused("", {"b.toml", "[scene] is missing"});
   refused("[scene]\n", {"b.toml:1:", "model", "builtin"});
@@ -307,7 +319,7 @@ TEST_F(SceneFile, NeedsOneModelThatExists) {
   refused("[scene]\nmodel = \"none.glb\"\n", {"b.toml:2:", "none.glb"});
   refused("[scene]\nbuiltin = \"hart\"\n", {"b.toml:2:", "'hart'", "'heart'"});
   refused("[scene]\nmodel = model.glb\n", {"b.toml:2"});
-  expect_refused([&] { load_scene((folder_ / "none.toml").string()); }, {"none.toml", "cannot be read"});
+  expect_refused([&] { load_scene((folder_ / "none.toml").string(), builtin_library()); }, {"none.toml", "cannot be read"});
 }
 
 }  // namespace

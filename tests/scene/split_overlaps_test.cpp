@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/scene/unwrap_check.h"
+#include "tests/builtin_library.h"
 
 namespace lamina {
 namespace {
@@ -63,15 +64,15 @@ TEST(SplitOverlaps, KeepsTogetherWhatIsBeyondTheMostParts) {
 TEST(SplitOverlaps, ObjectsAreNamedAndSaidOnlyWhenSplit) {
   Object object;
   object.name = "wing";
-  object.layers.emplace();
+  object.effects["layered_material"];
   add_square(object.mesh, {0, 0}, 0.5f, 0);
   std::vector<Object> objects = {object};
   std::vector<std::string> warnings;
-  split_overlapping_objects(objects, warnings);
+  split_overlapping_objects(objects, builtin_library(), warnings);
   EXPECT_EQ(objects.size(), 1u);
   EXPECT_TRUE(warnings.empty());
   add_square(objects[0].mesh, {0, 0}, 0.5f, 1);
-  split_overlapping_objects(objects, warnings);
+  split_overlapping_objects(objects, builtin_library(), warnings);
   ASSERT_EQ(objects.size(), 2u);
   EXPECT_EQ(objects[0].name, "wing");
   EXPECT_EQ(objects[1].name, "wing.2");

@@ -91,7 +91,7 @@ TEST(SettleUnwrap, WarnsAboveTwoPercent) {
   add_rectangle(object.mesh, {0.5f, 0.5f}, {0.75f, 0.75f});  // and 1 / 16: 7.8% together
   settle_unwrap(object, warnings);
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0], "7.8% of shell's texture is used twice; a light map or aperture map holds what is true of one use.");
+  EXPECT_EQ(warnings[0], "7.8% of shell's texture is used twice; a map over its unwrap holds what is true of one use.");
   EXPECT_EQ(object.unwrap_problem, "") << "it can still be drawn";
 }
 

@@ -4,20 +4,21 @@
 #include <gtest/gtest.h>
 
 #include "harness/core/error.h"
-#include "harness/graph/inputs.h"
+#include "harness/scene/digest.h"
 #include "harness/sweep/swept_scene.h"
 
 namespace lamina {
 namespace {
 
-const Scene& heart() {
-  static const Scene scene = load_scene("heart");
-  return scene;
-}
 const Library& library() {
-  static const Library loaded = load_library(LAMINA_SOURCE_DIR);
+  static const Library loaded = load_library(LAMINA_SOURCE_DIR, effect_code());
   return loaded;
 }
+const Scene& heart() {
+  static const Scene scene = load_scene("heart", library());
+  return scene;
+}
+EffectValues& layers_of(Object& object) { return object.effects.at("layered_material"); }
 
 TEST(Parameters, ThePresentValueIsTheScenes) {
   const auto all = parameters_of(heart(), library());
@@ -35,7 +36,7 @@ TEST(Parameters, WhatIsSetIsWhatIsThereThen) {
   ASSERT_GT(all.size(), 30u);
   for (const Parameter& parameter : all) {
     if (!parameter.set) continue;
-    const double wanted = std::clamp(parameter.value.value_or(0.5) + 0.25, parameter.low, parameter.high);
+    const double wanted = std::clamp(parameter.value.value_or(0.5) + 0.25, parameter.min, parameter.max);
     Scene scene = heart();
     parameter.set(scene, wanted);
     const bool relative = parameter.path.find("rotation") != std::string::npos || parameter.path.ends_with(".scale");
@@ -88,13 +89,13 @@ TEST(Parameters, AWildcardSetsEveryObjectThatHasTheNumber) {
   scene.objects.push_back(scene.objects[0]);
   scene.objects[1].name = "other";
   scene.objects.push_back(scene.objects[0]);
-  scene.objects[2].name = "plain", scene.objects[2].layers.reset();
+  scene.objects[2].name = "plain", scene.objects[2].effects.erase("layered_material");
   parameter_named(parameters_of(scene, library()), "objects.*.thickness").set(scene, 5);
-  EXPECT_EQ(scene.objects[0].layers->thickness_texels, 5);
-  EXPECT_EQ(scene.objects[1].layers->thickness_texels, 5);
+  EXPECT_EQ(layers_of(scene.objects[0]).numbers.at("thickness"), 5);
+  EXPECT_EQ(layers_of(scene.objects[1]).numbers.at("thickness"), 5);
   Scene one = heart();
   parameter_named(parameters_of(one, library()), "objects.*.thickness").set(one, 6);
-  EXPECT_EQ(one.objects[0].layers->thickness_texels, 6);
+  EXPECT_EQ(layers_of(one.objects[0]).numbers.at("thickness"), 6);
 }
 
 TEST(Parameters, ValuesOutOfRangeAreRefusedWithTheRange) {
@@ -109,12 +110,12 @@ TEST(Parameters, ValuesOutOfRangeAreRefusedWithTheRange) {
 
 TEST(SweptScene, AnotherTimeKeepsTheTexturesAndMovesTheMesh) {
   SweptScene scenes(heart(), library(), {{{"scene.time", "", {0, 0.3}}, {"objects.heart.thickness", "", {7}}}, false});
-  const Scene first = scenes.at(0), second = scenes.at(1);
-  EXPECT_EQ(first.objects[0].layers->outer_albedo, second.objects[0].layers->outer_albedo);
+  Scene first = scenes.at(0), second = scenes.at(1);
+  EXPECT_EQ(layers_of(first.objects[0]).textures, layers_of(second.objects[0]).textures);
   EXPECT_EQ(first.objects[0].mesh.vertices.size(), second.objects[0].mesh.vertices.size());
-  EXPECT_NE(meshes_hash(first), meshes_hash(second));
-  EXPECT_EQ(second.objects[0].layers->thickness_texels, 7) << "what is set goes before what time brings";
-  EXPECT_NE(scene_hash(first), scene_hash(second));
+  EXPECT_NE(meshes_digest(first), meshes_digest(second));
+  EXPECT_EQ(layers_of(second.objects[0]).numbers.at("thickness"), 7) << "what is set goes before what time brings";
+  EXPECT_NE(scene_digest(first), scene_digest(second));
 }
 
 TEST(SweptScene, WhatALaterOneWouldUndoIsRefused) {
@@ -135,8 +136,8 @@ TEST(SweptScene, PointsDoNotDependOnTheWayThere) {
                            false};
   SweptScene walked(heart(), library(), points), jumped(heart(), library(), points);
   for (size_t point = 0; point < points.count(); ++point) walked.at(point);
-  EXPECT_EQ(scene_hash(walked.at(4)), scene_hash(jumped.at(4)));
-  EXPECT_NE(scene_hash(walked.at(4)), scene_hash(walked.at(5)));
+  EXPECT_EQ(scene_digest(walked.at(4)), scene_digest(jumped.at(4)));
+  EXPECT_NE(scene_digest(walked.at(4)), scene_digest(walked.at(5)));
 }
 
 }  // namespace

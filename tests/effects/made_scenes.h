@@ -3,9 +3,14 @@
 #pragma once
 
 #include <cmath>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
 #include <numbers>
 
+#include "harness/bake/bakes.h"
+#include "harness/effects/aperture_lighting/apertures.h"
 #include "harness/scene/scene.h"
+#include "tests/builtin_library.h"
 
 namespace lamina {
 
@@ -20,12 +25,22 @@ inline Object object_of(std::string name, std::vector<Vertex> vertices, std::vec
   return object;
 }
 
+// What an object lit through apertures has where nothing is said.
+inline EffectValues aperture_values() {
+  EffectValues values;
+  values.numbers = {{"map_texels", 0}, {"rays", 1024}, {"seed", 1}};
+  values.words = {{"baker", "rays"}};
+  return values;
+}
+inline EffectValues& apertures_of(Object& object) {
+  return object.effects.try_emplace("aperture_lighting", aperture_values()).first->second;
+}
+
 // One tiny triangle around the origin that looks up: what is baked.
 inline Object receiver() {
   constexpr float r = 1e-3f;
   Object object = object_of("receiver", {vertex_at({0, 0, 0}), vertex_at({0, 0, r}), vertex_at({r, 0, 0})}, {0, 1, 2});
-  object.apertures.emplace();
-  object.apertures->bias_m = 1e-4f;
+  apertures_of(object).numbers["bias"] = 1e-4;
   return object;
 }
 
@@ -54,6 +69,28 @@ inline Scene scene_of(std::vector<Object> objects) {
   scene.name = scene.source = "made";
   scene.objects = std::move(objects);
   return scene;
+}
+
+// As a variant with this [bake] has them baked.
+inline const Baked& baked_apertures(Bakes& bakes, size_t object, ApertureKind kind) {
+  const BakeOptions options = {{"count", kind.count}, {"anti", kind.anti}};
+  return bakes.baked(builtin_library().effect("aperture_lighting"), object, options);
+}
+// Of an object without a map, [vertex * count + i].
+inline std::vector<Aperture> vertex_apertures(Bakes& bakes, size_t object, ApertureKind kind = {}) {
+  const std::vector<std::byte>& bytes = baked_apertures(bakes, object, kind).buffers.at("Apertures");
+  std::vector<Aperture> apertures(bytes.size() / sizeof(Aperture));
+  if (!apertures.empty()) std::memcpy(apertures.data(), bytes.data(), bytes.size());
+  return apertures;
+}
+// Of an object with a map, texel by texel, as half floats keep them.
+inline std::vector<Aperture> map_apertures(Bakes& bakes, size_t object, const std::string& sampler = "aperture_0") {
+  const std::vector<std::byte>& level = baked_apertures(bakes, object, {}).textures.at(sampler)->levels.at(0);
+  std::vector<uint64_t> halves(level.size() / sizeof(uint64_t));
+  std::memcpy(halves.data(), level.data(), level.size());
+  std::vector<Aperture> apertures;
+  for (const uint64_t half : halves) apertures.push_back(glm::unpackHalf4x16(half));
+  return apertures;
 }
 
 }  // namespace lamina

@@ -3,11 +3,12 @@
 // agrees with one lit by traced visibility; and wherever, exact_cap computes what the double form says of the same apertures.
 #include <gtest/gtest.h>
 
+#include "harness/effects/aperture_lighting/aperture_baker.h"
+#include "harness/effects/aperture_lighting/direct_light.h"
 #include "harness/measure/rounds.h"
 #include "harness/quality/quality.h"
 #include "harness/scene/textures.h"
-#include "harness/truth/direct_light.h"
-#include "tests/bake/made_scenes.h"
+#include "tests/effects/made_scenes.h"
 #include "tests/graph/each_backend.h"
 
 namespace lamina {
@@ -21,9 +22,9 @@ class ApertureScenes : public EachBackend {
   };
   // Few rays for the large scenes: enough to be lit unevenly.
   static Scene small(const std::string& name) {
-    Scene scene = load_scene(name);
+    Scene scene = load_scene(name, builtin_library());
     for (Object& object : scene.objects)
-      if (object.mesh.vertices.size() > 5000) object.apertures->rays = 64;
+      if (object.mesh.vertices.size() > 5000) apertures_of(object).numbers["rays"] = 64;
     return scene;
   }
   // View 0 by a variant with passes for the truth; and by the models, over the covered pixels.
@@ -31,18 +32,19 @@ class ApertureScenes : public EachBackend {
     constexpr uint32_t size = 64;
     const Plan plan = make_plan(library(), scene);
     ShaderCache shaders(backend_->info().api, library().shaders);
-    SceneResources resources(*backend_, scene, size, size, &bakes);
+    SceneResources resources(*backend_, scene, library(), size, size, &bakes);
     const Configuration configuration = configuration_with(plan, variant(name));
     const Graph graph = make_graph(plan, configuration, scene, shaders),
                 truth = make_graph(plan, configuration, scene, shaders, Purpose::truth);
     Frame frame(resources, graph, Build::timed), told(resources, truth, Build::timed);
     frame.run(0, Timing::off);
     told.run(0, Timing::off);
-    const ApertureKind kind = *variant(name).apertures;
+    const ApertureKind kind = aperture_kind(variant(name).bake);
+    const std::map<std::string, Image> targets = told.targets_of(variant(name));
     std::vector<Image> apertures;
-    for (uint32_t i = 0; i < kind.count; ++i) apertures.push_back(told.target(fmt::format("seen_aperture_{}", i)));
+    for (uint32_t i = 0; i < kind.count; ++i) apertures.push_back(targets.at(fmt::format("seen_aperture_{}", i)));
     const ShadingPoints points =
-        shading_points(told.target("seen_point"), told.target("seen_normal"), told.target("seen_albedo"), apertures, kind);
+        shading_points(targets.at("seen_point"), targets.at("seen_normal"), targets.at("seen_albedo"), apertures, kind);
     EXPECT_GT(points.points.size(), size * size / 4) << "the view shows little of the effect";
     Pictures made{frame.picture(), frame.picture(), frame.picture(), {points.width, points.height, {}}};
     made.covered.on.assign(made.device.rgba.size() / 4, 0);
@@ -64,7 +66,7 @@ class ApertureScenes : public EachBackend {
 TEST_P(ApertureScenes, ExactCapIsTheDoubleForm) {
   for (const std::string name : {"sphere_over_plane", "two_windows"}) {
     const Scene scene = small(name);
-    Bakes bakes(scene, DiskCache(""));
+    Bakes bakes(scene, effect_code(), DiskCache(""));
     for (const std::string told : {"exact_cap", "two_apertures", "four_apertures", "anti_aperture"}) {
       const Pictures made = pictures(scene, bakes, false, told);
       EXPECT_EQ(nonfinite_pixels(made.device), 0u);
@@ -74,29 +76,29 @@ TEST_P(ApertureScenes, ExactCapIsTheDoubleForm) {
 }
 
 TEST_P(ApertureScenes, MapsAndPointLightsAreTheDoubleFormToo) {
-  Scene scene = load_scene("conical_pit");
-  scene.objects[0].apertures->map_texels = 64;
+  Scene scene = load_scene("conical_pit", builtin_library());
+  apertures_of(scene.objects[0]).numbers["map_texels"] = 64;
   Light lamp;
   lamp.kind = Light::Kind::point;
   lamp.position = scene.objects[0].mesh.vertices[0].position + glm::vec3(0.45f, 0.4f, 0);  // cut by the rim
   lamp.radius_m = 0.2f;
   lamp.radiance = glm::vec3(0.5f);
   scene.lights.push_back(lamp);
-  Bakes bakes(scene, DiskCache(""));
+  Bakes bakes(scene, effect_code(), DiskCache(""));
   const Pictures made = pictures(scene, bakes, false);
   EXPECT_GE(psnr(made.device, made.exact, made.covered), 55);
 }
 
 TEST_P(ApertureScenes, OpenPlaneAgreesWithTracedVisibility) {
-  const Scene scene = load_scene("open_plane");
-  Bakes bakes(scene, DiskCache(""));
+  const Scene scene = load_scene("open_plane", builtin_library());
+  Bakes bakes(scene, effect_code(), DiskCache(""));
   const Pictures made = pictures(scene, bakes, true);
   EXPECT_GE(psnr(made.device, made.traced_share, made.covered), 40);
 }
 
 TEST_P(ApertureScenes, ConicalPitAgreesWithTracedVisibility) {
-  const Scene scene = load_scene("conical_pit");
-  Bakes bakes(scene, DiskCache(""));
+  const Scene scene = load_scene("conical_pit", builtin_library());
+  Bakes bakes(scene, effect_code(), DiskCache(""));
   const Pictures made = pictures(scene, bakes, true);
   EXPECT_GE(psnr(made.device, made.traced_share, made.covered), 40);
 }
@@ -106,8 +108,8 @@ TEST_P(ApertureScenes, ConicalPitAgreesWithTracedVisibility) {
 TEST_P(ApertureScenes, EveryVariantIsFiniteWhateverTheMeshAndLights) {
   Scene scene = scene_of({quad("floor", {-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}), ring("lid", 0, 0.5f, 0.5f, 0.5f, 16)});
   for (Object& object : scene.objects) {
-    object.apertures.emplace();
-    object.albedo = constant_texture("white", glm::vec4(1), TexelMeaning::colour);
+    apertures_of(object);
+    object.effects["surface"].textures["albedo"] = constant_texture("white", glm::vec4(1), TexelMeaning::colour);
   }
   Mesh& mesh = scene.objects[0].mesh;
   for (Vertex& vertex : mesh.vertices) vertex.normal = glm::vec3(0);
@@ -127,7 +129,7 @@ TEST_P(ApertureScenes, EveryVariantIsFiniteWhateverTheMeshAndLights) {
   scene.ambient = glm::vec3(0.2f);
   scene.views = {{"above", {0, 2, 1}, {0, 0, 0}, {0, 1, 0}, 60, 0.1f, 10}};
   for (const uint32_t map_texels : {0u, 16u}) {
-    scene.objects[0].apertures->map_texels = map_texels;
+    apertures_of(scene.objects[0]).numbers["map_texels"] = map_texels;
     for (const VariantManifest& candidate : library().effect("aperture_lighting").variants)
       EXPECT_EQ(nonfinite_pixels(picture(scene, candidate.name, 32)), 0u) << candidate.name << " " << map_texels;
   }

@@ -4,9 +4,8 @@
 
 #include <fstream>
 
-#include "harness/bake/bakes.h"
 #include "harness/core/text.h"
-#include "tests/bake/made_scenes.h"
+#include "tests/effects/made_scenes.h"
 
 namespace lamina {
 namespace {
@@ -26,8 +25,8 @@ class BakeCache : public testing::Test {
     std::vector<std::string> warnings;
   };
   Result bake(const Scene& scene) {
-    Bakes bakes(scene, DiskCache(folder_));
-    Result result{bakes.apertures(0, {}), bakes.stats().at(0).from_cache, bakes.cache().take_warnings()};
+    Bakes bakes(scene, effect_code(), DiskCache(folder_));
+    Result result{vertex_apertures(bakes, 0), bakes.stats().at(0).from_cache, bakes.cache().take_warnings()};
     return result;
   }
   std::filesystem::path file() const { return std::filesystem::directory_iterator(folder_)->path(); }
@@ -48,15 +47,15 @@ TEST_F(BakeCache, SecondTimeIsReadAndTheSame) {
 TEST_F(BakeCache, EverythingThatMattersIsInTheKey) {
   bake(scene_);
   std::vector<Scene> others(6, scene_);
-  others[0].objects[0].apertures->rays = 512;
-  others[1].objects[0].apertures->seed = 2;
-  others[2].objects[0].apertures->bias_m = 0.01f;
+  apertures_of(others[0].objects[0]).numbers["rays"] = 512;
+  apertures_of(others[1].objects[0]).numbers["seed"] = 2;
+  apertures_of(others[2].objects[0]).numbers["bias"] = 0.01;
   others[3].objects[1].mesh.vertices[0].position.y += 0.1f;
   others[4].objects[1].world_from_object[3].x = 0.5f;
   others[5].objects[0].mesh.vertices[0].normal = {1, 0, 0};
   for (size_t i = 0; i < others.size(); ++i) EXPECT_FALSE(bake(others[i]).from_cache) << i;
   Scene same = scene_;
-  same.name = "other", same.lights.emplace_back(), same.objects[1].albedo = nullptr;
+  same.name = "other", same.lights.emplace_back(), same.objects[1].effects["surface"];
   EXPECT_TRUE(bake(same).from_cache) << "light and colour do not matter";
 }
 
@@ -90,11 +89,11 @@ TEST_F(BakeCache, FolderThatCannotBeMadeIsAWarning) {
 
 TEST_F(BakeCache, ProgressRisesFromNothing) {
   std::vector<double> seen;
-  Bakes bakes(scene_, DiskCache(""), [&](double fraction, const std::string& object) {
-    EXPECT_EQ(object, "receiver");
+  Bakes bakes(scene_, effect_code(), DiskCache(""), [&](double fraction, const std::string& what) {
+    EXPECT_EQ(what, "apertures of receiver");
     seen.push_back(fraction);
   });
-  bakes.apertures(0, {});
+  vertex_apertures(bakes, 0);
   ASSERT_FALSE(seen.empty());
   EXPECT_EQ(seen.front(), 0);
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));

@@ -2,9 +2,8 @@
 // Apertures of places whose visible directions are known in closed form.
 #include <gtest/gtest.h>
 
-#include "harness/bake/bakes.h"
 #include "harness/core/error.h"
-#include "tests/bake/made_scenes.h"
+#include "tests/effects/made_scenes.h"
 
 namespace lamina {
 namespace {
@@ -12,8 +11,8 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 
 Aperture aperture(const Scene& scene, ApertureKind kind = {}, size_t point = 0) {
-  Bakes bakes(scene, DiskCache(""));
-  return bakes.apertures(0, kind)[point * kind.count];
+  Bakes bakes(scene, effect_code(), DiskCache(""));
+  return vertex_apertures(bakes, 0, kind)[point * kind.count];
 }
 
 float angle(glm::vec3 a, glm::vec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
@@ -71,7 +70,7 @@ TEST(Apertures, TwoWindowsAreTwoRegions) {
       scene_of({receiver(), slab("left", -1), slab("right", 1), quad("lid", {-1, 9, -9}, {1, 9, -9}, {1, 9, 9}, {-1, 9, 9}),
                 quad("back", {-1, -1, -9}, {1, -1, -9}, {1, 9, -9}, {-1, 9, -9}),
                 quad("front", {-1, -1, 9}, {1, -1, 9}, {1, 9, 9}, {-1, 9, 9})});
-  scene.objects[0].apertures->rays = 8192;
+  apertures_of(scene.objects[0]).numbers["rays"] = 8192;
   const auto solid_angle = [](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
     const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
     return 2 * std::atan2(std::abs(glm::dot(a, glm::cross(b, c))),
@@ -79,19 +78,19 @@ TEST(Apertures, TwoWindowsAreTwoRegions) {
   };
   const double area =
       solid_angle({1, 0.4, -0.2}, {1, 0.8, -0.2}, {1, 0.8, 0.2}) + solid_angle({1, 0.4, -0.2}, {1, 0.8, 0.2}, {1, 0.4, 0.2});
-  Bakes bakes(scene, DiskCache(""));
-  const std::vector<Aperture>& two = bakes.apertures(0, {2, false});
+  Bakes bakes(scene, effect_code(), DiskCache(""));
+  const std::vector<Aperture> two = vertex_apertures(bakes, 0, {2, false});
   const float x0 = two[0].x, x1 = two[1].x;
   EXPECT_LT(x0 * x1, 0) << "one to each side";
   for (const Aperture& window : {two[0], two[1]}) {
     EXPECT_NEAR(window.w, cap_radius(area), 0.03 * cap_radius(area));
     EXPECT_LT(angle(window, glm::normalize(glm::vec3(window.x > 0 ? 1 : -1, 0.58f, 0))), 0.03f);
   }
-  const std::vector<Aperture>& four = bakes.apertures(0, {4, false});
+  const std::vector<Aperture> four = vertex_apertures(bakes, 0, {4, false});
   EXPECT_EQ((four[0].w > 0) + (four[1].w > 0) + (four[2].w > 0) + (four[3].w > 0), 2) << "there are no more regions";
   // One aperture has both areas and looks up between them.
-  EXPECT_NEAR(bakes.apertures(0, {})[0].w, cap_radius(2 * area), 0.03 * cap_radius(2 * area));
-  EXPECT_LT(angle(bakes.apertures(0, {})[0], {0, 1, 0}), 0.05f);
+  EXPECT_NEAR(vertex_apertures(bakes, 0)[0].w, cap_radius(2 * area), 0.03 * cap_radius(2 * area));
+  EXPECT_LT(angle(vertex_apertures(bakes, 0)[0], {0, 1, 0}), 0.05f);
   // The three points of the receiver agree which is which, so that what lies between them may be interpolated.
   for (size_t point = 1; point < 3; ++point) EXPECT_GT(two[point * 2].x * x0, 0) << point;
 }
@@ -101,9 +100,9 @@ TEST(Apertures, HarmonicsOfACap) {
   const double radius = 0.8;
   const Scene scene = scene_of({receiver(), ring("lid", static_cast<float>(std::tan(radius)), 1, 500, 1)});
   Scene fine = scene;
-  fine.objects[0].apertures->rays = 16384;
-  Bakes bakes(fine, DiskCache(""));
-  Visibility visibility(bakes.surface(0).points, 16384, 1);
+  apertures_of(fine.objects[0]).numbers["rays"] = 16384;
+  Bakes bakes(fine, effect_code(), DiskCache(""));
+  Visibility visibility(vertex_points(fine.objects[0]).points, 16384, 1);
   visibility.cast(bakes.occluders(), 1e-4f, [](double) {});
   const Harmonics c = project_visibility(visibility, 0);
   EXPECT_NEAR(c[0], std::sqrt(std::numbers::pi) * (1 - std::cos(radius)), 0.01);
@@ -111,7 +110,7 @@ TEST(Apertures, HarmonicsOfACap) {
   EXPECT_NEAR(c[2], 0, 0.01);
   EXPECT_NEAR(c[3], 0, 0.01);
   EXPECT_NEAR(aperture_of(c, {0, 1, 0}).w, radius, 0.01);
-  fine.objects[0].apertures->baker = ApertureBake::Baker::spherical_harmonics;
+  apertures_of(fine.objects[0]).words["baker"] = "spherical_harmonics";
   EXPECT_NEAR(aperture(fine).w, radius, 0.01);
   EXPECT_LT(angle(aperture(fine), {0, 1, 0}), 0.01f);
 }
@@ -136,44 +135,43 @@ TEST(Apertures, BrokenMeshesHaveDefinedApertures) {
                             {vertex_at({0, 0, 0}, {0, 0, 0}), vertex_at({0, 0, 1}, {0, 0, 0}), vertex_at({1, 0, 0}, {0, 0, 0}),
                              vertex_at({5, 5, 5}, {0, 0, 0}), vertex_at({6, 6, 6})},
                             {0, 1, 2, 1, 1, 1});
-  broken.apertures.emplace();
+  apertures_of(broken);
   Object empty = object_of("empty", {}, {});
-  empty.apertures.emplace();
+  apertures_of(empty);
   const Scene scene = scene_of({broken, empty});
-  Bakes bakes(scene, DiskCache(""));
+  Bakes bakes(scene, effect_code(), DiskCache(""));
   for (const ApertureKind kind : {ApertureKind{1, false}, ApertureKind{3, false}, ApertureKind{1, true}}) {
-    const std::vector<Aperture>& all = bakes.apertures(0, kind);
+    const std::vector<Aperture> all = vertex_apertures(bakes, 0, kind);
     ASSERT_EQ(all.size(), 5 * kind.count);
     for (const Aperture& one : all) {
       EXPECT_NEAR(glm::length(glm::vec3(one)), 1, 1e-5f);
       EXPECT_TRUE(one.w >= 0 && one.w <= pi / 2 + 1e-4f) << one.w;
     }
-    EXPECT_TRUE(bakes.apertures(1, kind).empty());
+    EXPECT_TRUE(vertex_apertures(bakes, 1, kind).empty());
   }
-  EXPECT_FLOAT_EQ(bakes.apertures(0, {})[0].w, pi / 2) << "the triangle's own normal is up";
-  EXPECT_EQ(bakes.apertures(0, {})[3].w, 0) << "no triangle, no normal: sees nothing";
-  EXPECT_FLOAT_EQ(bakes.apertures(0, {})[4].w, pi / 2) << "has a normal";
+  EXPECT_FLOAT_EQ(vertex_apertures(bakes, 0)[0].w, pi / 2) << "the triangle's own normal is up";
+  EXPECT_EQ(vertex_apertures(bakes, 0)[3].w, 0) << "no triangle, no normal: sees nothing";
+  EXPECT_FLOAT_EQ(vertex_apertures(bakes, 0)[4].w, pi / 2) << "has a normal";
 }
 
 TEST(Apertures, MapHasATexelsOwnPointOrTheNearest) {
   Object floor = object_of(
       "floor", {vertex_at({-1, 0, -1}), vertex_at({1, 0, -1}), vertex_at({1, 0, 1}), vertex_at({-1, 0, 1})}, {0, 2, 1});
-  floor.apertures.emplace();
-  floor.apertures->map_texels = 16;
-  floor.apertures->rays = 256;
+  apertures_of(floor).numbers["map_texels"] = 16;
+  apertures_of(floor).numbers["rays"] = 256;
   // A wall to the left of x = 0: the left half of the map is blocked to its left, more so near the wall.
   const Scene scene = scene_of({floor, quad("roof", {-9, 0.5f, -9}, {0, 0.5f, -9}, {0, 0.5f, 9}, {-9, 0.5f, 9})});
-  Bakes bakes(scene, DiskCache(""));
-  const std::vector<Aperture> map = bakes.map(0, {}, 0);
+  Bakes bakes(scene, effect_code(), DiskCache(""));
+  const std::vector<Aperture> map = map_apertures(bakes, 0);
   ASSERT_EQ(map.size(), 256u);
-  EXPECT_EQ(bakes.surface(0).points.size(), 136u) << "half a square with its diagonal, a left edge";
+  EXPECT_EQ(bakes.stats().at(0).points, 136u) << "half a square with its diagonal, a left edge";
   EXPECT_LT(map[2 * 16 + 4].w, map[2 * 16 + 13].w) << "under the roof less is seen";
   EXPECT_EQ(map[15 * 16], map[15 * 16 + 0]);
   for (const Aperture& texel : map) EXPECT_GT(texel.w, 0) << "texels without a point have their neighbour's";
   Scene doubled = scene;
   doubled.objects[0].unwrap_problem = "texture coordinates overlap";
-  Bakes refused(doubled, DiskCache(""));
-  EXPECT_THROW(refused.apertures(0, {}), Error);
+  Bakes refused(doubled, effect_code(), DiskCache(""));
+  EXPECT_THROW(map_apertures(refused, 0), Error);
 }
 
 }  // namespace

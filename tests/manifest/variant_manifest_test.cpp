@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Manifests: what the built-in ones say, and that every mistake in a user's own is one message with file, line and what to do.
-#include "harness/plan/manifest.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <fstream>
+
+#include "harness/manifest/library.h"
 
 namespace lamina {
 namespace {
@@ -24,7 +24,7 @@ class UserVariant : public testing::Test {
   std::string refusal(const std::string& text) {
     write("mine.toml", text);
     try {
-      load_library(LAMINA_SOURCE_DIR, {folder_});
+      load_library(LAMINA_SOURCE_DIR, effect_code(), {folder_});
       return "";
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::bad_input);
@@ -42,7 +42,7 @@ const std::string pass =
 #define EXPECT_SAYS(text, words) EXPECT_NE((text).find(words), std::string::npos) << (text)
 
 TEST(BuiltinVariants, BaselineComesFirst) {
-  const Library library = load_library(LAMINA_SOURCE_DIR);
+  const Library library = load_library(LAMINA_SOURCE_DIR, effect_code());
   const EffectManifest& effect = library.effect("layered_material");
   ASSERT_EQ(effect.variants.size(), 3u);
   EXPECT_EQ(effect.baseline().name, "light_map");
@@ -53,7 +53,7 @@ TEST(BuiltinVariants, BaselineComesFirst) {
 
 TEST(BuiltinVariants, UnknownEffectNamesTheNearest) {
   try {
-    load_library(LAMINA_SOURCE_DIR).effect("layered_materia");
+    load_library(LAMINA_SOURCE_DIR, effect_code()).effect("layered_materia");
     FAIL();
   } catch (const Error& error) {
     EXPECT_SAYS(std::string(error.what()), "did you mean 'layered_material'?");
@@ -62,7 +62,7 @@ TEST(BuiltinVariants, UnknownEffectNamesTheNearest) {
 
 TEST_F(UserVariant, LoadsBesideTheBuiltInOnes) {
   write("mine.toml", head + pass);
-  const Library library = load_library(LAMINA_SOURCE_DIR, {folder_});
+  const Library library = load_library(LAMINA_SOURCE_DIR, effect_code(), {folder_});
   EXPECT_EQ(library.effect("layered_material").variants.back().name, "mine");
 }
 
@@ -70,7 +70,7 @@ TEST_F(UserVariant, ShaderBesideTheManifestComesFirst) {
   fs::create_directories(folder_ / "surface");
   write("surface/lambert.frag", "void main() {}");
   write("mine.toml", head + pass);
-  const Library library = load_library(LAMINA_SOURCE_DIR, {folder_});
+  const Library library = load_library(LAMINA_SOURCE_DIR, effect_code(), {folder_});
   EXPECT_EQ(library.effect("layered_material").variants.back().passes[0].fragment,
             fs::weakly_canonical(folder_ / "surface/lambert.frag"));
 }
@@ -106,8 +106,8 @@ TEST_F(UserVariant, PassesAreHeldToWhatTheyCanDo) {
 }
 
 TEST_F(UserVariant, AnEmptyOrMissingFolderIsSaid) {
-  EXPECT_THROW(load_library(LAMINA_SOURCE_DIR, {folder_}), Error);
-  EXPECT_THROW(load_library(LAMINA_SOURCE_DIR, {folder_ / "no"}), Error);
+  EXPECT_THROW(load_library(LAMINA_SOURCE_DIR, effect_code(), {folder_}), Error);
+  EXPECT_THROW(load_library(LAMINA_SOURCE_DIR, effect_code(), {folder_ / "no"}), Error);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Direct light on points whose irradiance is known in closed form.
-#include "harness/truth/direct_light.h"
+#include "harness/effects/aperture_lighting/direct_light.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/bake/made_scenes.h"
+#include "tests/effects/made_scenes.h"
 
 namespace lamina {
 namespace {

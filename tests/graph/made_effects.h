@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Effects that a test writes itself: files in a folder of its own, loaded beside the built-in ones, drawn on every backend.
+#pragma once
+
+#include <unistd.h>
+
+#include <fstream>
+
+#include "tests/graph/each_backend.h"
+#include "tests/graph/quad_scene.h"
+
+namespace lamina {
+
+class MadeEffects : public EachBackend {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() / ("lamina_made_" + std::to_string(::getpid()));
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    EachBackend::SetUp();
+  }
+  void TearDown() override {
+    std::filesystem::remove_all(folder_);
+    EachBackend::TearDown();
+  }
+
+  void write(const std::string& name, const std::string& text) {
+    std::filesystem::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name) << text;
+  }
+  // An effect called NAME that objects call for by the key NAME, with more lines of its effect.toml.
+  void write_effect(const std::string& name, const std::string& head, const std::string& rest = "") {
+    write(name + "/effect.toml",
+          "[effect]\nname = \"" + name + "\"\ntitle = \"t\"\nbecause = \"b\"\nnot_because = \"n\"\n" + head + "\n" + rest);
+  }
+  void write_variant(const std::string& effect, const std::string& name, const std::string& rest, bool baseline = true) {
+    write(effect + "/" + name + ".toml",
+          "[variant]\nname = \"" + name + "\"\nbaseline = " + (baseline ? "true" : "false") + "\n" + rest);
+  }
+  Library made() { return load_library(LAMINA_SOURCE_DIR, effect_code(), {folder_}); }
+
+  // A square that fills the frame, at a depth of its own; it has the effects named.
+  static Object square(const std::string& name, float z, const std::vector<std::string>& effects) {
+    Object object = quad_scene({}).objects[0];
+    object.name = name;
+    object.effects.erase("layered_material");
+    for (const std::string& effect : effects) object.effects[effect];
+    for (Vertex& vertex : object.mesh.vertices) vertex.position.z = z, vertex.position.x *= 2, vertex.position.y *= 2;
+    return object;
+  }
+  static Scene squares(std::vector<Object> objects) {
+    Scene scene = quad_scene({});
+    scene.objects = std::move(objects);
+    return scene;
+  }
+
+  // Everything needed to draw, kept alive together.
+  struct Drawn {
+    Plan plan;
+    std::unique_ptr<ShaderCache> shaders;
+    std::unique_ptr<Bakes> bakes;
+    std::unique_ptr<SceneResources> resources;
+    Graph graph;
+    std::unique_ptr<Frame> frame;
+    Image picture() const { return frame->picture(); }
+  };
+  // The baselines' frame of the scene's first view, but for `variant`.
+  std::unique_ptr<Drawn> drawn(const Library& library, const Scene& scene, const Parameters& parameters = {},
+                               Build build = Build::timed, uint32_t size = 16, Purpose purpose = Purpose::frame) {
+    auto made = std::make_unique<Drawn>();
+    made->plan = make_plan(library, scene);
+    made->shaders = std::make_unique<ShaderCache>(backend_->info().api, library.shaders);
+    made->bakes = std::make_unique<Bakes>(scene, *library.code, DiskCache(""));
+    made->resources = std::make_unique<SceneResources>(*backend_, scene, library, size, size, made->bakes.get());
+    Configuration all;
+    for (const EffectPlan& entry : made->plan.effects)
+      if (entry.called_for) all.push_back(&entry.effect->baseline());
+    made->graph = make_graph(made->plan, all, scene, *made->shaders, purpose, parameters);
+    made->frame = std::make_unique<Frame>(*made->resources, made->graph, build);
+    made->frame->run_once(Timing::off);
+    made->frame->run(0, Timing::off);
+    return made;
+  }
+
+  std::filesystem::path folder_;
+};
+
+// A pass of a manifest: its lines, quoted.
+inline std::string pass_text(const std::string& name, const std::string& rest) {
+  return "[[pass]]\nname = \"" + name + "\"\n" + rest;
+}
+// A pass of objects into the frame.
+inline std::string objects_pass(const std::string& fragment, const std::string& rest = "") {
+  return pass_text("draw", "draw = \"objects\"\nvertex = \"common/object.vert\"\nfragment = \"" + fragment +
+                               "\"\nwrite = [\"frame\"]\n" + rest);
+}
+inline std::string fullscreen_pass(const std::string& name, const std::string& fragment, const std::string& target,
+                                   const std::string& rest = "") {
+  return pass_text(name, "draw = \"fullscreen\"\nfragment = \"" + fragment + "\"\nwrite = [\"" + target + "\"]\n" + rest);
+}
+
+}  // namespace lamina

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Digests decide what may be resumed, kept or taken from a cache: whatever an effect declares must be in them.
+#include "harness/scene/digest.h"
+
+#include <gtest/gtest.h>
+
+#include "harness/scene/textures.h"
+#include "tests/builtin_library.h"
+
+namespace lamina {
+namespace {
+
+// Two objects, one of each built-in effect, with everything that the effects declare.
+Scene example() {
+  Scene scene;
+  scene.name = "example";
+  for (const EffectManifest& effect : builtin_library().effects) {
+    Object& object = scene.objects.emplace_back();
+    object.name = effect.name;
+    object.mesh.vertices.resize(3);
+    object.mesh.indices = {0, 1, 2};
+    EffectValues& values = object.effects[effect.name];
+    for (const NumberManifest& number : effect.object.numbers) values.numbers[number.name] = number.value.value_or(1);
+    for (const WordManifest& word : effect.object.words) values.words[word.name] = word.value;
+    for (const TextureManifest& texture : effect.object.textures)
+      values.textures[texture.name] = constant_texture(texture.name, glm::vec4(0.5f), TexelMeaning::data);
+  }
+  scene.lights.emplace_back();
+  scene.views.emplace_back();
+  return scene;
+}
+
+TEST(Digest, EverythingThatIsDeclaredCounts) {
+  const std::string whole = scene_digest(example());
+  EXPECT_EQ(scene_digest(example()), whole) << "the same scene, made again";
+  size_t changes = 0;
+  const auto expect_other = [&](const Scene& changed, const std::string& what) {
+    ++changes;
+    EXPECT_NE(scene_digest(changed), whole) << what;
+  };
+  for (size_t i = 0; i < example().objects.size(); ++i) {
+    const EffectManifest& effect = builtin_library().effects[i];
+    for (const NumberManifest& number : effect.object.numbers) {
+      Scene scene = example();
+      scene.objects[i].effects.at(effect.name).numbers[number.name] += 1;
+      expect_other(scene, number.name);
+      scene.objects[i].effects.at(effect.name).numbers.erase(number.name);
+      expect_other(scene, number.name + ", not known");
+    }
+    for (const WordManifest& word : effect.object.words) {
+      Scene scene = example();
+      scene.objects[i].effects.at(effect.name).words[word.name] = word.of.back();
+      expect_other(scene, word.name);
+    }
+    for (const TextureManifest& texture : effect.object.textures) {
+      Scene scene = example();
+      scene.objects[i].effects.at(effect.name).textures[texture.name] =
+          constant_texture(texture.name, glm::vec4(0.25f), TexelMeaning::data);
+      expect_other(scene, texture.name);
+    }
+  }
+  Scene scene = example();
+  scene.lights[0].casts = true;
+  expect_other(scene, "a light that casts");
+  scene = example();
+  scene.effects["surface"].numbers["level"] = 0;
+  expect_other(scene, "a number of the scene");
+  EXPECT_GT(changes, 12u);
+}
+
+// Numbers that go into uniform blocks leave the device as it is; textures, and what a baker is told, do not.
+TEST(Digest, OnlyWhatIsOnTheDeviceMakesItAnew) {
+  const Library& library = builtin_library();
+  const std::string there = device_digest(example(), library);
+  for (size_t i = 0; i < library.effects.size(); ++i) {
+    const EffectManifest& effect = library.effects[i];
+    for (const NumberManifest& number : effect.object.numbers) {
+      Scene scene = example();
+      scene.objects[i].effects.at(effect.name).numbers[number.name] += 1;
+      EXPECT_EQ(device_digest(scene, library) == there, effect.baker.empty()) << number.name;
+    }
+    for (const TextureManifest& texture : effect.object.textures) {
+      Scene scene = example();
+      scene.objects[i].effects.at(effect.name).textures[texture.name] =
+          constant_texture(texture.name, glm::vec4(0.25f), TexelMeaning::data);
+      EXPECT_NE(device_digest(scene, library), there) << texture.name;
+    }
+  }
+  Scene moved = example();
+  moved.objects[0].world_from_object[3].x = 1;
+  EXPECT_NE(device_digest(moved, library), there) << "rays meet it elsewhere";
+}
+
+}  // namespace
+}  // namespace lamina
