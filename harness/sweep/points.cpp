@@ -113,8 +113,13 @@ SweptParameter parse_swept(const std::string& text) {
   SweptParameter swept;
   swept.path = text.substr(0, equals);
   const std::string_view values = std::string_view(text).substr(equals + 1);
-  const auto is_word = [](std::string_view part) { return !part.empty() && std::isalpha(static_cast<unsigned char>(part[0])); };
-  if (is_word(values))
+  // "nan" is a number that none may be, and no word.
+  const auto is_word = [](std::string_view part) {
+    double number = 0;
+    return !part.empty() && std::isalpha(static_cast<unsigned char>(part[0])) &&
+           std::from_chars(part.data(), part.data() + part.size(), number).ec != std::errc();
+  };
+  if (is_word(split(values, ',').front()))
     for (const std::string_view word : split(values, ',')) swept.words.emplace_back(word);
   else
     swept.values = Values("--set " + text).parse(values);

@@ -69,6 +69,16 @@ TEST(Parameters, UnknownPathsNameTheNearest) {
   }
 }
 
+TEST(Parameters, ANumberTakesNoWord) {
+  try {
+    SweptScene(heart(), library(), {{{"objects.heart.thickness", "", {}, {"thick"}}}, false});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+    EXPECT_NE(std::string(error.what()).find("'thick' is no number"), std::string::npos) << error.what();
+  }
+}
+
 // Who leaves the beginning of a path out is told the whole of it; where several fit as well, they are all named.
 TEST(Parameters, PathsWithoutTheirBeginningNameTheNearestToo) {
   const std::pair<const char*, const char*> cases[] = {

@@ -32,10 +32,17 @@ TEST(Points, ListsKeepTheirOrder) { EXPECT_EQ(values("3,1,2"), (std::vector<doub
 TEST(Points, APathMayHoldAnEqualsSign) { EXPECT_EQ(parse_swept("objects.a=b.scale=1,2").path, "objects.a=b.scale"); }
 
 TEST(Points, WhatLeadsNowhereIsRefused) {
-  for (const char* bad : {"a.b", "=1", "a.b=", "a.b=1,,2", "a.b=x", "a.b=0:1", "a.b=0:1:0", "a.b=0:1:-1", "a.b=0:1:x2",
-                          "a.b=1:8:x1", "a.b=1:8:x-2", "a.b=1:8:x0.5", "a.b=1,1", "a.b=nan", "a.b=0:inf:1", "a.b=0:1e9:1",
-                          "a.b=0:1:1:1", "a.b=1:1.00000000000005:1e-14", "a.b=1:1.0000000000001:x1.00000000000002"})
+  for (const char* bad : {"a.b", "=1", "a.b=", "a.b=1,,2", "a.b=0:1", "a.b=0:1:0", "a.b=0:1:-1", "a.b=0:1:x2", "a.b=1:8:x1",
+                          "a.b=1:8:x-2", "a.b=1:8:x0.5", "a.b=1,1", "a.b=nan", "a.b=0:inf:1", "a.b=0:1e9:1", "a.b=0:1:1:1",
+                          "a.b=1:1.00000000000005:1e-14", "a.b=1:1.0000000000001:x1.00000000000002"})
     EXPECT_THROW(parse_swept(bad), Error) << bad;
+}
+
+// Which words a parameter takes is known only where the parameter is.
+TEST(Points, WordsAreKeptAsGiven) {
+  EXPECT_EQ(parse_swept("a.b=warm,cold").words, (std::vector<std::string>{"warm", "cold"}));
+  EXPECT_TRUE(parse_swept("a.b=warm,cold").values.empty());
+  EXPECT_TRUE(parse_swept("a.b=1,2").words.empty());
 }
 
 TEST(Points, AGridTurnsTheLastParameterFastest) {
