@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // lamina compare from end to end, as a user runs it, in a small frame.
 #include <algorithm>
-#include <cstring>
+#include <map>
 
-#include "harness/quality/quality.h"
-#include "harness/scene/textures.h"
 #include "tests/cli/program.h"
 
 namespace lamina {
@@ -22,13 +20,6 @@ class Compare : public ProgramTest {
     std::copy_if(record.cells.begin(), record.cells.end(), std::back_inserter(found),
                  [&](const Json& cell) { return cell.at("variant") == variant; });
     return found;
-  }
-  // The picture of a cell as it was written.
-  DisplayImage picture(const Json& cell) const {
-    const Texels texels = load_texels(out() / cell.at("image").get<std::string>(), /*srgb_colour=*/true);
-    Image linear{static_cast<int>(texels.width), static_cast<int>(texels.height), std::vector<float>(texels.rgba.size() * 4)};
-    std::memcpy(linear.rgba.data(), texels.rgba.data(), linear.rgba.size() * sizeof(float));
-    return to_display(linear);
   }
   // A machine that is busy with other tests can fail the timer's certificate; then times are refused and the status says so.
   static int expected_status(const Record& record, bool cell_failed) {
@@ -62,14 +53,17 @@ TEST_F(Compare, HeartOnEveryDefaultBackend) {
     EXPECT_LT(cell.at("error").at("baseline").at("ssim"), 1);
     EXPECT_GT(cell.at("error").at("baseline").at("ssim"), 0.3);
   }
+  size_t pairs = 0;
   for (const Json& vulkan : record.cells)
     for (const Json& opengl : record.cells) {
       if (vulkan.at("backend") != "vulkan" || opengl.at("backend") != "osmesa" ||
           vulkan.at("variant") != opengl.at("variant") || vulkan.at("view") != opengl.at("view"))
         continue;
+      ++pairs;
       EXPECT_GE(psnr_db(picture(opengl), picture(vulkan)), 45) << vulkan.at("image");
       EXPECT_EQ(opengl.at("fetches"), vulkan.at("fetches")) << vulkan.at("image");
     }
+  EXPECT_EQ(2 * pairs, record.cells.size()) << "each cell of one backend is compared with the other's";
   for (const char* file : {"summary.md", "cells.csv", "index.html"}) EXPECT_TRUE(std::filesystem::exists(out() / file)) << file;
 }
 
@@ -126,11 +120,13 @@ write = ["frame"]
   const Record record = this->record();
   EXPECT_EQ(outcome.status, 1);
   EXPECT_SAYS(outcome.output, "broken.frag:3");
+  ASSERT_EQ(cells(record, "broken").size(), 3u) << "views";
   for (const Json& cell : cells(record, "broken")) {
     EXPECT_EQ(cell.at("status"), "failed");
     EXPECT_SAYS(cell.at("reason").get<std::string>(), "broken.frag:3");
     EXPECT_TRUE(cell.at("median_ms").is_null());
   }
+  ASSERT_EQ(cells(record, "vertex_normal").size(), 3u);
   for (const Json& cell : cells(record, "vertex_normal")) EXPECT_EQ(cell.at("status"), "ok");
 }
 
@@ -143,6 +139,7 @@ TEST_F(Compare, SceneWithoutLayersCostsNoLayeredMaterial) {
   const Outcome outcome = compare(scene.string() + " --backend vulkan");
   const Record record = this->record();
   EXPECT_EQ(outcome.status, expected_status(record, false)) << outcome.output;
+  ASSERT_EQ(record.cells.size(), 3u) << "one variant in three views";
   for (const Json& cell : record.cells) {
     EXPECT_EQ(cell.at("effect"), "surface");
     EXPECT_EQ(cell.at("passes").size(), 1u);
@@ -156,7 +153,9 @@ TEST_F(Compare, HelmetRendersWhereItIsThere) {
   const Outcome outcome = compare(helmet.string() + " --backend vulkan");
   const Record record = this->record();
   EXPECT_EQ(outcome.status, expected_status(record, false)) << outcome.output;
+  ASSERT_FALSE(record.cells.empty());
   for (const Json& cell : record.cells) EXPECT_EQ(cell.at("status"), "ok");
+  ASSERT_FALSE(cells(record, "light_map").empty());
   for (const Json& cell : cells(record, "light_map"))
     for (const Json& pass : cell.at("passes"))
       EXPECT_EQ(pass.at("once"), pass.at("name") != "composite") << "nothing moves: one light map";

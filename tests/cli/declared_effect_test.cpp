@@ -81,6 +81,16 @@ TEST_F(DeclaredEffect, IsCompared) {
       EXPECT_LT(cell.at("error").at("baseline").at("ssim"), 0.9999);
     }
   }
+  size_t pairs = 0;
+  for (const Json& vulkan : record().cells)
+    for (const Json& opengl : record().cells) {
+      if (vulkan.at("backend") != "vulkan" || opengl.at("backend") != "osmesa" || vulkan.at("variant") != opengl.at("variant"))
+        continue;
+      ++pairs;
+      EXPECT_GE(psnr_db(picture(opengl), picture(vulkan)), 45) << vulkan.at("image");
+      EXPECT_EQ(opengl.at("fetches"), vulkan.at("fetches")) << vulkan.at("image");
+    }
+  EXPECT_EQ(pairs, 3u) << "variants, in the one view";
   EXPECT_EQ(read.at("lantern_full"), (std::set<std::string>{"shade", "grain", "falloff", "shadow_0", "mirrored"}));
   EXPECT_EQ(read.at("lantern_sky"), (std::set<std::string>{"shade", "grain", "falloff", "shadow_0", "sky"}));
   EXPECT_EQ(read.at("lantern_plain"), (std::set<std::string>{"shade", "grain", "falloff", "sky"}));

@@ -8,11 +8,14 @@
 
 #include <array>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "harness/quality/quality.h"
 #include "harness/record/record.h"
+#include "harness/scene/textures.h"
 
 namespace lamina {
 
@@ -42,6 +45,13 @@ class ProgramTest : public testing::Test {
   // A run's folder, and the record there.
   std::filesystem::path out() const { return folder_ / "out"; }
   Record record() const { return read_record(out() / "record.jsonl"); }
+  // The picture of a cell as it was written.
+  DisplayImage picture(const nlohmann::json& cell) const {
+    const Texels texels = load_texels(out() / cell.at("image").get<std::string>(), /*srgb_colour=*/true);
+    Image linear{static_cast<int>(texels.width), static_cast<int>(texels.height), std::vector<float>(texels.rgba.size() * 4)};
+    std::memcpy(linear.rgba.data(), texels.rgba.data(), linear.rgba.size() * sizeof(float));
+    return to_display(linear);
+  }
   std::filesystem::path write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;
     return folder_ / name;

@@ -338,6 +338,7 @@ TEST_F(SweepTest, TimedPointsHaveRatiosAndOthersHaveNone) {
   ASSERT_EQ(record.timers.size(), 1u);
   const bool certified = record.timers[0].at("ok");
   EXPECT_EQ(outcome.status, certified ? 0 : 1) << outcome.output;
+  ASSERT_EQ(record.cells.size(), 4u * 3 * 2) << "points, views, variants";
   for (const Json& cell : record.cells) {
     const double amount = cell.at("params").at("darker.amount");
     const bool scheduled = amount == 0 || amount == 0.2;

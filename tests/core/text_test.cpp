@@ -33,6 +33,14 @@ TEST(WriteFileAtomically, ReadsBackAndLeavesNoTemporary) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(WriteFileAtomically, WhatCannotBePutInItsPlaceLeavesNoTemporary) {
+  const auto folder = std::filesystem::temp_directory_path() / "lamina_text_test_folder";
+  std::filesystem::create_directories(folder / "a.txt" / "a folder of that name, which is not empty");
+  EXPECT_THROW(write_file_atomically(folder / "a.txt", "x"), Error);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+  std::filesystem::remove_all(folder);
+}
+
 TEST(WriteFileAtomically, ThrowsWhereTheFolderIsMissing) {
   EXPECT_THROW(write_file_atomically("/no/such/folder/a.txt", "x"), Error);
 }
@@ -48,7 +56,21 @@ TEST(Format, EveryNameFindsItsFormat) {
     EXPECT_EQ(format_named(name_of(format)), format);
   }
   EXPECT_EQ(format_named("rgba16"), std::nullopt);
-  EXPECT_EQ(bytes_per_texel(Format::rgba16_float), 8u);
+  for (const auto& [format, channels, bytes] : {std::tuple{Format::r8_unorm, 1u, 1u},
+                                                {Format::rg8_unorm, 2u, 1u},
+                                                {Format::rgba8_unorm, 4u, 1u},
+                                                {Format::rgba8_srgb, 4u, 1u},
+                                                {Format::r16_float, 1u, 2u},
+                                                {Format::rg16_float, 2u, 2u},
+                                                {Format::rgba16_float, 4u, 2u},
+                                                {Format::r32_float, 1u, 4u},
+                                                {Format::rg32_float, 2u, 4u},
+                                                {Format::rgba32_float, 4u, 4u},
+                                                {Format::r32_uint, 1u, 4u},
+                                                {Format::d32_float, 1u, 4u}}) {
+    EXPECT_EQ(channels_of(format), channels) << name_of(format);
+    EXPECT_EQ(bytes_per_texel(format), channels * bytes) << name_of(format);
+  }
 }
 
 TEST(Format, MipLevelsOfOddSizes) {

@@ -28,7 +28,10 @@ TEST(ApertureBaker, DefinesTellShadersTheKind) {
   EXPECT_EQ(aperture_baker.defines({{"anti", 1}}), (Defines{{"APERTURES", "1"}, {"ANTI_APERTURE", "1"}}));
 }
 
-// Every object has the buffer, or all of the maps, and nothing else.
+// Of open sky the first aperture is the hemisphere and the others are nothing; so is what is blocked of it.
+double radius_under_open_sky(ApertureKind kind, size_t i) { return !kind.anti && i == 0 ? std::numbers::pi / 2 : 0; }
+
+// Every object has the buffer, or all of the maps, and nothing else; each aperture stands in its own place.
 TEST(ApertureBaker, GivesWhatItPromises) {
   Object floor = quad("floor", {-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1});
   apertures_of(floor).numbers["rays"] = 64;
@@ -50,7 +53,11 @@ TEST(ApertureBaker, GivesWhatItPromises) {
       std::set<std::string> given_buffers, given_maps;
       for (const auto& [name, bytes] : baked.buffers) {
         given_buffers.insert(name);
-        EXPECT_EQ(bytes.size(), 4 * kind.count * sizeof(Aperture));
+        ASSERT_EQ(bytes.size(), 4 * kind.count * sizeof(Aperture));
+        std::vector<Aperture> apertures(4 * kind.count);
+        std::memcpy(apertures.data(), bytes.data(), bytes.size());
+        for (size_t i = 0; i < apertures.size(); ++i)
+          EXPECT_NEAR(apertures[i].w, radius_under_open_sky(kind, i % kind.count), 1e-3) << i;
       }
       for (const auto& [name, map] : baked.textures) {
         given_maps.insert(name);
@@ -58,7 +65,12 @@ TEST(ApertureBaker, GivesWhatItPromises) {
         EXPECT_EQ(map->width, side);
         EXPECT_EQ(map->height, side);
         ASSERT_EQ(map->levels.size(), 1u);
-        EXPECT_EQ(map->levels[0].size(), size_t{8} * side * side);
+        ASSERT_EQ(map->levels[0].size(), size_t{8} * side * side);
+        uint64_t halves = 0;
+        std::memcpy(&halves, map->levels[0].data(), sizeof halves);
+        EXPECT_NEAR(glm::unpackHalf4x16(halves).w, radius_under_open_sky(kind, std::stoul(name.substr(name.find('_') + 1))),
+                    1e-3)
+            << name;
       }
       EXPECT_EQ(given_buffers, side == 0 ? buffers : std::set<std::string>{});
       EXPECT_EQ(given_maps, side == 0 ? std::set<std::string>{} : maps);

@@ -35,6 +35,13 @@ TEST(Apertures, HoleInALidIsItsCap) {
   }
 }
 
+TEST(Apertures, WhatBlocksNoLightHidesNothing) {
+  Scene scene = scene_of({receiver(), ring("lid", 0, 1, 500, 1)});
+  EXPECT_LT(aperture(scene).w, 0.1f) << "nearly all of the sky is hidden";
+  scene.objects[1].blocks_light = false;
+  EXPECT_FLOAT_EQ(aperture(scene).w, pi / 2);
+}
+
 TEST(Apertures, AntiApertureIsTheCapOfADisc) {
   for (const float radius : {0.3f, 0.6f, 1.0f}) {
     const Scene scene = scene_of({receiver(), ring("disc", 0, 1, std::tan(radius), 1)});

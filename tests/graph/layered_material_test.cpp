@@ -87,6 +87,37 @@ TEST_P(LayeredMaterial_, MappedNormalTurnsTheTransmittedRayByTwiceItsAngle) {
   EXPECT_NEAR((pixel(image, 31, 32).r + pixel(image, 32, 32).r) / 2 / std::cos(tilt), expected, 4 * tolerance);
 }
 
+// Light straight from the eye, and a normal map whose middle texel alone is flat; elsewhere it leans by 60 degrees, where N.L
+// is one half. Of 13 taps of one weight the one in the middle is lit by 1, the others, which lie three texels away or more, by
+// 0.5.
+TEST_P(LayeredMaterial_, InnerLightIsTheMeanOfThirteenTaps) {
+  Scene scene = quad_scene({6, 1, glm::vec3(0.0f), glm::vec3(1.0f)});
+  scene.ambient = glm::vec3(0);
+  scene.lights.push_back({"from_the_eye", Light::Kind::directional, {0, 0, -1}, {}, glm::vec3(1)});
+  const float lean = float(M_PI) / 3;
+  layers_of(scene).textures["outer_normal"] = make_texture(
+      "flat_in_the_middle",
+      filled(64,
+             [&](uint32_t x, uint32_t y) {
+               return x == 32 && y == 32 ? glm::vec4(0.5f, 0.5f, 1, 1)
+                                         : glm::vec4(0.5f + 0.5f * std::sin(lean), 0.5f, 0.5f + 0.5f * std::cos(lean), 1);
+             }),
+      TexelMeaning::normal);
+  for (const std::string_view name : {"light_map", "normal_map_taps"})
+    EXPECT_NEAR(pixel(picture(scene, name), 32, 32).r, (1 + 12 * 0.5) / 13, tolerance) << name;
+}
+
+// A lamp over the middle, at one and a half and at three metres: a quarter of the light at twice the distance.
+TEST_P(LayeredMaterial_, LampsFallOffWithTheSquareOfTheDistance) {
+  for (const float distance : {1.5f, 3.0f}) {
+    Scene scene = quad_scene({4, 0, glm::vec3(1.0f), glm::vec3(0.0f)});
+    scene.ambient = glm::vec3(0);
+    scene.lights.push_back({"lamp", Light::Kind::point, {}, {0, 0, distance}, glm::vec3(1)});
+    for (const std::string_view name : all_variants)
+      EXPECT_NEAR(pixel(picture(scene, name), 32, 32).r, 1 / (distance * distance), tolerance) << name << " at " << distance;
+  }
+}
+
 TEST_P(LayeredMaterial_, CompositeMakesTheChaptersNumberOfFetches) {
   const Scene scene = bumpy_scene(6, 1);
   const Plan plan = make_plan(library(), scene);

@@ -218,6 +218,37 @@ TEST_P(Passes, DepthMayBeTestedForEqualAndGreater) {
   }
 }
 
+// Each pass counts what it draws: an object of the effect, one that reads the frame, and one that is no solid thing.
+TEST_P(Passes, OwnAllAndOpaqueObjectsAreTold) {
+  write_effect("map", "key = \"map\"");
+  std::string targets, passes;
+  for (const std::string of : {"own", "all", "opaque"}) {
+    targets += "[targets.seen_" + of + "]\nformat = \"r32_float\"\n";
+    passes += pass_text(of, "draw = \"objects\"\nof = \"" + of +
+                                "\"\nvertex = \"common/object.vert\"\nfragment = \"one.frag\"\nwrite = [\"seen_" + of +
+                                "\"]\nblend = \"additive\"\n");
+  }
+  write_variant("map", "map_full", targets + passes + fullscreen_pass("show", "show.frag", "frame"));
+  write("map/one.frag", "layout(location = 0) out vec4 count;\nvoid main() { count = vec4(1); }\n");
+  write("map/show.frag",
+        "layout(binding = 4) uniform sampler2D seen_own;\nlayout(binding = 5) uniform sampler2D seen_all;\n"
+        "layout(binding = 6) uniform sampler2D seen_opaque;\nlayout(location = 0) out vec4 color;\nvoid main() {\n"
+        "  ivec2 at = ivec2(gl_FragCoord.xy);\n  color = vec4(texelFetch(seen_own, at, 0).r, texelFetch(seen_all, at, 0).r, "
+        "texelFetch(seen_opaque, at, 0).r, 1);\n}\n");
+  write_effect("glass", "key = \"glass\"\nreads_frame = true");
+  write_variant("glass", "clear", objects_pass("clear.frag"));
+  write("glass/clear.frag",
+        "layout(binding = 4) uniform sampler2D frame;\nlayout(location = 0) out vec4 color;\n"
+        "void main() { color = texelFetch(frame, ivec2(gl_FragCoord.xy), 0); }\n");
+  write_effect("fog", "key = \"fog\"");
+  write_variant("fog", "thin", objects_pass("thin.frag"));
+  write("fog/thin.frag", "layout(location = 0) out vec4 color;\nvoid main() { discard; }\n");
+  const Library library = made();
+  Scene scene = squares({square("a", 0, {"map"}), square("b", 1, {"glass"}), square("c", 2, {"fog"})});
+  scene.objects[2].solid = false;
+  EXPECT_EQ(pixel(drawn(library, scene)->picture(), 8, 8), glm::vec3(1, 2, 1)) << "own, all, opaque";
+}
+
 // A parameter sets a definition, how often a pass is repeated, a target's size and its format.
 TEST_P(Passes, ParametersSetDefinitionsRepetitionsSizesAndFormats) {
   write_effect("knobs", "key = \"knobs\"");
@@ -240,7 +271,9 @@ TEST_P(Passes, ParametersSetDefinitionsRepetitionsSizesAndFormats) {
   EXPECT_EQ(pixel(drawn(library, scene)->picture(), 8, 8), glm::vec3(6, 4, 0));
   EXPECT_EQ(pixel(drawn(library, scene, {{"knobs_full.add", 5}, {"knobs_full.side", 7}})->picture(), 8, 8),
             glm::vec3(15, 7, 0));
-  EXPECT_EQ(pixel(drawn(library, scene, {{"knobs_full.times", 0}})->picture(), 8, 8), glm::vec3(0, 4, 0)) << "left out";
+  const auto none = drawn(library, scene, {{"knobs_full.times", 0}});
+  EXPECT_EQ(pixel(none->picture(), 8, 8), glm::vec3(0, 4, 0));
+  EXPECT_EQ(none->frame->frame_names(), (std::vector<std::string>{"base", "draw"})) << "left out";
   EXPECT_EQ(pixel(drawn(library, scene, {{"knobs_full.kind", 1}})->picture(), 8, 8), glm::vec3(1, 4, 0)) << "8 bits end at 1";
 }
 

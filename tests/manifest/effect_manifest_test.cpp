@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "harness/core/text.h"
@@ -79,6 +80,18 @@ TEST_F(UserEffect, AKeyMeansOneThing) {
   EXPECT_SAYS(refusal("key = \"wax\"", "[numbers.a]\nkey = \"outer.gloss\"\nvalue = 1\n"), "the key 'outer.gloss' of objects");
   EXPECT_SAYS(refusal("key = \"wax\"", "[numbers.position]\nvalue = 1\n"), "says where an object is");
   EXPECT_SAYS(refusal("otherwise = true"), "draws what no other effect does already");
+}
+
+TEST_F(UserEffect, WhatExcludesAnotherIsExcludedByIt) {
+  ASSERT_EQ(refusal("key = \"wax\"\ninstead_of = [\"layered_material\"]"), "");
+  const Library library = load_library(LAMINA_SOURCE_DIR, effect_code(), {folder_});
+  const auto excludes = [&](const char* effect, const char* other) {
+    const std::vector<std::string>& names = library.effect(effect).instead_of;
+    return std::find(names.begin(), names.end(), other) != names.end();
+  };
+  EXPECT_TRUE(excludes("wax", "layered_material"));
+  EXPECT_TRUE(excludes("layered_material", "wax"));
+  EXPECT_FALSE(excludes("aperture_lighting", "wax"));
 }
 
 TEST_F(UserEffect, AMirrorNeedsAPlane) {

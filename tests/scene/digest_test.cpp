@@ -68,6 +68,47 @@ TEST(Digest, EverythingThatIsDeclaredCounts) {
   EXPECT_GT(changes, 12u);
 }
 
+// Whatever a picture follows from beside the effects' own values.
+TEST(Digest, EverythingOfTheSceneCounts) {
+  const std::string whole = scene_digest(example());
+  const std::pair<const char*, void (*)(Scene&)> changes[] = {
+      {"name", [](Scene& s) { s.name = "other"; }},
+      {"ambient", [](Scene& s) { s.ambient.g += 1; }},
+      {"background", [](Scene& s) { s.background.b += 1; }},
+      {"object's name", [](Scene& s) { s.objects[0].name = "other"; }},
+      {"object's place", [](Scene& s) { s.objects[0].world_from_object[3].x = 1; }},
+      {"object's vertices", [](Scene& s) { s.objects[0].mesh.vertices[1].uv.x = 0.5f; }},
+      {"object's triangles",
+       [](Scene& s) {
+         s.objects[0].mesh.indices = {0, 2, 1};
+       }},
+      {"number of an effect", [](Scene& s) { s.effects["surface"].numbers["level"] = 1; }},
+      {"word of an effect", [](Scene& s) { s.effects["surface"].words["kind"] = "thin"; }},
+      {"texture of an effect",
+       [](Scene& s) { s.effects["surface"].textures["sky"] = constant_texture("sky", glm::vec4(1), TexelMeaning::data); }},
+      {"light's name", [](Scene& s) { s.lights[0].name = "other"; }},
+      {"light's kind", [](Scene& s) { s.lights[0].kind = Light::Kind::point; }},
+      {"light's direction", [](Scene& s) { s.lights[0].direction.x += 1; }},
+      {"light's position", [](Scene& s) { s.lights[0].position.y += 1; }},
+      {"light's radiance", [](Scene& s) { s.lights[0].radiance.b += 1; }},
+      {"light's angular radius", [](Scene& s) { s.lights[0].angular_radius += 0.25f; }},
+      {"light's radius", [](Scene& s) { s.lights[0].radius_m += 0.25f; }},
+      {"whether a light casts", [](Scene& s) { s.lights[0].casts = !s.lights[0].casts; }},
+      {"one more light", [](Scene& s) { s.lights.emplace_back(); }},
+      {"view's name", [](Scene& s) { s.views[0].name = "other"; }},
+      {"view's eye", [](Scene& s) { s.views[0].eye.x += 1; }},
+      {"view's target", [](Scene& s) { s.views[0].target.y += 1; }},
+      {"view's up", [](Scene& s) { s.views[0].up.z += 1; }},
+      {"view's angle", [](Scene& s) { s.views[0].fov_y_degrees += 1; }},
+      {"view's near plane", [](Scene& s) { s.views[0].near_m *= 2; }},
+      {"view's far plane", [](Scene& s) { s.views[0].far_m *= 2; }}};
+  for (const auto& [what, change] : changes) {
+    Scene scene = example();
+    change(scene);
+    EXPECT_NE(scene_digest(scene), whole) << what;
+  }
+}
+
 // Numbers that go into uniform blocks leave the device as it is; textures, and what a baker is told, do not.
 TEST(Digest, OnlyWhatIsOnTheDeviceMakesItAnew) {
   const Library& library = builtin_library();

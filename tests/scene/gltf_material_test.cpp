@@ -46,6 +46,19 @@ TEST(GltfMaterial, AModelThatSaysNothingGetsSensibleLayers) {
   EXPECT_EQ(albedo_of(model.objects[0]), layers_of(model.objects[0]).textures.at("outer_albedo")) << "made once";
 }
 
+// Of the albedo's size, but no side below 512 or above 1024.
+TEST(GltfMaterial, TheInnerLayerThatAModelLacksHasABoundedSize) {
+  const Folder folder;
+  write_png(folder / "wide.png", 2048, 8, 3, std::vector<uint8_t>(2048 * 8 * 3, 255));
+  write_png(folder / "tall.png", 8, 768, 3, std::vector<uint8_t>(8 * 768 * 3, 255));
+  const std::string material = R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})";
+  const LoadedModel wide = load(folder, material, {"wide.png"}), tall = load(folder, material, {"tall.png"});
+  EXPECT_EQ(texture(wide, "inner_albedo").width, 1024u);
+  EXPECT_EQ(texture(wide, "inner_albedo").height, 512u);
+  EXPECT_EQ(texture(tall, "inner_albedo").width, 512u);
+  EXPECT_EQ(texture(tall, "inner_albedo").height, 768u);
+}
+
 TEST(GltfMaterial, FactorAndTextureMultiplyInLinearLight) {
   const Folder folder;
   write_png(folder / "a.png", 1, 1, 3, {188, 255, 0});

@@ -8,6 +8,7 @@
 
 #include "harness/backend/backend.h"
 #include "harness/core/image.h"
+#include "harness/scene/textures.h"
 #include "harness/stress/pictures.h"
 #include "harness/stress/point_sets.h"
 #include "tests/stress/family_folder.h"
@@ -103,7 +104,15 @@ TEST_P(FunctionsOn, AFamilyIsDataAndAnOracle) {
   const std::vector<Slice> slices = make_slices(family);
   FunctionRunner runner(*backend_, shaders(), family, "longer_leg");
   EXPECT_EQ(write_pictures(runner, slices, folder_, "leg"), std::vector<std::string>{"leg.png"});
-  EXPECT_TRUE(std::filesystem::exists(folder_ / "leg.png"));
+  // A leg is shorter than the hypotenuse: blue, and nowhere red.
+  const Texels shown = load_texels(folder_ / "leg.png", /*srgb_colour=*/true);
+  ASSERT_EQ(shown.rgba.size(), slices[0].points.size());
+  size_t blue = 0;
+  for (const glm::vec4& texel : shown.rgba) {
+    EXPECT_LE(texel.r, texel.b);
+    blue += texel.r < texel.b;
+  }
+  EXPECT_GT(blue, shown.rgba.size() / 2);
 }
 
 TEST_P(FunctionsOn, InputsOfAnyNumberReachTheFunctionInTheirOrder) {

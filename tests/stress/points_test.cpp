@@ -136,6 +136,14 @@ TEST_F(StressPoints, ErrorsAreOfTheScale) {
   EXPECT_FALSE(errors.first_fault);
 }
 
+// One third of the value, and half of the scale.
+TEST_F(StressPoints, WhatConditionExcusesIsOfTheValue) {
+  const PointSet set{"", "", Points(2, {{1, 1}})};
+  const FunctionErrors errors = judge(set.points, std::vector<float>{4}, truth_of(two_, set));
+  EXPECT_EQ(errors.most_eps, 0x1p22);
+  EXPECT_DOUBLE_EQ(errors.most_eps_kappa, 0x1p23 / 3);
+}
+
 TEST_F(StressPoints, FaultsAreCountedAndTheFirstIsNamed) {
   const float nan = std::nanf("");
   const PointSet set{"", "", Points(2, {{1, 1}, {1, 0}, {0, 0}, {-1, 0}, {-2, 0}})};
