@@ -105,6 +105,33 @@ TEST_F(UserVariant, PassesAreHeldToWhatTheyCanDo) {
   EXPECT_SAYS(refusal(with("\"objects\"", "\"mips\"")), "'frame' has no mips");
 }
 
+TEST_F(UserVariant, PassesAreHeldToTheirTargetsAndViews) {
+  const std::string targets =
+      "[targets.flat]\nformat = \"rgba16_float\"\n[targets.near]\nformat = \"d32_float\"\n"
+      "[targets.lit]\nscope = \"light\"\nformat = \"rgba16_float\"\n";
+  const auto refused = [&](const std::string& draw, const std::string& rest) {
+    const bool raster = draw == "objects" || draw == "unwrapped" || draw == "fullscreen";
+    return refusal(head + targets + "[[pass]]\nname = \"p\"\ndraw = \"" + draw + "\"\n" +
+                   (raster ? "vertex = \"common/object.vert\"\nfragment = \"surface/lambert.frag\"\n" : "") + rest);
+  };
+  EXPECT_SAYS(refused("mips", "write = [\"flat\"]\n"), "'flat' has no mips");
+  EXPECT_SAYS(refused("fullscreen", "write = [\"flat\"]\nlevels = \"down\"\n"), "'flat' has no mips");
+  EXPECT_SAYS(refused("fullscreen", "write = [\"near\"]\n"), "name it under 'depth_target'");
+  EXPECT_SAYS(refused("objects", "write = [\"flat\", \"lit\"]\n"), "targets of one scope");
+  EXPECT_SAYS(refused("objects", "write = [\"lit\"]\n"), "a view of a light, and nothing else");
+  EXPECT_SAYS(refused("objects", "view = \"light\"\nwrite = [\"flat\"]\n"), "a view of a light, and nothing else");
+  EXPECT_SAYS(refused("objects", "view = \"mirror\"\nwrite = [\"frame\"]\n"), "the frame is drawn from the eye");
+  EXPECT_SAYS(refused("objects", "view = \"mirror\"\nwrite = [\"flat\"]\ndepth = \"read\"\n"),
+              "name a 'depth_target' of this view");
+  EXPECT_SAYS(refused("objects", "write = [\"flat\"]\ndepth = \"read\"\ndepth_target = \"flat\"\n"),
+              "not of the format d32_float");
+  EXPECT_SAYS(refused("objects", "write = [\"flat\"]\ndepth_target = \"near\"\n"), "depth is neither read nor written");
+  EXPECT_SAYS(refused("objects", "write = [\"flat\"]\nblend = [\"none\", \"additive\"]\n"), "2 ways for 1 targets");
+  EXPECT_SAYS(refused("fullscreen", "write = [\"flat\"]\ndepth = \"read\"\n"), "have depth");
+  EXPECT_SAYS(refused("fullscreen", "write = [\"flat\"]\nof = \"all\"\n"), "choose them");
+  EXPECT_SAYS(refused("fullscreen", "write = [\"flat\"]\nuntil_empty = true\n"), "count what they draw");
+}
+
 TEST_F(UserVariant, AnEmptyOrMissingFolderIsSaid) {
   EXPECT_THROW(load_library(LAMINA_SOURCE_DIR, effect_code(), {folder_}), Error);
   EXPECT_THROW(load_library(LAMINA_SOURCE_DIR, effect_code(), {folder_ / "no"}), Error);
