@@ -70,7 +70,13 @@ TEST(Digest, EverythingThatIsDeclaredCounts) {
 
 // Whatever a picture follows from beside the effects' own values.
 TEST(Digest, EverythingOfTheSceneCounts) {
-  const std::string whole = scene_digest(example());
+  const auto told = [] {
+    Scene scene = example();
+    scene.effects["surface"] = {{{"level", 0}}, {{"kind", "thick"}}, {}, {}};
+    scene.effects["surface"].textures["sky"] = constant_texture("sky", glm::vec4(0), TexelMeaning::data);
+    return scene;
+  };
+  const std::string whole = scene_digest(told());
   const std::pair<const char*, void (*)(Scene&)> changes[] = {
       {"name", [](Scene& s) { s.name = "other"; }},
       {"ambient", [](Scene& s) { s.ambient.g += 1; }},
@@ -103,7 +109,7 @@ TEST(Digest, EverythingOfTheSceneCounts) {
       {"view's near plane", [](Scene& s) { s.views[0].near_m *= 2; }},
       {"view's far plane", [](Scene& s) { s.views[0].far_m *= 2; }}};
   for (const auto& [what, change] : changes) {
-    Scene scene = example();
+    Scene scene = told();
     change(scene);
     EXPECT_NE(scene_digest(scene), whole) << what;
   }
