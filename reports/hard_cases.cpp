@@ -66,10 +66,13 @@ std::string failure_words(const Json& row) {
 }  // namespace
 
 const char* const function_set_note =
-    "Bounds hold where every value is finite, none is negative, 0 comes out where 0 is right, and no error is beyond what the "
-    "function claims on that set; - is a function that claims nothing there. eps: the greatest error in units of 2^-23; eps "
-    "kappa: the greatest error of the value itself, in units of 2^-23 times its condition number where that is above 1; not 0: "
-    "values of inputs for which 0 is right.";
+    "Bounds hold where every value is finite, none is negative where the exact one is not, 0 comes out where 0 is right, and "
+    "no "
+    "error is beyond what the function claims on that set; - is a function that claims nothing there. eps: the greatest error "
+    "in "
+    "units of 2^-23; eps kappa: the greatest error of the value itself, in units of 2^-23 times its condition number where "
+    "that "
+    "is above 1; not 0: values of inputs for which 0 is right.";
 
 Keeps keeps_bounds(const Json& row) {
   for (const char* fault : {"negative", "nonfinite", "not_zero"})
@@ -103,7 +106,8 @@ std::vector<Headline> hard_case_headlines(const FunctionBackend& backend) {
     if (variant.sets.empty()) continue;
     std::vector<std::string> parts;
     if (hold > 0) parts.push_back(fmt::format("holds its bounds on {} of {} sets", hold, variant.sets.size()));
-    if (none > 0) parts.push_back(fmt::format("claims nothing on {}, where its values are finite and not negative", none));
+    if (none > 0)
+      parts.push_back(fmt::format("claims nothing on {}, where its values are finite and none is wrongly negative", none));
     if (!failed.empty()) parts.push_back(fmt::format("FAILS on {}: {}", failed.size(), fmt::join(failed, "; ")));
     all.push_back({.variant = variant.variant, .words = fmt::format("{}.", fmt::join(parts, "; "))});
   }

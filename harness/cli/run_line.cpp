@@ -34,8 +34,6 @@ Json passes_of(const std::vector<GraphPass>& passes, const Scene& scene, bool ru
       for (const ResolvedRead& read : draw.reads) names.insert(read.source.name);
     }
     for (const std::string& name : names) textures.push_back(name);
-    std::vector<std::string> written = pass.pass->writes;
-    if (!pass.pass->depth_target.empty()) written.push_back(pass.pass->depth_target);
     rows.push_back({{"pass", pass.pass->name},
                     {"effect", pass.variant->effect},
                     {"runs", runs},
@@ -43,7 +41,7 @@ Json passes_of(const std::vector<GraphPass>& passes, const Scene& scene, bool ru
                     {"reason", pass.reason},
                     {"objects", objects},
                     {"reads", textures},
-                    {"writes", written}});
+                    {"writes", pass.pass->written()}});
   }
   return rows;
 }

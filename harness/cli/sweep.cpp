@@ -215,8 +215,6 @@ int run_sweep(const SweepOptions& options) {
   std::vector<Limit> limits;
   for (const std::string& text : options.limits) limits.push_back(parse_limit(text));
   const std::vector<DeviceInfo> devices = devices_of(options);
-  ShaderCache shaders(Api::vulkan, library.shaders);
-  const nlohmann::ordered_json planned = plan_line(plan, scene, shaders);
 
   make_run_folder("sweep", options.compare.out);
   const FolderLock lock("sweep", options.compare.out);
@@ -224,9 +222,14 @@ int run_sweep(const SweepOptions& options) {
   const nlohmann::ordered_json run = run_line(options, scene, effects, devices, inputs_hash(options, scene));
   const nlohmann::ordered_json sweep_line = to_json(sweep_row(options, scenes.points(), limits));
   const std::optional<Earlier> earlier = continue_record(file, run, sweep_line, scenes.points());
+  std::optional<nlohmann::ordered_json> planned;  // before the record is begun: a mistake of a manifest leaves none
+  if (!earlier || !earlier->kinds.contains("plan")) {
+    ShaderCache shaders(Api::vulkan, library.shaders);
+    planned = plan_line(plan, scene, shaders);
+  }
   RecordWriter record(file, earlier.has_value());
   if (!earlier) record.append(run), record.append(sweep_line);
-  if (!earlier || !earlier->kinds.contains("plan")) record.append(planned);
+  if (planned) record.append(*planned);
 
   Tally tally;
   const std::set<CellKey> known = earlier ? earlier->cells : std::set<CellKey>{};

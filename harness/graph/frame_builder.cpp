@@ -143,9 +143,7 @@ void FrameBuilder::build_pass(const Repetition& repetition, std::span<const Grap
 // Of a draw that reads what it writes: gives what is read a content, and what is written the same where objects are drawn.
 void FrameBuilder::prepare_read_back(const Repetition& repetition, const GraphDraw& draw, std::vector<FrameTarget*>& turning) {
   const PassManifest& manifest = *repetition.pass.pass;
-  std::vector<std::string> names = manifest.writes;
-  if (!manifest.depth_target.empty()) names.push_back(manifest.depth_target);
-  for (const std::string& name : names) {
+  for (const std::string& name : manifest.written()) {
     if (!reads_back(repetition.pass, draw, name)) continue;
     FrameTarget& target = targets_.target(repetition.pass, draw, name);
     if (std::find(turning.begin(), turning.end(), &target) != turning.end()) continue;

@@ -112,6 +112,8 @@ struct PassManifest {
   std::string threads_over;                     // compute: one thread a texel of this target ...
   std::array<uint32_t, 2> local_size = {8, 8};  // ... in groups of this size, as the shader declares it
 
+  // What the pass leaves something in: `writes`, and a depth target of its own.
+  std::vector<std::string> written() const;
   // The texture that a sampler of the pass's shaders reads, where it says no other.
   ReadManifest read_of(const std::string& sampler) const;
 };

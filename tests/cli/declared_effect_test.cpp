@@ -166,5 +166,52 @@ TEST_F(DeclaredEffect, MistakesOfSceneFilesAreNamed) {
   refused({{"casts = true", "casts = false"}}, "full.toml:");
 }
 
+// No one view shows what a light among the objects lights.
+TEST_F(DeclaredEffect, ALightAmongTheObjectsHasNoView) {
+  const Outcome outcome = lamina_program(
+      "compare " +
+      scene({{"kind = \"directional\"\ndirection = [0.8, -1.0, -0.6]", "kind = \"point\"\nposition = [0, 1.5, 0]"}}) + small +
+      " --backend osmesa --out " + out().string());
+  EXPECT_EQ(outcome.status, 2) << outcome.output;
+  EXPECT_SAYS(outcome.output, "light 'sun' stands among the objects");
+}
+
+// An effect of hulls refuses a mesh with a hole and says where; a closed one it takes.
+TEST_F(DeclaredEffect, OpenHullsAreRefusedWithTheirEdge) {
+  write("hulls/glass/effect.toml", R"([effect]
+name = "glass"
+title = "Glass"
+key = "glass"
+closed = true
+solid = false
+instead_of = ["layered_material", "aperture_lighting", "lantern"]
+because = "an object is of glass"
+not_because = "no object is of glass"
+)");
+  write("hulls/glass/clear.toml", R"([variant]
+name = "clear"
+baseline = true
+[[pass]]
+name = "front"
+draw = "objects"
+vertex = "common/object.vert"
+fragment = "clear.frag"
+write = ["frame"]
+)");
+  write("hulls/glass/clear.frag", "layout(location = 0) out vec4 color;\nvoid main() { color = vec4(1.0); }\n");
+  const auto plan_with = [&](const std::string& object) {
+    return lamina_program(
+        "plan " +
+        write("glass.toml", "[scene]\nbuiltin = \"sphere_over_plane\"\n[objects." + object + "]\nglass = true\n").string() +
+        " --variants-dir " + (folder_ / "hulls").string());
+  };
+  const Outcome closed = plan_with("sphere");
+  EXPECT_EQ(closed.status, 0) << closed.output;
+  EXPECT_SAYS(closed.output, "glass: called for");
+  const Outcome open = plan_with("plane");
+  EXPECT_EQ(open.status, 2) << open.output;
+  EXPECT_SAYS(open.output, "object 'plane': glass needs a closed hull, and its mesh is open: the edge from (");
+}
+
 }  // namespace
 }  // namespace lamina
