@@ -25,7 +25,7 @@ if(NOT EXISTS ${PAGE}/node_modules/.package-lock.json OR
   file(TOUCH ${PAGE}/node_modules/.package-lock.json)
 endif()
 
-# The text as a C++ raw string; `name` is a variable of reports/html.h. It goes into a <script>, which it must not end.
+# The text as a C++ raw string; `name` is a variable of reports/html/html.h. It goes into a <script>, which it must not end.
 function(page_string name)
   set(text "")
   foreach(source ${ARGN})
@@ -44,7 +44,7 @@ function(page_string name)
   endforeach()
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/${name}.cpp @ONLY CONTENT [[
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/html.h"
+#include "reports/html/html.h"
 namespace lamina {
 const std::string_view @name@ = R"page(@text@)page";
 }

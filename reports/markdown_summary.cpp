@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "reports/functions.h"
-#include "reports/gate.h"
-#include "reports/gate_reading.h"
+#include "reports/gate/gate.h"
+#include "reports/gate/reading.h"
 #include "reports/markdown.h"
-#include "reports/sweep_text.h"
+#include "reports/sweep/sweep_text.h"
 
 namespace lamina {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
-#include "reports/gate.h"
+#include "reports/gate/gate.h"
 #include "reports/pictures.h"
 #include "reports/reports.h"
 

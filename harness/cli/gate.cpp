@@ -12,7 +12,7 @@
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
 #include "harness/record/record.h"
-#include "reports/gate.h"
+#include "reports/gate/gate.h"
 #include "reports/reports.h"
 #include "reports/words.h"
 

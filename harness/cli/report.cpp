@@ -5,7 +5,7 @@
 
 #include "harness/cli/commands.h"
 #include "harness/history/history_reports.h"
-#include "reports/gate.h"
+#include "reports/gate/gate.h"
 #include "reports/reports.h"
 
 namespace lamina {

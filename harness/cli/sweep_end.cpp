@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "harness/sweep/answers.h"
-#include "reports/sweep_text.h"
+#include "reports/sweep/sweep_text.h"
 
 namespace lamina {
 

@@ -6,7 +6,7 @@
 
 #include "harness/history/history_reports.h"
 #include "harness/history/history_words.h"
-#include "reports/html.h"
+#include "reports/html/html.h"
 
 namespace lamina {
 namespace {

@@ -11,8 +11,8 @@
 #include "harness/scene/made/builtin_scenes.h"
 #include "harness/scene/scene.h"
 #include "harness/scene/scene_file.h"
-#include "harness/scene/split_overlaps.h"
-#include "harness/scene/unwrap_check.h"
+#include "harness/scene/mesh/split_overlaps.h"
+#include "harness/scene/mesh/unwrap_check.h"
 
 namespace lamina {
 namespace {

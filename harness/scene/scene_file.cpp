@@ -7,7 +7,7 @@
 #include "harness/core/toml_table.h"
 #include "harness/scene/declare.h"
 #include "harness/scene/default_views.h"
-#include "harness/scene/gltf.h"
+#include "harness/scene/gltf/gltf.h"
 #include "harness/scene/made/builtin_scenes.h"
 #include "harness/scene/place_objects.h"
 #include "harness/scene/read_keys.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reports/html.h"
+#include "reports/html/html.h"
 #include "tests/record/function_rows.h"
 #include "tests/reports/example_record.h"
 

@@ -10,8 +10,8 @@
 #include <fstream>
 
 #include "harness/core/text.h"
-#include "reports/gate.h"
-#include "reports/xml.h"
+#include "reports/gate/gate.h"
+#include "reports/gate/xml.h"
 #include "tests/reports/example_gate.h"
 
 namespace lamina {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The strips behind a gate's times: what belongs together, what each process says, and what tells nothing.
-#include "reports/gate_strips.h"
+#include "reports/gate/strips.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "reports/html.h"
+#include "reports/html/html.h"
 #include "tests/reports/example_gate.h"
 
 namespace lamina {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "reports/gate.h"
-#include "reports/gate_reading.h"
+#include "reports/gate/gate.h"
+#include "reports/gate/reading.h"
 #include "tests/reports/example_gate.h"
 
 namespace lamina {

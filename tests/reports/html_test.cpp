@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page: safe against what a record may hold, whole, and honest about times.
-#include "reports/html.h"
+#include "reports/html/html.h"
 
 #include <gtest/gtest.h>
 

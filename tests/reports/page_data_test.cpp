@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/sweep/answers.h"
-#include "reports/html.h"
+#include "reports/html/html.h"
 #include "tests/reports/example_record.h"
 
 namespace lamina {

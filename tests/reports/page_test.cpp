@@ -9,9 +9,9 @@
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
-#include "reports/gate.h"
-#include "reports/gate_reading.h"
-#include "reports/html.h"
+#include "reports/gate/gate.h"
+#include "reports/gate/reading.h"
+#include "reports/html/html.h"
 #include "tests/reports/example_gate.h"
 
 namespace lamina {

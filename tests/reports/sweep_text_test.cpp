@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A sweep's answers in words: told once where backends agree, under the effect's name where there are several, and no more in a
 // terminal than can be read.
-#include "reports/sweep_text.h"
+#include "reports/sweep/sweep_text.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // What the reports make of a truth, and of what was baked.
 #include <gtest/gtest.h>
 
-#include "reports/html.h"
+#include "reports/html/html.h"
 #include "tests/reports/example_record.h"
 
 namespace lamina {

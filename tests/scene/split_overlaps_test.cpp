@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "harness/scene/split_overlaps.h"
+#include "harness/scene/mesh/split_overlaps.h"
 
 #include <gtest/gtest.h>
 
-#include "harness/scene/unwrap_check.h"
+#include "harness/scene/mesh/unwrap_check.h"
 #include "tests/builtin_library.h"
 
 namespace lamina {

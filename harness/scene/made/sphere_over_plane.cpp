@@ -9,7 +9,7 @@
 #include "harness/scene/made/coloured_object.h"
 #include "harness/scene/made/directional_light.h"
 #include "harness/scene/made/height_field.h"
-#include "harness/scene/tangents.h"
+#include "harness/scene/mesh/tangents.h"
 
 namespace lamina {
 namespace {

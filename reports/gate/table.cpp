@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// The gate's answer for a terminal of some 130 columns.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "reports/gate/gate.h"
+#include "reports/gate/reading.h"
+#include "reports/terminal.h"
+#include "reports/words.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+using namespace terminal;
+
+Cells cells_of(const Json& verdict, bool several_effects) {
+  const std::string variant = text_at(verdict, "/variant");
+  const std::string limit = limit_of(verdict);
+  Cells cells = {text_at(verdict, "/verdict"),
+                 text_at(verdict, "/what"),
+                 several_effects ? fmt::format("{}/{}", text_at(verdict, "/effect"), variant) : variant,
+                 text_at(verdict, "/backend"),
+                 place_of(verdict),
+                 before_and_after(verdict),
+                 change_of(verdict),
+                 certainty_of(verdict),
+                 limit.empty() ? "" : "limit " + limit};
+  for (std::string& cell : cells) cell = one_line(cell);
+  return cells;
+}
+
+void add_rows(Lines& lines, const char* title, const GateReading::Rows& rows, const char* colour, bool several_effects,
+              bool sentences) {
+  if (rows.empty()) return;
+  lines.add("");
+  lines.add(title, bold);
+  std::vector<Cells> table;
+  for (const Json* row : rows) table.push_back(cells_of(*row, several_effects));
+  const std::vector<size_t> widths = column_widths(table);
+  const std::vector<bool> figures = {false, false, false, false, false, true, true, false, false};
+  for (size_t i = 0; i < rows.size(); ++i) {
+    lines.add("  " + aligned(table[i], widths, figures), colour);
+    const std::string sentence = one_line(text_at(*rows[i], "/sentence"));
+    if (sentences && !sentence.empty()) lines.add("    " + sentence);
+  }
+}
+
+// What was not compared is many rows for few reasons.
+void add_not_compared(Lines& lines, const GateReading::Rows& rows) {
+  std::map<std::string, size_t> reasons;
+  for (const Json* row : rows) ++reasons[one_line(text_at(*row, "/sentence"))];
+  if (!rows.empty()) lines.add("");
+  for (const auto& [reason, count] : reasons) lines.add(fmt::format("not compared ({}): {}", count, reason), yellow);
+}
+
+}  // namespace
+
+std::string gate_table(const Record& record, bool colours) {
+  const GateReading reading = reading_of(record);
+  std::set<std::string> effects;
+  for (const Json& verdict : record.verdicts) effects.insert(verdict.at("effect"));
+  const bool several = effects.size() > 1;
+
+  Lines lines(colours);
+  const bool unsure = reading.word == "AMBIGUOUS";
+  lines.add(fmt::format("gate {}: {}", reading.word, reading.counts), reading.well ? green : unsure ? yellow : red);
+  if (!reading.trouble.empty()) lines.add(one_line(reading.trouble), red);
+  if (!reading.conditions.empty()) lines.add(one_line(reading.conditions), dim);
+  add_rows(lines, "regressed", reading.regressed, red, several, true);
+  add_rows(lines, "ambiguous", reading.ambiguous, yellow, several, true);
+  add_not_compared(lines, reading.not_compared);
+  add_rows(lines, "better", reading.improved, green, several, false);
+  lines.add("");
+  if (!reading.same.empty())
+    lines.add(fmt::format("{} check{} the same", reading.same.size(), reading.same.size() == 1 ? " is" : "s are"));
+  for (const Json& aa : record.aas) lines.add(one_line(words_for_aa(aa)), dim);
+  const bool timed = std::ranges::any_of(record.verdicts, [](const Json& verdict) { return !verdict.at("ratio").is_null(); });
+  if (record.aas.empty() && timed) lines.add("no A/A arm was run: how far these times can be believed is not known", yellow);
+  if (!timed) lines.add("no times were judged", dim);
+  if (!reading.unequal_aas.empty())
+    lines.add("warning: a variant came out unlike itself: the machine was not quiet, so doubt the times above", yellow);
+  for (const std::string& device : device_lines(record)) lines.add(one_line(device), dim);
+  for (const std::string& warning : warnings_of(record)) lines.add("warning: " + one_line(warning), yellow);
+  return lines.take();
+}
+
+}  // namespace lamina

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page's section on functions: which variants are worth having, the chart that shows it, tables and pictures of the error.
+#include <fmt/format.h>
+
+#include "reports/functions.h"
+#include "reports/html/html.h"
+
+namespace lamina {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string main_table(const FunctionReport& report, const FunctionBackend& backend) {
+  std::string html = fmt::format(
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table><caption>{}</caption>{}<tbody>\n",
+      escaped_html(function_caption(report, backend)), escaped_html(function_caption(report, backend)),
+      header_row(function_columns, 1));
+  for (const FunctionSummary& row : backend.variants) {
+    const auto cells = function_cells(row);
+    html += fmt::format("<tr{}><th scope=\"row\">{}</th>", row.baseline ? " class=\"baseline\"" : "", escaped_html(cells[0]));
+    for (size_t i = 1; i < cells.size(); ++i) html += fmt::format("<td class=\"num\">{}</td>", escaped_html(cells[i]));
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+// Every round behind the intervals of that table. What differs by decades, as exact and fast do, needs a logarithmic axis.
+std::string rounds(const FunctionBackend& backend) {
+  std::vector<SampleRow> rows;
+  for (const FunctionSummary& row : backend.variants) rows.push_back({row.variant, row.samples});
+  return html_rounds(rows, SampleAxis::logarithmic, words_for_ns, "ns a call");
+}
+
+// Which cases each variant passes and fails, in words, and the figures of every set.
+std::string hard_cases(const FunctionBackend& backend) {
+  const std::vector<const Json*> rows = rows_by_set(backend);
+  if (rows.empty()) return "";
+  std::string html = fmt::format("<h3>Hard cases on {}</h3>\n<ul class=\"verdicts\">\n", escaped_html(backend.backend));
+  for (const Headline& one : hard_case_headlines(backend))
+    html += fmt::format("<li><strong>{}</strong> {}</li>\n", escaped_html(one.variant), escaped_html(one.words));
+  html += fmt::format(
+      "</ul>\n<details class=\"printed\"><summary>Every function and set on {0}</summary><div class=\"scroll\" tabindex=\"0\" "
+      "role=\"region\" aria-label=\"every function and set on {0}\"><table class=\"wide\"><caption>{1}</caption>{2}<tbody>\n",
+      escaped_html(backend.backend), escaped_html(function_set_note), header_row(function_set_columns, 3, 2));
+  std::string set;
+  for (const Json* row : rows) {
+    if (row->at("set") != set) {
+      set = row->at("set");
+      html += fmt::format("<tr class=\"group\"><th scope=\"rowgroup\" colspan=\"{}\">{}: {} ({} points)</th></tr>\n",
+                          function_set_columns.size(), escaped_html(set), escaped_html(row->at("what").get<std::string>()),
+                          row->at("points").dump());
+    }
+    const auto cells = function_set_cells(*row);
+    html += fmt::format("<tr{}><th scope=\"row\">{}</th>", keeps_bounds(*row) == Keeps::no ? " class=\"bad\"" : "",
+                        escaped_html(cells[0]));
+    for (size_t i = 1; i < cells.size(); ++i)
+      html += fmt::format("<td{}>{}</td>", i < 3 || i + 2 >= cells.size() ? "" : " class=\"num\"", escaped_html(cells[i]));
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div></details>\n";
+}
+
+std::string slices(const FunctionBackend& backend, bool open, const PictureUrl& url) {
+  std::string html, axes, full_error;
+  for (const FunctionSummary& variant : backend.variants) {
+    if (variant.pictures.empty()) continue;
+    html += fmt::format("<div class=\"slices\"><h4>{}</h4>", escaped_html(variant.variant));
+    for (const Json* picture : variant.pictures) {
+      const std::string slice = picture->at("slice");
+      axes = picture->at("axes");
+      full_error = fmt::format("{:g}", picture->at("full_error").get<double>());
+      html += fmt::format(
+          "<figure>{}<figcaption>{}</figcaption></figure>",
+          picture_tag(picture->at("image"), fmt::format("error of {} on {}, {}", variant.variant, backend.backend, slice), url),
+          escaped_html(slice));
+    }
+    html += "</div>\n";
+  }
+  if (html.empty()) return "";
+  const std::string legend = fmt::format(
+      "<p class=\"note\">{}.</p>\n<div class=\"legend\" role=\"img\" aria-label=\"blue is too little, white right, red too "
+      "much, "
+      "black not finite\">too little, -{} or less<span class=\"diverging\"></span>+{} or more, too much; black: not "
+      "finite</div>\n",
+      escaped_html(axes), full_error, full_error);
+  return fmt::format("<details{}><summary>Where it errs, on {}</summary>\n{}{}</details>\n", open ? " open" : "",
+                     escaped_html(backend.backend), legend, html);
+}
+
+}  // namespace
+
+std::string html_function_chart(const FunctionReport& report, const std::string& name) {
+  Json points = Json::array();
+  std::string left_out;
+  for (const FunctionBackend& backend : report.backends)
+    for (const FunctionSummary& row : backend.variants) {
+      if (!row.ns) continue;
+      if (!row.error || *row.error <= 0 || row.ns->low <= 0) {
+        left_out += fmt::format("{}{} on {}", left_out.empty() ? "" : ", ", row.variant, backend.backend);
+        continue;
+      }
+      points.push_back({{"group", (name.empty() ? "" : name + ", ") + backend.backend},
+                        {"name", row.variant},
+                        {"x", row.ns->median},
+                        {"low", row.ns->low},
+                        {"high", row.ns->high},
+                        {"y", *row.error},
+                        {"frontier", row.frontier}});
+    }
+  if (points.empty()) return "";
+  const Json data = {{"x", "time of a call, ns (log scale)"},
+                     {"y", fmt::format("greatest error, of {} (log scale)", report.scale)},
+                     {"points", points}};
+  return fmt::format(
+      "<figure class=\"chart\"><div class=\"plots\"></div><noscript><p class=\"note\">Here a chart shows error against time; "
+      "it "
+      "needs JavaScript. The tables below hold its figures.</p></noscript>"
+      "<script type=\"application/json\">{}</script>"
+      "<figcaption>Error against time: left is faster, down is closer. The line joins the variants worth "
+      "having: nothing closer is as fast, by the 95% intervals of the time, which the bars show.{}</figcaption></figure>\n",
+      for_script(data),
+      left_out.empty() ? ""
+                       : escaped_html(fmt::format(" Without a place on these axes (no error, values that are not finite, or a "
+                                                  "time that noise hides): {}.",
+                                                  left_out)));
+}
+
+std::string html_functions(const Record& record, const std::string& name, const PictureUrl& url) {
+  std::string html;
+  for (const FunctionReport& report : summarize_functions(record)) {
+    html += fmt::format("<h2>Functions: {}</h2>\n<ul class=\"headlines\">\n", escaped_html(report.title));
+    for (const Headline& headline : function_headlines(report))
+      html += fmt::format("<li><strong>{}</strong> {}</li>\n", escaped_html(headline.variant), escaped_html(headline.words));
+    html += "</ul>\n" + html_function_chart(report, name);
+    for (const FunctionBackend& backend : report.backends) html += main_table(report, backend) + rounds(backend);
+    for (const std::string& note : function_notes(report))
+      html += fmt::format("<p class=\"note\">{}</p>\n", escaped_html(note));
+    for (const FunctionBackend& backend : report.backends) html += hard_cases(backend);
+    for (const FunctionBackend& backend : report.backends) html += slices(backend, &backend == &report.backends.front(), url);
+  }
+  return html;
+}
+
+}  // namespace lamina

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/sweep/sweep_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/words.h"
+
+namespace lamina {
+namespace {
+
+std::string figure(double value, const char* format) {
+  return std::isnan(value) ? "-" : fmt::format(fmt::runtime(format), value);
+}
+
+bool is_timed(const Curve& curve) {
+  const std::vector<double>& ratios = curve.y.at("ratio");
+  return std::any_of(ratios.begin(), ratios.end(), [](double value) { return !std::isnan(value); });
+}
+
+CurveTable table_of(std::span<const Curve> group, size_t most_rows) {
+  const Curve& first = group.front();
+  CurveTable table;
+  table.title = fmt::format("{} on {}, over {}{}", first.effect, first.backend, first.parameter,
+                            first.unit.empty() ? "" : " in " + first.unit);
+  for (const Held& held : first.held)
+    table.title += fmt::format(", {} {:.6g}{}", held.path, held.value, held.unit.empty() ? "" : " " + held.unit);
+  table.columns = {first.parameter.substr(first.parameter.rfind('.') + 1)};
+  struct Column {
+    const Curve* curve;
+    const char *metric, *format;
+  };
+  std::vector<Column> columns;
+  for (const Curve& curve : group) {
+    if (curve.baseline) continue;
+    const auto add = [&](const char* metric, const char* name, const char* format) {
+      columns.push_back({&curve, metric, format});
+      table.columns.push_back(curve.variant + " " + name);
+    };
+    add("ssim", "SSIM", "{:.4f}"), add("flip", "FLIP", "{:.4f}");
+    if (is_timed(curve)) add("ratio", "ratio", "{:.3f}");
+  }
+  const size_t count = first.x.size(), shown = std::min(count, most_rows);
+  for (size_t row = 0; row < shown; ++row) {
+    const size_t i = shown < 2 ? 0 : (row * (count - 1) + (shown - 1) / 2) / (shown - 1);
+    std::vector<std::string> cells = {fmt::format("{:.6g}", first.x[i])};
+    for (const auto& [curve, metric, format] : columns) {
+      const auto at = std::lower_bound(curve->x.begin(), curve->x.end(), first.x[i]);
+      const bool there = at != curve->x.end() && *at == first.x[i];
+      cells.push_back(there ? figure(curve->y.at(metric)[static_cast<size_t>(at - curve->x.begin())], format) : "-");
+    }
+    table.rows.push_back(cells);
+  }
+  if (shown < count) table.title += fmt::format(" ({} of {} points)", shown, count);
+  return table;
+}
+
+}  // namespace
+
+std::vector<CurveTable> curve_tables(const std::vector<Curve>& curves, size_t most_rows) {
+  std::vector<CurveTable> tables;
+  for (size_t begin = 0, end = 0; begin < curves.size(); begin = end) {
+    const auto in_group = [&](const Curve& curve) {
+      return curve.backend == curves[begin].backend && curve.effect == curves[begin].effect &&
+             curve.parameter == curves[begin].parameter && curve.held == curves[begin].held;
+    };
+    while (end < curves.size() && in_group(curves[end])) ++end;
+    tables.push_back(table_of(std::span(curves).subspan(begin, end - begin), most_rows));
+  }
+  return tables;
+}
+
+std::string sweep_terminal(const std::vector<Curve>& curves) {
+  constexpr size_t rows_of_a_screen = 17, most_tables = 8;
+  std::string text;
+  const std::vector<CurveTable> tables = curve_tables(curves, rows_of_a_screen);
+  for (size_t i = 0; i < std::min(tables.size(), most_tables); ++i) {
+    const CurveTable& table = tables[i];
+    text += "\n" + one_line(table.title) + "\n";
+    std::vector<size_t> widths;
+    for (const std::string& column : table.columns) widths.push_back(std::max<size_t>(column.size(), 8));
+    const auto add = [&](const std::vector<std::string>& cells) {
+      for (size_t c = 0; c < cells.size(); ++c)
+        text += fmt::format("{}{:>{}}", c == 0 ? "" : "  ", one_line(cells[c]), widths[c]);
+      text += "\n";
+    };
+    add(table.columns);
+    for (const std::vector<std::string>& row : table.rows) add(row);
+  }
+  if (tables.size() > most_tables) text += fmt::format("\n{} more tables are in summary.md\n", tables.size() - most_tables);
+  return text;
+}
+
+std::string answers_terminal(const Record& record, const std::filesystem::path& summary) {
+  constexpr size_t most_lines = 40;
+  std::vector<Headline> all = crossover_headlines(record, Told::about_limits);
+  for (const Headline& answer : crossover_headlines(record, Told::of_pairs)) all.push_back(answer);
+  const size_t shown = all.size() <= most_lines ? all.size() : most_lines - 1;
+  std::string text;
+  for (size_t i = 0; i < shown; ++i)
+    text += fmt::format("{}{}{}\n", one_line(all[i].variant), all[i].variant.empty() ? "" : ": ", one_line(all[i].words));
+  if (shown < all.size()) text += fmt::format("{} more answers are in {}\n", all.size() - shown, summary.string());
+  return text;
+}
+
+}  // namespace lamina
