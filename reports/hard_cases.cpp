@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// "1.5 0.25 1.2", nothing for null. Nine digits tell binary32 numbers apart.
+// "1.5 0.25 1.2", nothing for null. Nine digits distinguish any two binary32 numbers.
 std::string input_words(const Json& input) {
   return input.is_array() ? fmt::format("{:.9g}", fmt::join(input.get<std::vector<double>>(), " ")) : "";
 }

@@ -40,8 +40,9 @@ class PrivateShaderCache {
   std::string folder_;
 };
 
-// Software rasterizers take a thread a core of the affinity mask whatever else limits them; pinned, the record can say what
-// ran. In a gate no thread beside the caller's: see side_by_side in GateOptions.
+// Pins the number of rasterizer threads, so that the record can say what ran: left alone, software rasterizers use one thread
+// for each core of the affinity mask, whatever else limits them. In a gate they use the caller's thread only: see side_by_side
+// in GateOptions.
 void pin_rasterizer_threads(bool gate) {
   const uint32_t cores = std::min(std::max(std::thread::hardware_concurrency(), 1u), 32u);
   ::setenv("LP_NUM_THREADS", std::to_string(gate ? 0 : cores).c_str(), 0);

@@ -16,7 +16,8 @@ uint32_t strips_for(double ms, const PieceOptions& options) {
   return wanted < 0.5 ? 1 : static_cast<uint32_t>(std::round(wanted)) * static_cast<uint32_t>(rounds_a_frame);
 }
 
-// As often as makes the strips of a whole frame as many as of the longest pass: a short one costs little and is judged alike.
+// Repeats of a short pass, so that it has as many strips in a whole frame as the longest one: it costs little and is judged
+// alike.
 uint32_t repeats_for(uint32_t strips, const PieceOptions& options) {
   const uint32_t once = std::max(strips, static_cast<uint32_t>(rounds_a_frame));  // what is not cut runs in every round
   return std::clamp(options.most_strips / once, 1u, options.most_repeats);
