@@ -220,7 +220,7 @@ double round_seconds(Bench& bench, const std::string& pass) {
   const double turns = static_cast<double>(bench.options.processes) * (bench.options.side_by_side ? 1 : backends);
   const double beside = watch.elapsed_s() - measured.rounds_s / (bench.options.side_by_side ? backends : 1);
   const double seconds = std::max(0.0, bench.options.budget_s - beside) / turns;
-  fmt::print("a gate on all variants takes {:.1f} s beside its rounds, so each process has {:.1f} s for them\n", beside,
+  fmt::print("a gate on all variants takes {:.1f} s outside its rounds, so each process has {:.1f} s for rounds\n", beside,
              seconds);
   std::fflush(stdout);
   return seconds;
@@ -344,7 +344,7 @@ int run_calibration(GateOptions options) {
   } else {
     go_on(setup, lines.front(), bench, file);
     for (size_t i = 1; i < lines.size(); ++i) gates.push_back(calibrated_from_json(lines[i]));
-    fmt::print("goes on after the {} gates in {}\n", gates.size(), file.string());
+    fmt::print("resuming after the {} gates in {}\n", gates.size(), file.string());
   }
   std::string whole = setup.line().dump() + "\n";  // without a line that was cut short
   for (const CalibratedGate& gate : gates) whole += to_json(gate).dump() + "\n";

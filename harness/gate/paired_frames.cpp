@@ -115,7 +115,7 @@ void PairedFrames::run_round(std::mt19937_64& random) {
   for (size_t i = 0; i < owners.size(); ++i) {
     if (!(times.pass_ms[i] > 0))
       throw Error(ErrorKind::failed, "gate", passes_[owners[i].pass].name,
-                  fmt::format("a strip took {} ms: the timer does not tell time", times.pass_ms[i]));
+                  fmt::format("a strip took {} ms: a time must be positive and finite", times.pass_ms[i]));
     strips[owners[i].pass][owners[i].frame].push_back({times.pass_ms[i], owners[i].turn});
   }
   for (size_t pass = 0; pass < passes_.size(); ++pass) add_round(passes_[pass], strips[pass], cuts_[pass].repeats);

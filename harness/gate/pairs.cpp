@@ -100,7 +100,7 @@ RatioEstimate estimate_of(const PairsRow& row, std::string_view frame, Part pass
     square += here.error * here.error;
   }
   if (!(before > 0) || !(after > 0))
-    throw Error(ErrorKind::failed, "gate", row.variant, "has too few rounds to tell the time of a frame");
+    throw Error(ErrorKind::failed, "gate", row.variant, "has too few rounds to make up a whole frame");
   return {std::log(after / before), std::sqrt(square) / after, strips, freedom_of(strips)};
 }
 
@@ -175,7 +175,7 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
     row.sentence = sentence_of(row);
     if (!believable && row.verdict != Verdict::same) {
       row.verdict = Verdict::ambiguous;
-      row.sentence += "; but equal frames differ as much in this run, so it is not believed";
+      row.sentence += "; but the A/A arm differs from itself in this run, so no time is believed";
     }
     if (row.verdict == Verdict::ambiguous) report.undecided.insert(row.backend);
   }

@@ -26,14 +26,15 @@ struct Weighted {
 
 std::vector<Weighted> log_ratios(std::span<const StripPair> strips) {
   if (strips.size() < least_strips)
-    throw Error(ErrorKind::failed, "gate", "time",
-                fmt::format("{} strips tell nothing of their spread; measure at least {}", strips.size(), least_strips));
+    throw Error(
+        ErrorKind::failed, "gate", "time",
+        fmt::format("{} strips are too few to estimate their spread; measure at least {}", strips.size(), least_strips));
   std::vector<Weighted> ratios;
   double whole = 0;
   for (const auto& [before, after, after_first] : strips) {
     if (!(before > 0) || !(after > 0) || !std::isfinite(before) || !std::isfinite(after))
       throw Error(ErrorKind::failed, "gate", "time",
-                  fmt::format("a strip took {} ms and {} ms: the timer does not tell time", before, after));
+                  fmt::format("a strip took {} ms and {} ms: a time must be positive and finite", before, after));
     ratios.push_back({std::log(after / before), 2 / (1 / before + 1 / after), after_first});
     whole += ratios.back().weight;
   }
