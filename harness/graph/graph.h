@@ -66,8 +66,8 @@ Graph make_graph(const Plan& plan, const Configuration& configuration, const Sce
 // Whether the variant has passes for the truth.
 bool has_truth_passes(const VariantManifest& variant);
 
-// A target or buffer that passes hand on: the frame's (no object, no light), or one object's or light's. Targets of a variant
-// and of another with the same name are two, unless both declare them shared.
+// A target or buffer that passes write and read: the frame's (no object, no light), or one object's or light's. Targets of two
+// variants with one name are two targets, unless both declare them shared.
 struct Resource {
   const VariantManifest* variant = nullptr;  // null: shared
   std::string name;
