@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The page's style and script, and the library that its charts are drawn with: npm fetches what reports/page/package-lock.json
-# pins, and C++ files hold them with the licences, so that the program needs nothing beside it.
+# pins, and C++ files hold them with the licences, so that the program needs no other file.
 set(PAGE ${PROJECT_SOURCE_DIR}/reports/page)
 # One script in this order: what the later files call stands in the earlier ones.
 set(PAGE_SCRIPTS)
@@ -9,7 +9,7 @@ foreach(name data controls chart_frame pareto passes sweeps pixels magnifier pic
 endforeach()
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PAGE}/package-lock.json ${PAGE}/style.css ${PAGE_SCRIPTS})
 
-# npm leaves a copy of the lock file behind, in other words but of the same time.
+# npm leaves a copy of the lock file behind, with other text and the same time stamp.
 if(NOT EXISTS ${PAGE}/node_modules/.package-lock.json OR
    ${PAGE}/package-lock.json IS_NEWER_THAN ${PAGE}/node_modules/.package-lock.json)
   find_program(NPM npm)

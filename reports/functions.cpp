@@ -78,7 +78,7 @@ std::string joined(const ByBackend& all, size_t backends) {
 
 // Whether a variant is worth having on a backend, or why that is not known.
 std::string verdict(const FunctionSummary& row, const FunctionBackend& backend) {
-  if (!row.error) return "gives values that are not finite, so that it has no greatest error";
+  if (!row.error) return "gives values that are not finite, so its greatest error is not known";
   if (!row.ns) return "was not timed";
   if (row.frontier) return "is worth having: nothing closer is as fast";
   const FunctionSummary* better = nullptr;  // of what beats it, what errs the least
@@ -178,7 +178,7 @@ std::vector<std::string> function_notes(const FunctionReport& report) {
   std::vector<std::string> notes = {
       fmt::format("Errors are of {}: over is too much, under too little; mean of the absolute errors. Ratio: median time over "
                   "{}'s; under 1 is "
-                  "faster. Negative and non-finite: how many values; what is not finite is in no error.",
+                  "faster. Negative and non-finite: how many values; errors leave out values that are not finite.",
                   report.scale, report.baseline.empty() ? "the baseline" : report.baseline)};
   for (const FunctionBackend& backend : report.backends)
     for (const FunctionSummary& row : backend.variants)

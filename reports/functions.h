@@ -19,8 +19,8 @@ struct FunctionSummary {
   std::string reason;           // why there is no time
   std::optional<double> ratio;  // median over the baseline's median
   std::optional<double> error;  // the greatest |error| over the main set; absent where a value was not finite
-  // Worth having: timed, with an error, and nothing that errs less is as fast, nor is what errs alike faster. Times are as fast
-  // as each other where their intervals overlap.
+  // Worth having: it is timed and has an error, no function with a smaller error is as fast, and none with the same error is
+  // faster. Two are as fast as each other where their intervals overlap.
   bool frontier = false;
   const nlohmann::json* main_set = nullptr;           // may be absent in a record put together by hand
   std::vector<const nlohmann::json*> sets, pictures;  // every set, the main one included

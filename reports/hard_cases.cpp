@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// "1.5 0.25 1.2", nothing for null. Nine digits tell binary32 numbers apart.
+// "1.5 0.25 1.2", nothing for null. Nine digits distinguish any two binary32 numbers.
 std::string input_words(const Json& input) {
   return input.is_array() ? fmt::format("{:.9g}", fmt::join(input.get<std::vector<double>>(), " ")) : "";
 }
@@ -66,13 +66,10 @@ std::string failure_words(const Json& row) {
 }  // namespace
 
 const char* const function_set_note =
-    "Bounds hold where every value is finite, none is negative where the exact one is not, 0 comes out where 0 is right, and "
-    "no "
-    "error is beyond what the function claims on that set; - is a function that claims nothing there. eps: the greatest error "
-    "in "
-    "units of 2^-23; eps kappa: the greatest error of the value itself, in units of 2^-23 times its condition number where "
-    "that "
-    "is above 1; not 0: values of inputs for which 0 is right.";
+    "Bounds hold where every value is finite, none is negative where the exact value is not, the value is 0 where 0 is exact, "
+    "and no error is beyond what the function claims on that set; - means that the function claims nothing there. eps: the "
+    "greatest error in units of 2^-23; eps kappa: the greatest error of the value itself, in units of 2^-23 times its "
+    "condition number where that is above 1; not 0: values that should be exactly 0.";
 
 Keeps keeps_bounds(const Json& row) {
   for (const char* fault : {"negative", "nonfinite", "not_zero"})

@@ -60,7 +60,7 @@ CostAndErrors figures_of(const SummaryRow& row);
 // What was swept, a parameter a line.
 std::vector<std::string> sweep_lines(const Record& record);
 // Where curves meet a limit or each other, a sentence each; `variant` holds the effect's name where the record has several.
-// What is the same on several backends, figure by figure as printed, is told once, of all of them.
+// What is the same on several backends, figure by figure as printed, is said once for all of them.
 enum class Told { all, about_limits, of_pairs };
 std::vector<Headline> crossover_headlines(const Record& record, Told told = Told::all);
 

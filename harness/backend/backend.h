@@ -223,7 +223,7 @@ void check_copy(const Pass& pass, const TextureDesc& from, const TextureDesc& to
 void check_area(const Pass& pass, uint32_t width, uint32_t height);
 
 struct BackendOptions {
-  std::string device;  // part of a device's name, or its index in list_devices(); empty: see default_device in README
+  std::string device;  // part of a device's name, or its index in list_devices(); empty: the default (docs/figures.md)
   bool validation =
       false;  // Vulkan's validation layers / an OpenGL debug context. Error(no_device) where they are not installed.
 };

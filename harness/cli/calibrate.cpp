@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// lamina gate --calibrate: the gate's own error rates on this machine. Many gates over equal trees, each of which should find
-// nothing, and over trees in which one pass is slower by a known share. Each gate has rounds of its own in several processes on
-// every backend, for as long as a gate within the budget has, and is judged as a gate is. Gates of one kind share no process,
-// for a process's layout of code and memory moves all of its ratios; one of each kind does. Counts and pictures are left out,
-// and an ambiguous gate gets no further processes, though one on its own would. calibration.jsonl holds every gate, and the
-// same command goes on after the last.
+// lamina gate --calibrate: the gate's own error rates on this machine. It runs many gates over equal trees, each of which
+// should find nothing, and over trees in which one pass is slower by a known share. Each gate has its own rounds in several
+// processes on every backend, for as long as a gate within the budget has, and is judged as a gate is. Gates of one kind share
+// no process, since a process's layout of code and memory moves all of its ratios; gates of different kinds do. Counts and
+// pictures are left out, and an ambiguous gate gets no further processes, though a real gate would. calibration.jsonl holds
+// every gate, and the same command resumes after the last.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -28,8 +28,8 @@ namespace fs = std::filesystem;
 
 constexpr std::array<double, 5> slow_downs = {0.01, 0.02, 0.03, 0.05, 0.10};
 constexpr std::array<uint32_t, 6> tried_taps = {4, 8, 16, 32, 64, 128};
-constexpr size_t whole_rounds = 24;     // to tell what taps cost
-constexpr double most_dear_tap = 0.01;  // a tap costs less of the pass than this, or the least slow-down cannot be made
+constexpr size_t whole_rounds = 24;     // to measure what taps cost
+constexpr double most_dear_tap = 0.01;  // a tap must cost less of the pass than this, or the smallest slow-down cannot be made
 
 const EffectManifest& effect_with_variants(const Plan& plan, const Scene& scene) {
   for (const EffectPlan& entry : plan.effects)
@@ -220,7 +220,7 @@ double round_seconds(Bench& bench, const std::string& pass) {
   const double turns = static_cast<double>(bench.options.processes) * (bench.options.side_by_side ? 1 : backends);
   const double beside = watch.elapsed_s() - measured.rounds_s / (bench.options.side_by_side ? backends : 1);
   const double seconds = std::max(0.0, bench.options.budget_s - beside) / turns;
-  fmt::print("a gate on all variants takes {:.1f} s beside its rounds, so each process has {:.1f} s for them\n", beside,
+  fmt::print("a gate on all variants takes {:.1f} s outside its rounds, so each process has {:.1f} s for rounds\n", beside,
              seconds);
   std::fflush(stdout);
   return seconds;
@@ -344,7 +344,7 @@ int run_calibration(GateOptions options) {
   } else {
     go_on(setup, lines.front(), bench, file);
     for (size_t i = 1; i < lines.size(); ++i) gates.push_back(calibrated_from_json(lines[i]));
-    fmt::print("goes on after the {} gates in {}\n", gates.size(), file.string());
+    fmt::print("resuming after the {} gates in {}\n", gates.size(), file.string());
   }
   std::string whole = setup.line().dump() + "\n";  // without a line that was cut short
   for (const CalibratedGate& gate : gates) whole += to_json(gate).dump() + "\n";

@@ -75,8 +75,8 @@ using Enough = std::function<bool(const TimedFrames&, double further_s)>;
 // frames on the first call; later ones begin anew.
 void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const Enough& enough, const PieceOptions& pieces = {});
 
-// Whether these may stop: the error of each of their ratios is less than a third of its margin, so that those of three
-// processes, pooled and at the higher confidence of many comparisons, tell which side of the margin they lie on.
+// Whether these may stop: the error of each of their ratios is less than a third of its margin. Three processes, pooled and at
+// the higher confidence of many comparisons, then decide on which side of the margin a ratio lies.
 bool precise_enough(const TimedFrames& timed, const GateProcess& process, const LimitsFile& limits);
 
 // Runs `work` in children: one on every backend for counts and pictures, if options.exact; if options.times, options.processes

@@ -108,7 +108,7 @@ std::optional<Record> load_baseline(const std::filesystem::path& file, bool upda
   try {
     return read_record(file);
   } catch (const Error& error) {  // what is written afresh need not be readable
-    fmt::print(stderr, "lamina: warning: {}; it is written afresh\n", error.what());
+    fmt::print(stderr, "lamina: warning: {}; it is replaced\n", error.what());
     return std::nullopt;
   }
 }
@@ -140,7 +140,7 @@ int write_baseline(const std::filesystem::path& file, const std::string& lines, 
       check_comparable(*stored, present, file);
       rows = judge_stored(*stored, present, limits, options.family_error);
     } catch (const Error& error) {
-      fmt::print(stderr, "lamina: note: the record before cannot be compared with: {}\n", error.what());
+      fmt::print(stderr, "lamina: note: the earlier record cannot be compared with this run: {}\n", error.what());
     }
   if (!file.parent_path().empty()) std::filesystem::create_directories(file.parent_path());
   write_file_atomically(file, lines);

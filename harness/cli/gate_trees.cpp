@@ -142,7 +142,7 @@ TreePair pair_trees(Library library_before, Library library_after, const GateOpt
       look_at_code(pair, trees.before, trees.after);
       pairs.push_back(std::move(pair));
     }
-    // Errors are against a baseline, and a truth that some variants tell what the pixels show.
+    // Errors are against a baseline, and against a truth, for which some variants draw what the pixels show.
     const auto is_reference = [](const VariantManifest* variant) {
       return variant && (variant->baseline || has_truth_passes(*variant));
     };

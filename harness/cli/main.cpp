@@ -40,8 +40,9 @@ class PrivateShaderCache {
   std::string folder_;
 };
 
-// Software rasterizers take a thread a core of the affinity mask whatever else limits them; pinned, the record can say what
-// ran. In a gate no thread beside the caller's: see side_by_side in GateOptions.
+// Pins the number of rasterizer threads, so that the record can say what ran: left alone, software rasterizers use one thread
+// for each core of the affinity mask, whatever else limits them. In a gate they use the caller's thread only: see side_by_side
+// in GateOptions.
 void pin_rasterizer_threads(bool gate) {
   const uint32_t cores = std::min(std::max(std::thread::hardware_concurrency(), 1u), 32u);
   ::setenv("LP_NUM_THREADS", std::to_string(gate ? 0 : cores).c_str(), 0);
@@ -85,13 +86,15 @@ int run(int argc, char** argv) {
   compare_command.add_option("--device", compare.device, "Part of a device's name, or its number in 'lamina list'");
   compare_command.add_option("--variant", compare.variants, "Only this variant and the baseline (may be given again)");
   compare_command.add_option("--size", size, "Size of the frame in pixels")->capture_default_str();
-  compare_command.add_flag("--quick", compare.quick,
-                           "Wider intervals, sooner: 5% within 4 s a backend unless --precision or --budget say otherwise");
+  compare_command.add_flag(
+      "--quick", compare.quick,
+      "Stop sooner, at wider intervals: 5%, or 4 s a backend, unless --precision or --budget say otherwise");
   CLI::Option* budget = compare_command.add_option("--budget", compare.budget_s, "Seconds of timed rounds a backend")
                             ->capture_default_str()
                             ->check(CLI::Range(0.0, 86400.0));
   CLI::Option* precision =
-      compare_command.add_option("--precision", compare.precision, "Half width of each ratio's 95% interval to stop at")
+      compare_command
+          .add_option("--precision", compare.precision, "Stop where each ratio's 95% interval has this half width, relative")
           ->capture_default_str()
           ->check(CLI::Range(1e-6, 1.0));
   CLI::Option* truth_rays =
@@ -107,14 +110,14 @@ int run(int argc, char** argv) {
   gate.compare.validation = LAMINA_VALIDATION;
   gate.compare.truth_rays = 64;
   std::string gate_size = "512x512";
-  CLI::App& gate_command =
-      *app.add_subcommand("gate", "Fails where a state of the code is slower, hungrier or less accurate than the one before");
+  CLI::App& gate_command = *app.add_subcommand(
+      "gate", "Compares two states of the code; fails where the newer one is slower, fetches more or is less accurate");
   add_scene_options(gate_command, gate.compare.scene);
   CLI::Option* against = gate_command.add_option(
       "--against", gate.against, "Tree of variants/ and shaders/ as they were before, measured in the same run");
   gate_command.add_option("--baseline", gate.baseline, "Record of the state before (record.jsonl or its folder)")
       ->excludes(against);
-  gate_command.add_flag("--update", gate.update, "Write the record given by --baseline afresh, and say what changed");
+  gate_command.add_flag("--update", gate.update, "Replace the record that --baseline names, and say what changed");
   gate_command.add_option("--limits", gate.limits, "Gate file (.toml): what is allowed, by effect, variant and backend");
   gate_command.add_option("--out", gate.compare.out, "Folder for record, report and pictures")->capture_default_str();
   gate_command.add_option("--backend", gate.compare.backends, "vulkan, osmesa or egl (may be given again)")
@@ -149,7 +152,7 @@ int run(int argc, char** argv) {
   sweep.compare.validation = LAMINA_VALIDATION;
   std::string shard, sweep_time = "none", sweep_fetches = "every:8", sweep_pictures = "every:8";
   CLI::App& sweep_command =
-      *app.add_subcommand("sweep", "How errors and cost of every variant move along parameters; goes on where it was stopped");
+      *app.add_subcommand("sweep", "Errors and cost of every variant along parameters; resumes where it was stopped");
   sweep_command
       .add_option("scene", sweep.compare.scene.scene, "Scene file (.toml), glTF model (.glb, .gltf) or built-in scene")
       ->capture_default_str();
@@ -183,7 +186,8 @@ int run(int argc, char** argv) {
   sweep_command.add_option("--budget", sweep.compare.budget_s, "Seconds of timed rounds a timed point")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 86400.0));
-  sweep_command.add_option("--precision", sweep.compare.precision, "Half width of each ratio's 95% interval to stop at")
+  sweep_command
+      .add_option("--precision", sweep.compare.precision, "Stop where each ratio's 95% interval has this half width, relative")
       ->capture_default_str()
       ->check(CLI::Range(1e-6, 1.0));
   sweep_command.add_option("--truth-rays", sweep.compare.truth_rays, "Rays a pixel and light for the truth; 0: no truth")
@@ -197,13 +201,15 @@ int run(int argc, char** argv) {
 
   std::vector<fs::path> shards;
   fs::path merged = "lamina-sweep";
-  CLI::App& merge_command = *app.add_subcommand("merge", "Records of a sweep's shards to one, with the answers of the whole");
+  CLI::App& merge_command =
+      *app.add_subcommand("merge", "Joins the records of a sweep's shards, and gives the answers of the whole sweep");
   merge_command.add_option("record", shards, "Run folders or their record.jsonl")->required();
   merge_command.add_option("--out", merged, "Folder for the joined record, report and pictures")->capture_default_str();
 
   StressOptions stress;
   stress.validation = LAMINA_VALIDATION;
-  CLI::App& stress_command = *app.add_subcommand("stress", "Hard inputs through the shaders' functions, against exact values");
+  CLI::App& stress_command =
+      *app.add_subcommand("stress", "Runs the shaders' functions on hard inputs, and compares them with exact values");
   stress_command.add_option(
       "family", stress.family,
       "A family of functions, such as caps (the area that two spherical caps share), or a family.toml; all without a name");
@@ -237,13 +243,14 @@ int run(int argc, char** argv) {
   list_command.add_flag("--parameters", list_parameters, "Every parameter that 'lamina sweep' can set, and nothing else");
   list_command.add_option("--variants-dir", list.variants_dirs, "Folder with variants of your own (may be given again)");
   ReportCommand report;
-  CLI::App& report_command = *app.add_subcommand("report", "Reports again, from records; of several side by side with --out");
+  CLI::App& report_command =
+      *app.add_subcommand("report", "Writes reports again from records; several records side by side with --out");
   report_command.add_option("record", report.records, "Run folders or their record.jsonl")->required();
   report_command.add_option("--out", report.out, "Folder for one report of all records (default: each beside its record)");
   report_command.add_flag("--single-file", report.single_file, "Put the pictures into the page, so that one file is all");
   HistoryOptions history;
   CLI::App& history_command =
-      *app.add_subcommand("history", "How each cell's figures went over records, and where they changed");
+      *app.add_subcommand("history", "How each cell's figures changed over records, and at which commit");
   history_command.add_option("record", history.records, "Run folders or their record.jsonl, two or more")->required();
   history_command.add_option("--csv", history.csv, "File for every point of every trend");
 

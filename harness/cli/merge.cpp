@@ -20,7 +20,7 @@ void copy_pictures(const std::vector<std::filesystem::path>& folders, const std:
   }
 }
 
-// A folder's record; what is no folder is one itself.
+// The record of a folder; a path that is not a folder is a record itself.
 std::filesystem::path record_of(const std::filesystem::path& given) {
   if (std::filesystem::is_directory(given)) return given / "record.jsonl";
   if (!std::filesystem::exists(given))
@@ -28,7 +28,7 @@ std::filesystem::path record_of(const std::filesystem::path& given) {
   return given;
 }
 
-// What `out` holds may go only where it is in the joined record: an earlier join of the same sweep.
+// A record in `out` is replaced only where all its cells are in the joined record: an earlier join of the same sweep.
 void check_nothing_is_lost(const std::filesystem::path& out, std::vector<std::filesystem::path> files, const Joined& joined) {
   const std::filesystem::path there = out / "record.jsonl";
   if (!std::filesystem::exists(there) || std::filesystem::is_empty(there)) return;

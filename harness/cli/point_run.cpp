@@ -78,7 +78,7 @@ void PointRun::go_to(size_t point) {
   plan_key_ = plan_key;
 }
 
-// All that a variant's passes are built from, beside what resources_key() tells.
+// The cache key of what a variant's passes are built from, besides what is in resources_key().
 std::string PointRun::key_of(const VariantManifest& variant, size_t point) const {
   std::string key = fmt::format("{} {}", plan_key_, scene_.mesh_moves || scene_.lights_move);
   for (const VariantManifest* used : configuration_with(plan_, variant))
@@ -126,8 +126,7 @@ void PointRun::prepare(Variant& variant, size_t point) {
   prepared.once = once;
 }
 
-// The counting build tells what is covered, which is asked again only where it may have changed, and, where `fetches` says so,
-// what was executed.
+// Runs the counting build, for the covered pixels where these may have changed, and for the counts where `fetches` is set.
 void PointRun::count(Variant& variant, bool fetches) {
   Prepared& prepared = variant.prepared.front();
   const auto coverage = [&] { return coverage_inputs(prepared.graph, scene_, prepared.early_tests); };

@@ -26,7 +26,7 @@ volatile std::sig_atomic_t stopped_by = 0;
 void ask_to_stop(int signal) {
   stopped_by = signal;
   std::signal(signal, SIG_DFL);
-  constexpr char said[] = "\nlamina: finishing the cell; once more stops at once\n";
+  constexpr char said[] = "\nlamina: finishing the cell; a second Ctrl-C stops at once\n";
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, said, sizeof said - 1);
 }
 

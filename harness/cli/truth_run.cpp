@@ -27,7 +27,7 @@ TruthRun::TruthRun(SceneResources& resources, const Plan& plan, const EffectMani
                    Bakes& bakes, const CompareOptions& options)
     : resources_(resources), plan_(plan), effect_(effect), shaders_(shaders), bakes_(bakes), options_(options) {}
 
-// The variant whose passes for the truth tell of bakes like this one's.
+// The variant that has passes for the truth and the same bake options as this one.
 const VariantManifest* TruthRun::teller(const VariantManifest& variant) const {
   if (effect_.truth.empty()) return nullptr;
   for (const VariantManifest& candidate : effect_.variants)

@@ -30,10 +30,10 @@ class TruthRun {
              const std::function<void(double)>& progress);
 
  private:
-  // What a view shows, as one variant's passes tell it.
+  // What a view shows, as one variant's passes for the truth draw it.
   struct Answered {
     TruthAnswer answer;
-    std::vector<AssumptionRow> shared;  // the assumptions that all variants that are told alike make
+    std::vector<AssumptionRow> shared;  // the assumptions of all variants with the same truth passes
     std::string image;
     bool has_shared = false;
   };

@@ -39,10 +39,10 @@ void* map_untouched(size_t bytes) {
   return at;
 }
 
-// A forked process would map libraries, code and memory where its siblings do, and times depend on where by a percent or two:
-// so each sets aside some of either, untouched, before anything else. Pages move what is mapped later, the heap's part of a
-// page what is allocated. Small mappings would still go where they do in the siblings, into holes between those that all have
-// from the parent: the holes are closed.
+// A forked process would place libraries, code and memory where its siblings do, and times depend on the place by a percent or
+// two. So each child first reserves some pages and some heap, which it never touches: the pages move what is mapped later, the
+// heap moves what is allocated later. Small mappings would still go into holes that all children inherit from the parent, so
+// the holes are filled.
 void lay_out_anew() {
   std::random_device random;
   const auto page = static_cast<size_t>(::sysconf(_SC_PAGESIZE));

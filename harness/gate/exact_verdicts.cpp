@@ -159,7 +159,8 @@ void judge_content(const Subject& subject, const Json& before, const Json& after
   if (covered == 0 && covered_before > 0) {
     changed.insert("blank");
     add(subject, "blank", Verdict::failed,
-        fmt::format("{}: the effect covers no pixel, it covered {}", name_of_cell(subject, view), covered_before), view);
+        fmt::format("{}: the effect covers no pixel; before, it covered {}", name_of_cell(subject, view), covered_before),
+        view);
   } else if (shows_something(before) && !shows_something(after) && nonfinite == 0) {
     changed.insert("blank");
     add(subject, "blank", Verdict::failed,
@@ -220,7 +221,7 @@ void judge_staleness(const Subject& subject, const CellPair& pair, std::set<std:
       if (pair.before[i].at("image_hash") == pair.before[j].at("image_hash")) continue;
       changed.insert("blank");
       add(subject, "stale", Verdict::failed,
-          fmt::format("{}: views {} and {} show the same picture, which they did not: a frame is not drawn again",
+          fmt::format("{}: views {} and {} show the same picture, which they did not before: a frame is not drawn again",
                       name_of_cell(subject), a.at("view").get<std::string>(), b.at("view").get<std::string>()));
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verdicts on what does not depend on the machine's mood: counts, pictures and errors of one cell before and after a change.
+// Verdicts on figures without noise: counts, pictures and errors of one cell before and after a change.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -25,8 +25,8 @@ struct CellPair {
   bool hashes_tell = false;
 };
 
-// A row for each kind of figure that is the same in all views, and one for each view, pass and texture where it is not. What
-// was not there before is held to the limits' bounds all the same, and must show something finite.
+// One row for each kind of figure that is the same in all views; one row for each view, pass and texture where it is not. A
+// cell that was not there before must keep to the limits' bounds, and must show something finite.
 std::vector<VerdictRow> judge_cells(const CellPair& pair, const Limits& limits);
 
 }  // namespace lamina

@@ -16,7 +16,8 @@ uint32_t strips_for(double ms, const PieceOptions& options) {
   return wanted < 0.5 ? 1 : static_cast<uint32_t>(std::round(wanted)) * static_cast<uint32_t>(rounds_a_frame);
 }
 
-// As often as makes the strips of a whole frame as many as of the longest pass: a short one costs little and is judged alike.
+// Repeats of a short pass, so that it has as many strips in a whole frame as the longest one: it costs little and is judged
+// alike.
 uint32_t repeats_for(uint32_t strips, const PieceOptions& options) {
   const uint32_t once = std::max(strips, static_cast<uint32_t>(rounds_a_frame));  // what is not cut runs in every round
   return std::clamp(options.most_strips / once, 1u, options.most_repeats);
@@ -114,7 +115,7 @@ void PairedFrames::run_round(std::mt19937_64& random) {
   for (size_t i = 0; i < owners.size(); ++i) {
     if (!(times.pass_ms[i] > 0))
       throw Error(ErrorKind::failed, "gate", passes_[owners[i].pass].name,
-                  fmt::format("a strip took {} ms: the timer does not tell time", times.pass_ms[i]));
+                  fmt::format("a strip took {} ms: a time must be positive and finite", times.pass_ms[i]));
     strips[owners[i].pass][owners[i].frame].push_back({times.pass_ms[i], owners[i].turn});
   }
   for (size_t pass = 0; pass < passes_.size(); ++pass) add_round(passes_[pass], strips[pass], cuts_[pass].repeats);

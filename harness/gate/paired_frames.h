@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames that should cost the same, or not, timed against each other piece by piece. Every pass is cut into strips that last
-// some milliseconds, and a strip of one frame is timed right beside the same strip of the others, in shuffled order: the speed
-// of a shared machine wanders by tens of percent within a second, but hardly within a strip. What the strips say of a ratio:
-// ratio_estimate.h. A strip runs the pass's vertices again, so that a change of its fragments reads smaller than it is of the
-// whole pass and one of its vertices larger: on the heart at 512x512 64 strips would take a fifth off the former, while 16 take
-// a twentieth and tell as much in the same time.
+// Frames timed against each other, piece by piece. Every pass is cut into strips that last some milliseconds. A strip of one
+// frame is timed right beside the same strip of the others, in shuffled order: the speed of a shared machine wanders by tens of
+// percent within a second, but hardly within a strip. ratio_estimate.h makes a ratio of the strips.
+//
+// A strip runs the pass's vertices again. So a change of the fragment work reads smaller than it is for the whole pass, and a
+// change of the vertex work larger. On the heart at 512x512, 64 strips would take a fifth off a change of fragment work; 16
+// strips take a twentieth off, and are as precise in the same time.
 #pragma once
 
 #include <optional>
@@ -23,8 +24,8 @@ inline constexpr size_t rounds_a_frame = 4;
 struct PairedPass {
   std::string name;
   bool cut = false;  // else every round takes all of it
-  // [frame]: whether it is known to be the same as frame 0's, and so not run for that frame. Where all others are, frame 0's
-  // runs for the first whole frame alone, which tells how much of the frame it is.
+  // [frame]: whether the pass is known to be the same as frame 0's; it is then not run for that frame. Where it is the same in
+  // all other frames, frame 0 runs it in the first whole frame only, to find its share of the frame.
   std::vector<bool> same;
   // [frame][round]: the sum over the strips of this round; empty for a frame that has no such pass.
   std::vector<std::vector<double>> ms;
@@ -46,8 +47,8 @@ struct PairedFrame {
 
 class PairedFrames {
  public:
-  // Passes are paired by name, and by order among those of one name. How a pass is cut is decided by the frame in which it lasted
-  // least: another may have been compiled while it ran.
+  // Passes are paired by name, and by order among those of one name. The frame in which a pass was fastest decides how it is
+  // cut: in another frame the time may include compiling.
   PairedFrames(Backend& backend, const std::vector<PairedFrame>& frames, size_t view, const PieceOptions& options = {});
 
   // Times the round's pieces of every frame; a pass that is repeated counts with the mean. Throws Error(failed) on device loss.

@@ -34,7 +34,7 @@ struct Key {
   auto operator<=>(const Key&) const = default;
 };
 
-// What is judged of a frame beside the one before: the passes of both that take enough of it, and may differ.
+// The passes that are judged: those in both frames that take enough of the frame and may differ.
 std::vector<Part> judged_parts(const PairsRow& row, std::string_view frame, const Limits& limits) {
   const size_t before = *index_of(row, frame_before), after = *index_of(row, frame);
   const double whole = sum_ms(row, before, whole_frame);
@@ -100,7 +100,7 @@ RatioEstimate estimate_of(const PairsRow& row, std::string_view frame, Part pass
     square += here.error * here.error;
   }
   if (!(before > 0) || !(after > 0))
-    throw Error(ErrorKind::failed, "gate", row.variant, "has too few rounds to tell the time of a frame");
+    throw Error(ErrorKind::failed, "gate", row.variant, "has too few rounds to make up a whole frame");
   return {std::log(after / before), std::sqrt(square) / after, strips, freedom_of(strips)};
 }
 
@@ -131,7 +131,7 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
   for (const PairsRow& row : pairs) by_cell[{row.backend, row.effect, row.variant, row.view}].push_back(&row);
 
   std::vector<TimeComparison> comparisons, same_comparisons;
-  std::vector<PooledRatio> passes;  // a whole frame says nothing that its passes do not
+  std::vector<PooledRatio> passes;  // a whole frame adds nothing to its passes
   const auto ratios_of = [](const std::vector<const PairsRow*>& processes, std::string_view frame, Part part) {
     std::vector<RatioEstimate> ratios;
     for (const PairsRow* process : processes) ratios.push_back(estimate_of(*process, frame, part));
@@ -175,7 +175,7 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
     row.sentence = sentence_of(row);
     if (!believable && row.verdict != Verdict::same) {
       row.verdict = Verdict::ambiguous;
-      row.sentence += "; but equal frames differ as much in this run, so it is not believed";
+      row.sentence += "; but the A/A arm differs from itself in this run, so no time is believed";
     }
     if (row.verdict == Verdict::ambiguous) report.undecided.insert(row.backend);
   }

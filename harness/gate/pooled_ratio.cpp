@@ -20,7 +20,7 @@ using boost::math::digamma, boost::math::trigamma;
 
 constexpr double least_variance = 1e-18;     // so that exact times can be pooled
 constexpr double cautious = 0.25;            // chance that comparisons differ more than is supposed
-constexpr double least_disagreement = 0.01;  // of the middle one: processes that agree by luck have no logarithm to speak of
+constexpr double least_disagreement = 0.01;  // of the median: processes that agree by luck have a logarithm near minus infinity
 
 // By Newton's method on 1 / trigamma, which is convex (Smyth, appendix).
 double inverse_trigamma(double value) {
@@ -81,7 +81,7 @@ SharedDisagreement shared_disagreement(std::span<const PooledRatio> comparisons)
   }
   double spread = 0;
   for (const double log : logs) spread += std::pow(log - mean, 2) / (count - 1);
-  // A few comparisons may be alike by luck: what is supposed of them is more than they show.
+  // A few comparisons may be alike by luck, so a larger spread is assumed than they show.
   spread *= (count - 1) / boost::math::quantile(boost::math::chi_squared(count - 1), cautious);
   const double of_others = freedom * (count - 1) / count;
   if (spread <= by_chance) return {std::exp(mean), of_others};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A copy of variants and shaders in which one pass does a known share of extra work: what a gate is tried on.
+// A copy of variants and shaders in which one pass does a known amount of extra work. Calibration runs gates on it.
 #pragma once
 
 #include <filesystem>

@@ -92,8 +92,8 @@ struct Judge {
                                (ratio.median - 1) * 100, (ratio.low - 1) * 100, (ratio.high - 1) * 100, margin * 100);
   }
 
-  // Samples that are no times are refused: neither a record nor a run may pass by having measured nothing. Too few of them, as
-  // on a busy machine, tell nothing either way.
+  // Samples that are not positive are refused: neither a record nor a run may pass by having measured nothing. Too few samples,
+  // as on a busy machine, decide nothing.
   std::optional<Interval> interval_in(const Json& cell, const char* whose, const std::string& pass,
                                       const std::vector<double>& ms) {
     const bool are_times = !ms.empty() && std::all_of(ms.begin(), ms.end(), [](double each) { return each > 0; });
@@ -168,7 +168,7 @@ void check_comparable(const Record& stored, const Record& run, const std::filesy
 std::vector<VerdictRow> judge_stored(const Record& stored, const Record& run, const LimitsFile& limits, double family_error) {
   std::map<Key, CellPair> pairs = pairs_of(stored, run);
   std::vector<VerdictRow> rows;
-  // Two intervals a comparison, at most two comparisons a pair: Bonferroni, since intervals of stored ratios are what they are.
+  // Two intervals a comparison, at most two comparisons a pair. Bonferroni, since a stored interval's confidence is fixed.
   Judge judge{1 - family_error / (4 * static_cast<double>(std::max<size_t>(pairs.size(), 1))), rows};
   std::map<std::string, std::string> differences;
   for (auto& [key, pair] : pairs) {

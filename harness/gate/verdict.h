@@ -34,7 +34,7 @@ struct VerdictRow {
 };
 nlohmann::ordered_json to_json(const VerdictRow& row);
 
-// Times of frames that are the same: what the gate takes for a difference where there is none.
+// An A/A arm: the old tree timed against itself, which should show no difference.
 struct SameArmRow {
   std::string backend, effect, variant;
   Interval ratio;
@@ -51,8 +51,8 @@ struct GateRow {
 };
 nlohmann::ordered_json to_json(const GateRow& row);
 
-// Of all rows: failed where any is slower, worse or failed; ambiguous where any is, or where nothing at all was compared;
-// faster where a time is and none is ambiguous; else same. `status` is the exit status of the command: 0, 1 or 3.
+// The gate's verdict, from all rows: failed where any row is slower, worse or failed; ambiguous where any row is, or where
+// nothing was compared; faster where a time is faster; else same. `status` is the exit status of the command: 0, 1 or 3.
 struct GateOutcome {
   Verdict verdict = Verdict::same;
   int status = 0;

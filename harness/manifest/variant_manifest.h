@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A variant as data: targets, buffers, parameters and passes, read from TOML. Names are checked here, once, with file and line;
-// after this they are known good. docs/effects.md explains every key.
+// after this they are known good. docs/manifest.md explains every key.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ enum class Frequency : uint8_t {
   frame,                // every frame
   mesh_or_lights_move,  // every frame while a mesh or a light moves, else once
   once,                 // once for a scene
-  truth,                // never in a frame: tells the offline truth what each pixel shows
+  truth,                // never in a frame: draws for the offline truth what each pixel shows
 };
 enum class DrawKind : uint8_t {
   objects,     // objects on screen

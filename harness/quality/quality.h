@@ -41,7 +41,8 @@ double flip_mean(const std::vector<float>& map, const Mask* mask = nullptr);
 // Root of the mean squared difference and greatest absolute difference over r, g and b, linear light.
 double rmse_linear(const Image& test, const Image& reference, const Mask* mask = nullptr);
 double max_linear(const Image& test, const Image& reference, const Mask* mask = nullptr);
-// Greatest less least value, of the channel of r, g and b in which that is most, linear light: 0 for one colour all over.
+// Maximum minus minimum of a channel, for the channel of r, g and b where it is greatest, linear light. 0: one colour
+// everywhere.
 double range_linear(const Image& picture, const Mask* mask = nullptr);
 // Pixels with a NaN or infinity in any of r, g, b, a.
 size_t nonfinite_pixels(const Image& image);

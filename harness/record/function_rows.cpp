@@ -64,7 +64,7 @@ Json to_json(const FunctionTimeRow& row) {
   Json line = start("function_time", row.subject);
   line["ns_per_call"] = interval_to_json(row.ns_per_call, name_of(row.subject), "ns_per_call");
   if (!row.ns.empty()) {
-    Json samples = Json::array();  // six digits are more than any timer tells
+    Json samples = Json::array();  // six digits are more than any timer resolves
     for (const double ns : row.ns)
       samples.push_back(std::stod(fmt::format("{:.6g}", finite(ns, name_of(row.subject), "ns").get<double>())));
     line["ns"] = samples;

@@ -64,8 +64,8 @@ struct CellRow {
   std::vector<AssumptionRow> assumptions;   // none where there is no truth
   uint64_t nonfinite_pixels = 0;
   uint64_t covered_pixels = 0;          // pixels in which the effect's final pass shaded at least once
-  std::optional<double> range_linear;   // greatest less least value over them, of the channel where it is most; absent where
-                                        // there are none, or a pixel is not finite
+  std::optional<double> range_linear;   // range_linear() over these pixels (quality.h); absent where there are none, or a
+                                        // pixel is not finite
   std::string image, difference, flip;  // paths relative to the run's folder, "" where there is none
   std::string truth_image;              // the truth of the same view, likewise
   std::optional<WorstTile> worst_tile;  // against the baseline; absent where there is no FLIP map
@@ -82,8 +82,8 @@ struct BakeRow {
   bool from_cache = false;
 };
 
-// One line of the record. What is not known is null, never 0: figures of a failed cell that are still 0, times of a cell that
-// is not timed, fetches a pixel where no pixel is covered. PSNR of equal pictures is null with "identical": true.
+// One line of the record. A figure that is not known is null, never 0: figures of a failed cell, times of a cell that is not
+// timed, fetches a pixel where no pixel is covered. PSNR of equal pictures is null with "identical": true.
 // "range_linear", "truth_image", "worst_tile" and "assumptions" are left out where there are none. Throws Error(failed) for a
 // number that is not finite, and as frame_samples_ms() does.
 nlohmann::ordered_json to_json(const CellRow& cell);
@@ -115,7 +115,7 @@ class RecordWriter {
 struct Record {
   nlohmann::json run;
   std::vector<nlohmann::json> timers, plans, cells, bakes;
-  std::vector<nlohmann::json> phases;  // how long the rounds took beside what they measured
+  std::vector<nlohmann::json> phases;  // wall time of the rounds, and the device time that they measured
   std::vector<nlohmann::json> functions, function_times, function_timers, function_pictures;  // see function_rows.h
   std::vector<nlohmann::json> pairs;                 // the samples behind a gate's verdicts on times
   std::vector<nlohmann::json> gates, aas, verdicts;  // a gate's answer, its A/A arms, each figure's verdict: gate_lines.h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what a command line names to a whole scene: read, then completed with default lights and views, then settled, so that
-// what passes ask of it (is anything transparent, can it be unwrapped) is known.
+// Makes a whole scene of what a command line names. Three steps: read it, add default lights and views, and find the facts that
+// passes depend on (is anything transparent, can it be unwrapped).
 #include <algorithm>
 
 #include "harness/core/error.h"

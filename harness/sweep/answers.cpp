@@ -34,7 +34,7 @@ std::string short_name(const std::string& path, const Curve& curve) {
   return dot == std::string::npos ? path : path.substr(dot + 1);
 }
 
-// How a parameter of the curve is named, and what stands behind its values: " degrees", and then not in the name too.
+// How a parameter of the curve is named, and the unit behind its values. A unit such as " degrees" is then cut from the name.
 struct Named {
   std::string name, unit;
 };
@@ -117,8 +117,8 @@ void add_limit(const Curve& curve, const Limit& limit, std::vector<CrossoverRow>
   }
 }
 
-// By how much one is better or cheaper (above 0) than the other, sample by sample; NaN where that is not known, and where they
-// are alike, so that a crossing is looked for between samples that say something.
+// By how much one is better or cheaper (above 0) than the other, sample by sample. NaN where that is not known and where they
+// are alike, so that a crossing is looked for only between samples that differ.
 struct Advantage {
   std::vector<double> y;
   size_t alike = 0, compared = 0;  // samples
@@ -151,7 +151,7 @@ Advantage cheaper_by(const Curve& one, const Curve& other) {
   return advantage;
 }
 
-// Where one is ahead: between two crossings, or the first or last sample that tells.
+// Where one is ahead: between two crossings, or from the first or to the last sample that is not NaN.
 struct Stretch {
   double from = 0, to = 0;
   std::optional<Crossing> begin, end;
@@ -171,7 +171,7 @@ std::vector<Stretch> stretches_ahead(const std::vector<double>& x, const Advanta
   return stretches;
 }
 
-// Where both are.
+// Where both are ahead.
 std::vector<Stretch> common(const std::vector<Stretch>& a, const std::vector<Stretch>& b) {
   std::vector<Stretch> both;
   for (const Stretch& one : a)
@@ -198,7 +198,7 @@ std::string words_of(const Stretch& stretch, const Curve& curve, bool everywhere
   return "from " + from + (!stretch.end && to_last ? " on" : " to " + to);
 }
 
-// An answer about two variants, and whether the one is nowhere behind the other.
+// An answer about two variants, and whether the first is nowhere behind the second.
 struct PairAnswer {
   CrossoverRow row;
   bool in_order = false;
@@ -212,7 +212,7 @@ class Pairs {
         if (&one != &other && one.x == other.x) add(one, other);  // else a record that is not whole
   }
 
-  // What follows from two others is left out: a over c, where a is nowhere behind b, nor b behind c.
+  // An answer that follows from two others is left out: a against c, where a is nowhere behind b, and b nowhere behind c.
   std::vector<CrossoverRow> rows() const {
     std::vector<CrossoverRow> rows;
     for (const PairAnswer& answer : answers_) {
@@ -247,8 +247,8 @@ class Pairs {
                   cost.everywhere() && quality.everywhere(), cost.everywhere() && quality.everywhere(), equal + overlap);
   }
 
-  // Where one is ahead up to a crossing the other is from there on, which is told of one of them: of the variant where the
-  // other is the baseline, else of the later.
+  // Where one is ahead up to a crossing, the other is ahead from there on. Only one of the two is reported: the variant where
+  // the other is the baseline, else the later one.
   static std::vector<Stretch> told_once(const Curve& one, const Curve& other, std::vector<Stretch> stretches) {
     std::erase_if(stretches, [&](const Stretch& stretch) {
       return !other.baseline && (one.baseline ? stretch.begin || stretch.end : !stretch.begin && stretch.end);

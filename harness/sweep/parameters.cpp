@@ -62,7 +62,7 @@ double place_of(const std::vector<std::string>& words, const std::string& word) 
   return static_cast<double>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 
-// What an effect declares, of an object or of the scene: `values` finds it in any scene like this one, and `changed` is told
+// What an effect declares, of an object or of the scene. `values` finds it in any scene like this one; `changed` is called
 // after a texture was replaced.
 void add_declared(Collector& out, const std::string& prefix, const Declarations& declared, const Scene& unchanged,
                   const std::function<EffectValues&(Scene&)>& values, const std::function<void(Scene&)>& changed) {

@@ -74,7 +74,7 @@ class Values {
 
   const std::vector<double>& distinct(const std::vector<double>& values) const {
     if (std::set<double>(values.begin(), values.end()).size() != values.size())
-      refuse("has steps that 12 digits do not tell apart; take larger ones");
+      refuse("has values that are equal to 12 digits; take larger steps");
     return values;
   }
 

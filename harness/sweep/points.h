@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The points of a sweep, which of them a shard has, and which of them get a share of something dear.
+// The points of a sweep, which of them a shard computes, and which of them get an expensive measurement.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,8 @@ struct SweepPoints {
   std::vector<double> at(size_t point) const;
 };
 
-// Part `index` of `count`: every count-th point, so that dear ends are shared out. The same points on every machine.
+// Part `index` of `count`: every count-th point, so that expensive ends of a range are shared. The same points on every
+// machine.
 struct Shard {
   size_t index = 0, count = 1;
   bool has(size_t point) const { return point % count == index; }

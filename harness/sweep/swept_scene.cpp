@@ -36,7 +36,7 @@ void widen_depth(Scene& scene) {
   }
 }
 
-// Whether setting `later` changes a number that `earlier` has set, which the record would then tell wrongly.
+// Whether setting `later` changes a number that `earlier` has set: the record would then be wrong about it.
 bool undoes(const Scene& scene, const std::string& earlier, const std::string& later) {
   constexpr std::string_view all = "objects.*.";
   if (later.starts_with(all))

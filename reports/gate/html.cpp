@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's section on a gate: what regressed, what cannot be told, what got better, each in a sentence; then every check.
+// The page's section on a gate: what regressed, what is ambiguous, what got better, each in a sentence; then every check.
 #include <fmt/format.h>
 
 #include <cmath>

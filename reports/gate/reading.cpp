@@ -46,7 +46,8 @@ std::string trouble_of(const Record& record, const GateReading& reading) {
   if (says_well && !reading.ambiguous.empty()) return "the gate says that all is well, yet figures are ambiguous";
   if (gate.at("status") == 0 && !says_well) return fmt::format("the gate's verdict is {}, yet its status is 0", verdict);
   if (gate.at("status") != 0 && reading.regressed.empty() && reading.ambiguous.empty())
-    return fmt::format("the gate's verdict is {} with status {}, for no figure's sake", verdict, gate.at("status").dump());
+    return fmt::format("the gate's verdict is {} with status {}, but no figure justifies it", verdict,
+                       gate.at("status").dump());
   return "";
 }
 

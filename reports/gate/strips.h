@@ -22,7 +22,7 @@ struct GateStrips {
   std::vector<Process> processes;
 };
 
-// Comparisons in the order of their first pairs. A process whose strips tell no ratio (too few of them, a time that is not
+// Comparisons in the order of their first pairs. A process whose strips give no ratio (too few of them, a time that is not
 // positive) is left out.
 std::vector<GateStrips> gate_strips(const Record& record);
 

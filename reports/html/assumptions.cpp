@@ -50,8 +50,8 @@ std::string html_assumptions(const Record& record, const PictureUrl& url) {
   std::ranges::stable_sort(ordered, [](const auto& a, const auto& b) { return a.first < b.first; });
 
   std::string html =
-      "<h2>Which assumption costs you</h2>\n<p class=\"note\">Each picture is the difference that one assumption makes, all "
-      "else alike, of the display values: black is none. The "
+      "<h2>Which assumption costs you</h2>\n<p class=\"note\">Each picture shows the difference that one assumption alone "
+      "makes, in display values; black is no difference. The "
       "figures are over the pixels that the effect covers.</p>\n";
   const std::string difference = difference_words(record);
   const Json* before = nullptr;

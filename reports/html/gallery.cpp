@@ -139,8 +139,8 @@ std::string html_gallery(const Record& record, const PictureUrl& url) {
   const std::string difference = difference_words(record);
   std::string html =
       "<h2>All figures and pictures</h2>\n<p class=\"note\">Errors are against the baseline, over the pixels that the effect "
-      "covers. Differences are of the display values: black is none"
-      ". Under a table stands every round's frame time, the first round at the bottom of its strip, with the median and its "
+      "covers. Differences are of display values; black is no difference"
+      ". Under each table is every round's frame time, the first round at the bottom of its strip, with the median and its "
       "interval. FLIP's map: <span class=\"legend\" role=\"img\" aria-label=\"black is 0, pale yellow is 1\">0<span "
       "class=\"magma\">"
       "</span>1</span></p>\n";

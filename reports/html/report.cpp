@@ -38,8 +38,8 @@ std::string one_record(const Record& record, const std::string& name, const Pict
   html += warnings(record) + findings(record, rows) + html_summary(rows);
   if (!record.pairs.empty())
     html +=
-        "<p class=\"note\">A gate times the same pass of two trees strip by strip, not whole frames: its times stand below, "
-        "as they were and as they are.</p>\n";
+        "<p class=\"note\">A gate times the same pass of two trees strip by strip, not whole frames: its times are below, "
+        "before and after the change.</p>\n";
   html += html_gate(record) + charts;
   if (const std::string passes = html_passes(record); !passes.empty()) html += "<h2>Every pass</h2>\n" + passes;
   html += html_assumptions(record, url) + html_functions(record, name, url) + html_gallery(record, url);

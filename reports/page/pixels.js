@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures by their path in the record, and the values of their pixels. Browsers let no page read the pixels of a file that is
-// opened from disk, so those beside the page are written again as scripts, PICTURE.js, which call lamina_pixels().
+// Pictures by their path in the record, and the values of their pixels. A browser does not let a page read the pixels of a
+// picture file on disk, so the pictures beside the page are also written as scripts, PICTURE.js, which call lamina_pixels().
 const picture_urls = new Map(
     [...document.querySelectorAll('img[data-picture]')].map(image => [image.dataset.picture, image.getAttribute('src')]));
 const pixel_callers = new Map();

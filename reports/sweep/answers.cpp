@@ -106,7 +106,7 @@ std::optional<Headline> answer(const std::vector<SummaryRow>& rows, const std::s
   std::vector<std::string> groups;
   for (const auto& [by, variants] : dominated) groups.push_back(fmt::format("{} ({})", listed(variants), by));
   if (!groups.empty())
-    words += fmt::format(" Dominated, since another is closer and not measurably {}: {}.", timed ? "slower" : "dearer",
+    words += fmt::format(" Dominated, since another is closer and not measurably {}: {}.", timed ? "slower" : "more expensive",
                          fmt::join(groups, "; "));
   if (!unknown.empty()) words += fmt::format(" Not known (failed, not timed or without figures): {}.", listed(unknown));
   return Headline{.variant = effect, .words = words};

@@ -235,7 +235,7 @@ TEST_F(SweepTest, InterruptedItFinishesTheCellAndSaysHowToGoOn) {
   }
   ::kill(child, SIGINT);
   EXPECT_EQ(wait_for(child), 128 + SIGINT);
-  EXPECT_SAYS(read_file(said, "test"), "finishing the cell; once more stops at once");
+  EXPECT_SAYS(read_file(said, "test"), "finishing the cell; a second Ctrl-C stops at once");
   EXPECT_SAYS(read_file(said, "test"), "Go on with the same command");
   const std::string stopped = read_file(file("out"), "test");
   EXPECT_TRUE(stopped.ends_with('\n'));

@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
                     NoPass{"ambiguous", example_gate("faster", 0, {example_verdict("ambiguous", "time", "s")}),
                            "yet figures are ambiguous"},
                     NoPass{"slower", example_gate("slower", 0, {example_slower()}), "yet its status is 0"},
-                    NoPass{"status", example_gate("failed", 1, {example_verdict("same", "ssim", "s")}), "for no figure"}),
+                    NoPass{"status", example_gate("failed", 1, {example_verdict("same", "ssim", "s")}), "justifies it"}),
     [](const auto& test) { return test.param.name; });
 
 TEST(GateMarkdown, FoldsTheWholeMatrixAway) {

@@ -15,7 +15,7 @@ class SampleCounts {
  public:
   explicit SampleCounts(Device& device) : device_(device), queries_(device, VK_QUERY_TYPE_OCCLUSION, "sample counts") {}
 
-  // Makes room for the passes. Throws Error(failed) where one asks and the device only tells some from none.
+  // Makes room for the passes. Throws Error(failed) where one asks and the device only distinguishes some from none.
   void start(VkCommandBuffer commands, std::span<const Pass> passes);
   void begin(VkCommandBuffer commands, uint32_t pass) const;
   void end(VkCommandBuffer commands, uint32_t pass) const;

@@ -91,7 +91,7 @@ class DirectLightTruth : public Truth {
     return light;
   }
 
-  // Rays do not ask for apertures, so all that are told of the same points share their light.
+  // Rays do not depend on apertures, so variants that show the same points share their light.
   const std::vector<glm::vec3>& traced(ShadingPoints points, const std::function<void(double)>& progress) {
     points.apertures.clear();
     points.kind = {0, false};

@@ -61,7 +61,7 @@ std::string problem_at(glm::vec3 from, glm::vec3 to, uint32_t along, uint32_t ag
   const std::string edge = fmt::format("the edge from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g})", from.x, from.y,
                                        from.z, to.x, to.y, to.z);
   if (along + against == 1) return fmt::format("is open: {} has a face on one side only", edge);
-  // Faces come in pairs where nothing is missing, so that an even number tells of one that is turned.
+  // Faces come in pairs where nothing is missing, so an even number means that one is turned.
   if ((along + against) % 2 == 1)
     return fmt::format("is open: {} has {} faces that run one way and {} the other", edge, along, against);
   if (along + against == 2) return fmt::format("has a turned face: two faces run along {} in the same direction", edge);

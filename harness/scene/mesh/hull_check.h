@@ -10,10 +10,10 @@
 
 namespace lamina {
 
-// None, or why the mesh is no hull, with the place in object space of the first edge that shows it: along every edge as many
-// faces must run one way as the other. Vertices at exactly one place are one, for meshes split them at seams. A vertex in the
-// middle of a neighbour's edge leaves that edge open. Triangles with two equal corners do not count. Several hulls in one mesh
-// may touch at edges, and may be turned inside out: those are holes, of negative volume. Time is linear in the triangles.
+// None, or why the mesh is not a hull, with the place in object space of the first edge that shows it. Along every edge, as
+// many faces must run one way as the other. Vertices at exactly one place are one, for meshes split them at seams. A vertex in
+// the middle of a neighbour's edge leaves that edge open. Triangles with two equal corners do not count. Several hulls in one
+// mesh may touch at edges, and may be turned inside out: those are holes, of negative volume. Time is linear in the triangles.
 std::optional<std::string> hull_problem(const Mesh& mesh);
 
 }  // namespace lamina

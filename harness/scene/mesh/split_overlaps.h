@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-// The most meshes that one is taken apart into; what still overlaps then stays together in the last.
+// Maximum number of meshes that one is taken apart into; parts that still overlap stay together in the last one.
 inline constexpr size_t most_parts = 8;
 
 // Charts (triangles joined by vertices) are put, in order, into the first part in which they cover hardly any texel again. The

@@ -16,8 +16,8 @@ void move_to_unit_tile(Mesh& mesh);
 // Empty, or why the mesh cannot be drawn unwrapped: its texture coordinates leave the unit square by more than a thousandth.
 std::string unwrap_problem(const Mesh& mesh);
 
-// Of the texels that the triangles cover, the share that more than one covers; 0 where none covers any. Counted on 512 x 512
-// texels at their centres, with the top-left rule, so that neighbours in the unwrap share no texel.
+// The share of texels covered by more than one triangle, among those covered by any; 0 where none is covered. Counted on 512 x
+// 512 texels at their centres, with the top-left rule, so that neighbours in the unwrap share no texel.
 double overlap_fraction(const Mesh& mesh);
 
 // Sets unwrap_problem after moving to the unit tile; warns of an overlap above 2%.
