@@ -19,54 +19,54 @@ struct Column {
   const char* pointer;
   bool device_time = false;
 };
-constexpr Column columns[] = {{"/scene"},
-                              {"/effect"},
-                              {"/variant"},
-                              {"/baseline"},
-                              {"/backend"},
-                              {"/device"},
-                              {"/width"},
-                              {"/height"},
-                              {"/view"},
-                              {"/status"},
-                              {"/reason"},
-                              {"/timed"},
-                              {"/median_ms", true},
-                              {"/once_ms", true},
-                              {"/cold_ms"},
-                              {"/ratio_to_baseline/median", true},
-                              {"/ratio_to_baseline/low", true},
-                              {"/ratio_to_baseline/high", true},
-                              {"/ratio_to_baseline/rounds", true},
-                              {"/ratio_to_baseline/coverage", true},
-                              {"/fetches"},
-                              {"/fetches_per_pixel"},
-                              {"/error/baseline/psnr_db"},
-                              {"/error/baseline/ssim"},
-                              {"/error/baseline/flip"},
-                              {"/error/baseline/rmse_linear"},
-                              {"/error/baseline/max_linear"},
-                              {"/error/frame/psnr_db"},
-                              {"/error/frame/ssim"},
-                              {"/error/frame/flip"},
-                              {"/error/frame/rmse_linear"},
-                              {"/error/frame/max_linear"},
-                              {"/error/truth/psnr_db"},
-                              {"/error/truth/ssim"},
-                              {"/error/truth/flip"},
-                              {"/error/truth/rmse_linear"},
-                              {"/error/truth/max_linear"},
-                              {"/nonfinite_pixels"},
-                              {"/covered_pixels"},
-                              {"/image"},
-                              {"/difference"},
-                              {"/flip"},
-                              {"/truth_image"},
-                              {"/worst_tile/x"},
-                              {"/worst_tile/y"},
-                              {"/worst_tile/size"},
-                              {"/worst_tile/flip"},
-                              {"/image_hash"}};
+constexpr Column csv_columns[] = {{"/scene"},
+                                  {"/effect"},
+                                  {"/variant"},
+                                  {"/baseline"},
+                                  {"/backend"},
+                                  {"/device"},
+                                  {"/width"},
+                                  {"/height"},
+                                  {"/view"},
+                                  {"/status"},
+                                  {"/reason"},
+                                  {"/timed"},
+                                  {"/median_ms", true},
+                                  {"/once_ms", true},
+                                  {"/cold_ms"},
+                                  {"/ratio_to_baseline/median", true},
+                                  {"/ratio_to_baseline/low", true},
+                                  {"/ratio_to_baseline/high", true},
+                                  {"/ratio_to_baseline/rounds", true},
+                                  {"/ratio_to_baseline/coverage", true},
+                                  {"/fetches"},
+                                  {"/fetches_per_pixel"},
+                                  {"/error/baseline/psnr_db"},
+                                  {"/error/baseline/ssim"},
+                                  {"/error/baseline/flip"},
+                                  {"/error/baseline/rmse_linear"},
+                                  {"/error/baseline/max_linear"},
+                                  {"/error/frame/psnr_db"},
+                                  {"/error/frame/ssim"},
+                                  {"/error/frame/flip"},
+                                  {"/error/frame/rmse_linear"},
+                                  {"/error/frame/max_linear"},
+                                  {"/error/truth/psnr_db"},
+                                  {"/error/truth/ssim"},
+                                  {"/error/truth/flip"},
+                                  {"/error/truth/rmse_linear"},
+                                  {"/error/truth/max_linear"},
+                                  {"/nonfinite_pixels"},
+                                  {"/covered_pixels"},
+                                  {"/image"},
+                                  {"/difference"},
+                                  {"/flip"},
+                                  {"/truth_image"},
+                                  {"/worst_tile/x"},
+                                  {"/worst_tile/y"},
+                                  {"/worst_tile/size"},
+                                  {"/worst_tile/flip"},
+                                  {"/image_hash"}};
 
 std::string value_at(const Json& cell, const std::string& pointer) {
   const Json::json_pointer path(pointer);
@@ -99,13 +99,13 @@ std::string cells_csv(const Record& record) {
     for (const auto& [path, value] : cell.at("params").items()) params.insert(path);
 
   std::string csv = "build";
-  for (const Column& column : columns) csv += "," + name_of(column.pointer);
+  for (const Column& column : csv_columns) csv += "," + name_of(column.pointer);
   for (const std::string& path : params) csv += "," + csv_field("params." + path);
   csv += "\r\n";
   for (const Json& cell : record.cells) {
     const bool shown = times_shown(record, cell.at("backend").get<std::string>());
     csv += csv_field(text_at(record.run, "/build"));
-    for (const Column& column : columns)
+    for (const Column& column : csv_columns)
       csv += "," + (column.device_time && !shown ? "" : csv_field(value_at(cell, column.pointer)));
     for (const std::string& path : params) {
       const auto value = cell.at("params").find(path);

@@ -78,7 +78,7 @@ std::string sweep_section(const Record& record) {
 }
 
 // Which cases each variant passes and fails, and the figures of every set.
-std::string hard_cases(const FunctionBackend& backend) {
+std::string hard_cases_markdown(const FunctionBackend& backend) {
   const auto rows = rows_by_set(backend);
   if (rows.empty()) return "";
   std::string text = fmt::format("\n### Hard cases on {}\n\n", escaped_markdown(backend.backend));
@@ -111,7 +111,7 @@ std::string functions_section(const Record& record) {
       text += "\n";
       for (const FunctionSummary& row : backend.variants) text += markdown_row(function_cells(row));
     }
-    for (const FunctionBackend& backend : report.backends) text += hard_cases(backend);
+    for (const FunctionBackend& backend : report.backends) text += hard_cases_markdown(backend);
     text += "\n";
     for (const std::string& note : function_notes(report)) text += fmt::format("{}  \n", escaped_markdown(note));
   }

@@ -6,9 +6,9 @@ namespace lamina {
 
 CompiledShader rebound(const CompiledShader& shader, uint32_t from, uint32_t to) {
   // Words of OpDecorate: the instruction, its target, the decoration, the binding (specification, section 3.32.3).
-  constexpr size_t header_words = 5, decoration_word = 2, binding_word = 3;
+  constexpr size_t decoration_word = 2, binding_word = 3;
   CompiledShader result = shader;
-  for (size_t at = header_words; at < result.spirv.size();) {
+  for (size_t at = spirv_header_words; at < result.spirv.size();) {
     const uint32_t op = result.spirv[at] & 0xffff, words = result.spirv[at] >> 16;
     if (op == spv::OpDecorate && result.spirv[at + decoration_word] == spv::DecorationBinding &&
         result.spirv[at + binding_word] == from)

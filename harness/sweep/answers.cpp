@@ -15,8 +15,6 @@
 namespace lamina {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 // "fov_y_degrees" of "views.front.fov_y_degrees", "position.x" of "lights.rim.position.x", and "key.intensity" of
 // "lights.key.intensity" where the curve has "lights.rim.intensity" too.
 std::string short_name(const std::string& path, const Curve& curve) {

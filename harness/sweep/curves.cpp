@@ -16,7 +16,6 @@ const Metric* metric_named(std::string_view name) {
 namespace {
 
 using Json = nlohmann::json;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // The metric's figure in a cell; NaN where it has none.
 double figure(const Json& cell, std::string_view metric) {

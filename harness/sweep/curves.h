@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "harness/record/record.h"
 
 namespace lamina {
+
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // What a curve can show. Errors are those of the worst view, over the pixels that the effect covers.
 struct Metric {

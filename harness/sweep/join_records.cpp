@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 using Ordered = nlohmann::ordered_json;
 
-[[noreturn]] void refuse(const std::string& where, const std::string& why) {
+[[noreturn]] void refuse_to_join(const std::string& where, const std::string& why) {
   throw Error(ErrorKind::bad_input, "merge", where, why);
 }
 
@@ -84,7 +84,7 @@ Joined join_records(const std::vector<std::filesystem::path>& files) {
   std::vector<Part> parts;
   for (const std::filesystem::path& file : files) {
     parts.push_back({file, read_record(file)});
-    if (parts.back().record.sweeps.size() != 1) refuse(file.string(), "is no record of a sweep");
+    if (parts.back().record.sweeps.size() != 1) refuse_to_join(file.string(), "is no record of a sweep");
   }
   std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
     const auto shard = [](const Part& part) { return part.record.sweeps.front().at("shard").at("index").get<size_t>(); };
@@ -110,8 +110,8 @@ Joined join_records(const std::vector<std::filesystem::path>& files) {
   for (const Part& part : parts) {
     const Json changes = Json::diff(identity(parts.front()), identity(part));
     if (!changes.empty())
-      refuse(part.file.string(), fmt::format("is of another sweep than {}: '{}' differs", parts.front().file.string(),
-                                             changes.front().at("path").get<std::string>().substr(1)));
+      refuse_to_join(part.file.string(), fmt::format("is of another sweep than {}: '{}' differs", parts.front().file.string(),
+                                                     changes.front().at("path").get<std::string>().substr(1)));
     joined.several_machines = joined.several_machines ||
                               part.record.run.at("machine") != parts.front().record.run.at("machine") ||
                               part.record.run.at("devices") != parts.front().record.run.at("devices");
@@ -124,10 +124,10 @@ Joined join_records(const std::vector<std::filesystem::path>& files) {
       ++joined.duplicates;
       const Json first = without_times(*known->second.cell), second = without_times(cell);
       if (const Json unlike = Json::diff(first, second); !unlike.empty())
-        refuse(part.file.string(),
-               fmt::format("disagrees with {} about {} on {}, view {}, {}: '{}' differs; run one of them again",
-                           known->second.part->file.string(), variant, backend, view, cell.at("params").dump(),
-                           unlike.front().at("path").get<std::string>().substr(1)));
+        refuse_to_join(part.file.string(),
+                       fmt::format("disagrees with {} about {} on {}, view {}, {}: '{}' differs; run one of them again",
+                                   known->second.part->file.string(), variant, backend, view, cell.at("params").dump(),
+                                   unlike.front().at("path").get<std::string>().substr(1)));
     }
   }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's section on functions: which variants are worth having, the chart that shows it, tables and pictures of the error.
+#include "reports/functions.h"
+
 #include <fmt/format.h>
 
-#include "reports/functions.h"
 #include "reports/html/html.h"
 
 namespace lamina {
@@ -32,7 +33,7 @@ std::string rounds(const FunctionBackend& backend) {
 }
 
 // Which cases each variant passes and fails, in words, and the figures of every set.
-std::string hard_cases(const FunctionBackend& backend) {
+std::string hard_cases_html(const FunctionBackend& backend) {
   const std::vector<const Json*> rows = rows_by_set(backend);
   if (rows.empty()) return "";
   std::string html = fmt::format("<h3>Hard cases on {}</h3>\n<ul class=\"verdicts\">\n", escaped_html(backend.backend));
@@ -135,7 +136,7 @@ std::string html_functions(const Record& record, const std::string& name, const 
     for (const FunctionBackend& backend : report.backends) html += main_table(report, backend) + rounds(backend);
     for (const std::string& note : function_notes(report))
       html += fmt::format("<p class=\"note\">{}</p>\n", escaped_html(note));
-    for (const FunctionBackend& backend : report.backends) html += hard_cases(backend);
+    for (const FunctionBackend& backend : report.backends) html += hard_cases_html(backend);
     for (const FunctionBackend& backend : report.backends) html += slices(backend, &backend == &report.backends.front(), url);
   }
   return html;

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr size_t most_open = 1;  // groups that stand open; the others unfold
+constexpr size_t most_groups_open = 1;  // groups that stand open; the others unfold
 
 std::vector<std::vector<const Json*>> group_shots(const Record& record) {
   std::map<std::string, size_t> places;
@@ -64,26 +64,26 @@ std::string pictures(const std::vector<const Json*>& cells, const std::string& d
   return html.empty() ? "" : "<div class=\"shots\">\n" + html + "</div>\n";
 }
 
-constexpr std::array<const char*, 14> columns = {"variant",
-                                                 "frame ms [95%]",
-                                                 "ratio [95%]",
-                                                 "done once, ms",
-                                                 "fetches/px",
-                                                 "PSNR dB",
-                                                 "SSIM",
-                                                 "FLIP",
-                                                 "RMSE, linear",
-                                                 "max, linear",
-                                                 "covered px",
-                                                 "non-finite px",
-                                                 "worst tile: FLIP at x, y",
-                                                 "to truth: PSNR dB, SSIM, FLIP"};
+constexpr std::array<const char*, 14> gallery_columns = {"variant",
+                                                         "frame ms [95%]",
+                                                         "ratio [95%]",
+                                                         "done once, ms",
+                                                         "fetches/px",
+                                                         "PSNR dB",
+                                                         "SSIM",
+                                                         "FLIP",
+                                                         "RMSE, linear",
+                                                         "max, linear",
+                                                         "covered px",
+                                                         "non-finite px",
+                                                         "worst tile: FLIP at x, y",
+                                                         "to truth: PSNR dB, SSIM, FLIP"};
 
 // The last column is left out where no cell has a truth.
-std::string figures_row(const Record& record, const Json& cell, bool with_truth) {
+std::string cell_row(const Record& record, const Json& cell, bool with_truth) {
   if (cell.at("status") == "failed")
     return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"bad wrap\" colspan=\"{}\">Failed: {}</td></tr>\n",
-                       escaped_html(text_of(cell, "variant")), columns.size() - (with_truth ? 1 : 2),
+                       escaped_html(text_of(cell, "variant")), gallery_columns.size() - (with_truth ? 1 : 2),
                        escaped_html(text_of(cell, "reason")));
   const std::vector<double> samples_ms = shown_samples_ms(record, cell);
   const bool shown = times_shown(record, text_of(cell, "backend"));
@@ -146,7 +146,8 @@ std::string html_gallery(const Record& record, const PictureUrl& url) {
       "</span>1</span></p>\n";
   const bool with_truth =
       std::ranges::any_of(record.cells, [](const Json& cell) { return !cell.at("error").at("truth").is_null(); });
-  const auto head = header_row(std::span(columns).first(columns.size() - (with_truth ? 0 : 1)), columns.size());
+  const auto head =
+      header_row(std::span(gallery_columns).first(gallery_columns.size() - (with_truth ? 0 : 1)), gallery_columns.size());
   size_t place = 0;
   for (const auto& cells : group_shots(record)) {
     const Json& sample = *cells.front();
@@ -155,9 +156,9 @@ std::string html_gallery(const Record& record, const PictureUrl& url) {
     html += fmt::format(
         "<details class=\"group\"{}><summary>{} <small>{}</small></summary>\n<div class=\"scroll\" tabindex=\"0\" "
         "role=\"region\" aria-label=\"{}\"><table class=\"wide cells\">{}<tbody>\n",
-        place++ < most_open ? " open" : "", escaped_html(what), escaped_html(entries_of(sample.at("params"))),
+        place++ < most_groups_open ? " open" : "", escaped_html(what), escaped_html(entries_of(sample.at("params"))),
         escaped_html(what + ", " + entries_of(sample.at("params"))), head);
-    for (const Json* cell : cells) html += figures_row(record, *cell, with_truth);
+    for (const Json* cell : cells) html += cell_row(record, *cell, with_truth);
     html += "</tbody></table></div>\n" + html_samples(record, cells) + pictures(cells, difference, url) + "</details>\n";
   }
   return html;

@@ -50,7 +50,7 @@ Json costs_and_errors(const CostAndErrors& all, uint32_t bits) {
   return one;
 }
 
-void add_rows(Json& rows, const std::vector<SummaryRow>& summary, size_t record) {
+void add_summary_rows(Json& rows, const std::vector<SummaryRow>& summary, size_t record) {
   std::map<std::pair<std::string, std::string>, std::vector<const SummaryRow*>> groups;
   for (const SummaryRow& row : summary) groups[{row.effect, row.backend}].push_back(&row);
   std::map<const SummaryRow*, uint32_t> bits;
@@ -220,7 +220,7 @@ Json page_data(const std::vector<Record>& records) {
   for (size_t i = 0; i < records.size(); ++i) {
     const Record& record = records[i];
     about.push_back({{"name", record_name(records, i)}, {"gain", text_at(record.run, "/settings/difference_gain")}});
-    add_rows(rows, summarize(record), i);
+    add_summary_rows(rows, summarize(record), i);
     add_cells(cells, record, i, names);
     add_passes(passes, record, i);
     add_strips(strips, record, i);

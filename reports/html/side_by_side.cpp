@@ -17,7 +17,7 @@ std::string cells_of_row(const std::string& head, const std::vector<std::string>
   return html + "</tr>\n";
 }
 
-std::string table(const std::string& caption, const std::vector<Record>& records, const std::string& body) {
+std::string side_by_side_table(const std::string& caption, const std::vector<Record>& records, const std::string& body) {
   std::string head = "<th scope=\"col\"></th>";
   for (size_t i = 0; i < records.size(); ++i)
     head += fmt::format("<th scope=\"col\">{}</th>", escaped_html(record_name(records, i)));
@@ -42,7 +42,7 @@ std::string what_differs(const std::vector<Record>& records) {
     if (std::set<std::string>(values[label].begin(), values[label].end()).size() > 1)
       body += cells_of_row(label, values[label]);
   return body.empty() ? "<p>The records say the same of where and how they were run.</p>\n"
-                      : table("What the records differ in", records, body);
+                      : side_by_side_table("What the records differ in", records, body);
 }
 
 }  // namespace
@@ -66,11 +66,11 @@ std::string html_side_by_side(const std::vector<Record>& records) {
     body += cells_of_row(key, figures[key]);
   }
   return what_differs(records) +
-         (body.empty()
-              ? ""
-              : table("Frame time [95%], fetches a pixel, SSIM and FLIP to each record's own baseline", records, body) +
-                    "<p class=\"note\">Times of different machines, drivers or moments are set side by side here, not "
-                    "compared: what was not timed in one run, interleaved, has no ratio.</p>\n");
+         (body.empty() ? ""
+                       : side_by_side_table("Frame time [95%], fetches a pixel, SSIM and FLIP to each record's own baseline",
+                                            records, body) +
+                             "<p class=\"note\">Times of different machines, drivers or moments are set side by side here, not "
+                             "compared: what was not timed in one run, interleaved, has no ratio.</p>\n");
 }
 
 }  // namespace lamina

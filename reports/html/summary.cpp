@@ -26,7 +26,7 @@ std::string figures_row(const Cells& cells, size_t names, size_t last_names, con
   return html + "</tr>\n";
 }
 
-std::string table(const std::string& caption, const std::string& head, const std::string& body, bool wide) {
+std::string summary_table(const std::string& caption, const std::string& head, const std::string& body, bool wide) {
   // A table that scrolls has to take the keyboard's focus, else no key moves it.
   return fmt::format(
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
@@ -62,7 +62,7 @@ std::string html_summary(const std::vector<SummaryRow>& rows) {
     std::string body;
     for (; i < rows.size() && rows[i].effect == effect; ++i)
       body += figures_row(summary_cells(rows[i], truth), 2, 1, rows[i].baseline ? " class=\"baseline\"" : "");
-    html += table(escaped_html(effect), header_row(heads, 2, 1), body, true);
+    html += summary_table(escaped_html(effect), header_row(heads, 2, 1), body, true);
   }
   for (const SummaryRow& row : rows)
     if (const std::string trouble = trouble_of(row); !trouble.empty())
@@ -86,7 +86,7 @@ std::string html_passes(const Record& record) {
     body += row;
   }
   std::vector<const char*> heads(pass_columns.begin(), pass_columns.end());
-  return table(
+  return summary_table(
       "Means over views; fetches per pixel that the effect covers; ns per fetch: the pass's whole time over its fetches",
       header_row(heads, 4, 1), body, true);
 }

@@ -36,7 +36,7 @@ std::pair<std::string, std::string> around_backend(const std::string& sentence, 
 }
 
 // "vulkan", "vulkan and osmesa", "vulkan, osmesa and egl".
-std::string joined(const std::vector<std::string>& names) {
+std::string joined_names(const std::vector<std::string>& names) {
   const size_t last = names.size() - 1;
   if (last == 0) return names[0];
   return fmt::format("{} and {}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(last), ", "),
@@ -67,7 +67,7 @@ std::vector<Headline> crossover_headlines(const Record& record, Told told) {
   std::vector<Headline> all;
   for (const auto& [effect, before, after, backends] : answers)
     all.push_back({.variant = several ? effect : "",
-                   .words = backends.empty() ? before : fmt::format("{} on {}{}", before, joined(backends), after)});
+                   .words = backends.empty() ? before : fmt::format("{} on {}{}", before, joined_names(backends), after)});
   return all;
 }
 

@@ -278,7 +278,7 @@ TEST_F(RecordFile, AMissingFileIsRefusedByName) {
   }
 }
 
-Json interval() { return {{"median", 1.0}, {"low", 0.9}, {"high", 1.1}, {"rounds", 60}, {"coverage", 0.96}}; }
+Json ratio_interval() { return {{"median", 1.0}, {"low", 0.9}, {"high", 1.1}, {"rounds", 60}, {"coverage", 0.96}}; }
 Json gate_line() {
   return {{"kind", "gate"},     {"mode", "against"}, {"against", "a stored record"},
           {"verdict", "same"},  {"status", 0},       {"processes", 3},
@@ -286,12 +286,14 @@ Json gate_line() {
           {"confidence", 0.95}, {"comparisons", 12}};
 }
 Json aa_line() {
-  return {{"kind", "aa"}, {"backend", "vulkan"}, {"effect", "e"}, {"variant", "v"}, {"ratio", interval()}, {"verdict", "same"}};
+  return {{"kind", "aa"},   {"backend", "vulkan"},       {"effect", "e"},
+          {"variant", "v"}, {"ratio", ratio_interval()}, {"verdict", "same"}};
 }
 Json verdict_line() {
-  return {{"kind", "verdict"}, {"backend", "vulkan"}, {"effect", "e"},    {"variant", "v"},    {"view", ""},
-          {"what", "time"},    {"pass", ""},          {"texture", ""},    {"verdict", "same"}, {"before", 1.5},
-          {"after", nullptr},  {"ratio", interval()}, {"limit", nullptr}, {"sentence", "s"}};
+  return {{"kind", "verdict"}, {"backend", "vulkan"}, {"effect", "e"},    {"variant", "v"},
+          {"view", ""},        {"what", "time"},      {"pass", ""},       {"texture", ""},
+          {"verdict", "same"}, {"before", 1.5},       {"after", nullptr}, {"ratio", ratio_interval()},
+          {"limit", nullptr},  {"sentence", "s"}};
 }
 
 TEST_F(RecordFile, AGatesLinesAreReadAndEveryFieldOfThemIsChecked) {

@@ -11,6 +11,12 @@
 
 namespace lamina {
 
+inline size_t count_of(const std::string& text, const std::string& part) {
+  size_t count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
 // A cell of 100 covered pixels whose frame is one pass with these times, ms.
 inline CellRow example_cell(std::string variant, std::string view, std::vector<double> ms, std::string backend = "vulkan") {
   CellRow cell;

@@ -79,12 +79,6 @@ TEST_F(GateFiles, TheSchemaRefusesWhatIsNotJunit) {  // else the tests above sho
   EXPECT_NE(validate(xml), 0);
 }
 
-size_t count_of(const std::string& text, const std::string& part) {
-  size_t count = 0;
-  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
-
 TEST(GateJunit, HasOneTestCaseAVerdictWithItsOutcome) {
   const std::string xml = gate_junit(example_failed_gate());
   EXPECT_TRUE(has(xml,

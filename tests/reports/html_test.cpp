@@ -9,12 +9,6 @@
 namespace lamina {
 namespace {
 
-size_t count_of(const std::string& text, const std::string& part) {
-  size_t count = 0;
-  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
-
 TEST(HtmlReport, EscapesEveryStringOfTheRecord) {
   const std::string evil = "<script>alert(\"1\")</script>&'";
   std::vector<CellRow> cells = example_cells();

@@ -25,12 +25,6 @@ std::vector<CellRow> cells_with_truth() {
   return cells;
 }
 
-size_t count_of(const std::string& text, const std::string& part) {
-  size_t count = 0;
-  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
-
 TEST(Truth, IsSummedUpOverViewsLikeTheBaseline) {
   const std::vector<SummaryRow> rows = summarize(example_record(cells_with_truth()));
   ASSERT_TRUE(rows[0].mean_to_truth);

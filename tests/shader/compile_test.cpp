@@ -13,8 +13,6 @@ namespace {
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
-constexpr Api both_apis[] = {Api::vulkan, Api::opengl};
-
 class Compile : public ShaderFiles {
  protected:
   Error fragment_error(Api api, std::string_view body) const {

@@ -22,7 +22,7 @@ struct Rays {
   float bias_m;  // how far they start above the surface
 };
 
-std::string key_of(const Occluders& occluders, const SurfacePoints& surface, const Rays& rays) {
+std::string visibility_key(const Occluders& occluders, const SurfacePoints& surface, const Rays& rays) {
   const std::string_view points(reinterpret_cast<const char*>(surface.points.data()),
                                 surface.points.size() * sizeof(SurfacePoint));
   return "visibility-" + hash_hex(fmt::format("{} {} {} {} {} {}", cache_version, occluders.hash(), hash_hex(points),
@@ -30,7 +30,7 @@ std::string key_of(const Occluders& occluders, const SurfacePoints& surface, con
 }
 
 template <class T>
-std::vector<std::byte> bytes_of(const std::vector<T>& values) {
+std::vector<std::byte> copied_bytes(const std::vector<T>& values) {
   const auto bytes = std::as_bytes(std::span(values));
   return {bytes.begin(), bytes.end()};
 }
@@ -51,7 +51,7 @@ class ApertureBaker : public Baker {
                                                        : single_apertures(*of.visibility);
     Baked baked;
     if (of.surface.map_side == 0)
-      baked.buffers["Apertures"] = bytes_of(all);
+      baked.buffers["Apertures"] = copied_bytes(all);
     else
       for (uint32_t i = 0; i < kind.count; ++i) baked.textures[map_name(i)] = map_of(object, of.surface, all, kind, i);
     return baked;
@@ -74,7 +74,7 @@ class ApertureBaker : public Baker {
     Seen made;
     made.surface = map_texels > 0 ? map_points(of, map_texels) : vertex_points(of);
     made.visibility = std::make_unique<Visibility>(made.surface.points, rays.count, rays.seed);
-    const std::string key = key_of(tools_.occluders(), made.surface, rays);
+    const std::string key = visibility_key(tools_.occluders(), made.surface, rays);
     const std::span<uint64_t> bits = made.visibility->all_bits();
     const auto start = std::chrono::steady_clock::now();
     BakeStats stats;
@@ -97,8 +97,11 @@ class ApertureBaker : public Baker {
     for (const uint32_t point : surface.point_of_texel)
       halves.push_back(glm::packHalf4x16(all[size_t{point} * kind.count + i]));
     const uint32_t side = surface.map_side;
-    return std::make_shared<const TextureImage>(TextureImage{
-        fmt::format("{} aperture {}", scene_.objects[object].name, i), Format::rgba16_float, side, side, {bytes_of(halves)}});
+    return std::make_shared<const TextureImage>(TextureImage{fmt::format("{} aperture {}", scene_.objects[object].name, i),
+                                                             Format::rgba16_float,
+                                                             side,
+                                                             side,
+                                                             {copied_bytes(halves)}});
   }
 
   const Scene& scene_;

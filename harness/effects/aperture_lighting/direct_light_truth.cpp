@@ -17,8 +17,8 @@ std::string_view bytes_of(const std::vector<T>& values) {
 }
 
 // All that light at the points follows from.
-std::string key_of(const ShadingPoints& points, const Scene& scene, const Occluders& occluders, LightModel model,
-                   const DirectLightOptions& options) {
+std::string light_key(const ShadingPoints& points, const Scene& scene, const Occluders& occluders, LightModel model,
+                      const DirectLightOptions& options) {
   constexpr int version = 1;  // changes when the same input no longer gives the same light
   std::string text = fmt::format("{} {} {} {} {} {} {} {}", version, static_cast<int>(model), occluders.hash(),
                                  points.kind.count, points.kind.anti, options.light_rays, options.seed, options.bias_m);
@@ -74,7 +74,7 @@ class DirectLightTruth : public Truth {
 
  private:
   std::string key(const ShadingPoints& points, LightModel model) const {
-    return key_of(points, setting_.scene, setting_.occluders, model, options_);
+    return light_key(points, setting_.scene, setting_.occluders, model, options_);
   }
 
   // From the disk, or made.

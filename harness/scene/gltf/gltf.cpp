@@ -15,10 +15,6 @@
 namespace lamina {
 namespace {
 
-[[noreturn]] void refuse(const std::string& subject, const std::string& message) {
-  throw Error(ErrorKind::bad_input, "gltf", subject, message);
-}
-
 std::string node_label(const tinygltf::Model& model, int node) {
   const std::string& name = model.nodes[size_t(node)].name;
   return name.empty() ? fmt::format("node {}", node) : fmt::format("node '{}'", name);
@@ -29,7 +25,7 @@ std::vector<double> numbers(const std::vector<double>& given, std::vector<double
                             const std::string& subject) {
   if (given.empty()) return otherwise;
   if (given.size() != otherwise.size())
-    refuse(subject, fmt::format("{} has {} numbers; it needs {}", what, given.size(), otherwise.size()));
+    refuse_gltf(subject, fmt::format("{} has {} numbers; it needs {}", what, given.size(), otherwise.size()));
   return given;
 }
 
@@ -44,7 +40,7 @@ glm::dmat4 parent_from_node(const tinygltf::Node& node, const std::string& subje
   const std::vector<double> r = numbers(node.rotation, {0, 0, 0, 1}, "rotation", subject);
   const std::vector<double> s = numbers(node.scale, {1, 1, 1}, "scale", subject);
   const glm::dquat rotation(r[3], r[0], r[1], r[2]);
-  if (!(glm::length(rotation) > 0)) refuse(subject, "rotation is the zero quaternion");
+  if (!(glm::length(rotation) > 0)) refuse_gltf(subject, "rotation is the zero quaternion");
   return glm::translate(glm::dmat4(1), {t[0], t[1], t[2]}) * glm::mat4_cast(glm::normalize(rotation)) *
          glm::scale(glm::dmat4(1), {s[0], s[1], s[2]});
 }
@@ -60,7 +56,7 @@ std::vector<PlacedNode> placed_nodes(const tinygltf::Model& model, const std::st
   if (!model.scenes.empty()) {
     const int shown = std::max(model.defaultScene, 0);
     if (size_t(shown) >= model.scenes.size())
-      refuse(file, fmt::format("shows scene {}; it has {}", shown, model.scenes.size()));
+      refuse_gltf(file, fmt::format("shows scene {}; it has {}", shown, model.scenes.size()));
     roots = model.scenes[size_t(shown)].nodes;
   } else {
     std::set<int> children;
@@ -73,8 +69,8 @@ std::vector<PlacedNode> placed_nodes(const tinygltf::Model& model, const std::st
   std::set<int> met;
   const auto place = [&](int node, const glm::dmat4& world_from_parent, const std::string& by) {
     if (node < 0 || size_t(node) >= model.nodes.size())
-      refuse(by, fmt::format("refers to node {}; the file has {}", node, model.nodes.size()));
-    if (!met.insert(node).second) refuse(node_label(model, node), "is reached twice; nodes must form a tree");
+      refuse_gltf(by, fmt::format("refers to node {}; the file has {}", node, model.nodes.size()));
+    if (!met.insert(node).second) refuse_gltf(node_label(model, node), "is reached twice; nodes must form a tree");
     const glm::dmat4 world_from_node = world_from_parent * parent_from_node(model.nodes[size_t(node)], node_label(model, node));
     placed.push_back({node, world_from_node});
   };
@@ -99,7 +95,7 @@ std::optional<Placement> placement(const PlacedNode& node, const std::string& la
   const glm::mat4 world_from_object(matrix);
   for (int i = 0; i < 16; ++i)
     if (!std::isfinite(world_from_object[i / 4][i % 4]))
-      refuse(label, "its place in the world is not finite; check its matrices");
+      refuse_gltf(label, "its place in the world is not finite; check its matrices");
   if (determinant == 0) {
     warnings.push_back(fmt::format("The {} is scaled to nothing and is left out.", label));
     return std::nullopt;
@@ -113,7 +109,7 @@ class ObjectMaker {
 
   void add_mesh(int mesh_index, const std::string& node_name, const std::string& by, const Placement& place) {
     if (size_t(mesh_index) >= model_.meshes.size())
-      refuse(by, fmt::format("refers to mesh {}; the file has {}", mesh_index, model_.meshes.size()));
+      refuse_gltf(by, fmt::format("refers to mesh {}; the file has {}", mesh_index, model_.meshes.size()));
     const tinygltf::Mesh& mesh = model_.meshes[size_t(mesh_index)];
     const std::string mesh_name = mesh.name.empty() ? fmt::format("mesh {}", mesh_index) : mesh.name;
     const std::string base = node_name.empty() ? mesh_name : node_name;
@@ -166,7 +162,7 @@ LoadedModel load_gltf(const std::filesystem::path& file) {
   }
   if (model.nodes.empty())  // a file of meshes alone
     for (size_t i = 0; i < model.meshes.size(); ++i) maker.add_mesh(static_cast<int>(i), "", file.string(), Placement{});
-  if (result.objects.empty()) refuse(file.string(), "has no triangles to draw");
+  if (result.objects.empty()) refuse_gltf(file.string(), "has no triangles to draw");
   return result;
 }
 

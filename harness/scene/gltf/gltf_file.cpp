@@ -11,10 +11,6 @@
 namespace lamina {
 namespace {
 
-[[noreturn]] void refuse(const std::string& subject, const std::string& message) {
-  throw Error(ErrorKind::bad_input, "gltf", subject, message);
-}
-
 std::string trimmed(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   while (!text.empty() && text.back() == ' ') text.pop_back();
@@ -32,19 +28,19 @@ uint32_t little_endian(const std::string& bytes, size_t offset) {
 std::string_view checked_glb_json(const std::string& bytes, const std::string& subject) {
   constexpr size_t header_bytes = 12, chunk_header_bytes = 8;
   if (bytes.size() < header_bytes + chunk_header_bytes)
-    refuse(subject, fmt::format("truncated: {} bytes are too few for a .glb's header", bytes.size()));
+    refuse_gltf(subject, fmt::format("truncated: {} bytes are too few for a .glb's header", bytes.size()));
   if (const uint32_t version = little_endian(bytes, 4); version != 2)
-    refuse(subject, fmt::format("is glTF version {}; only version 2 is read", version));
+    refuse_gltf(subject, fmt::format("is glTF version {}; only version 2 is read", version));
   const uint64_t promised = little_endian(bytes, 8);
   if (promised > bytes.size())
-    refuse(subject, fmt::format("truncated: its header promises {} bytes, the file has {}", promised, bytes.size()));
+    refuse_gltf(subject, fmt::format("truncated: its header promises {} bytes, the file has {}", promised, bytes.size()));
   size_t offset = header_bytes;
   for (size_t chunk = 0; offset < promised; ++chunk) {
-    if (offset + chunk_header_bytes > promised) refuse(subject, fmt::format("chunk {} is cut short", chunk));
+    if (offset + chunk_header_bytes > promised) refuse_gltf(subject, fmt::format("chunk {} is cut short", chunk));
     const uint64_t length = little_endian(bytes, offset);
     offset += chunk_header_bytes;
     if (offset + length > promised)
-      refuse(subject, fmt::format("chunk {} promises {} bytes, {} are left", chunk, length, promised - offset));
+      refuse_gltf(subject, fmt::format("chunk {} promises {} bytes, {} are left", chunk, length, promised - offset));
     offset += length;
   }
   const uint32_t json_bytes = little_endian(bytes, header_bytes);
@@ -64,7 +60,7 @@ void refuse_deep_nesting(std::string_view json, const std::string& subject) {
     } else if (c == '"') {
       in_string = true;
     } else if (c == '{' || c == '[') {
-      if (++depth > deepest) refuse(subject, fmt::format("its JSON is nested deeper than {} levels", deepest));
+      if (++depth > deepest) refuse_gltf(subject, fmt::format("its JSON is nested deeper than {} levels", deepest));
     } else if (c == '}' || c == ']') {
       --depth;
     }
@@ -90,17 +86,17 @@ bool readable_without(const std::string& extension) {
 // Bytes of a buffer view from `offset`. tinygltf leaves all of these indices and lengths unchecked.
 std::span<const std::byte> view_bytes(const tinygltf::Model& model, int view_index, size_t offset, const std::string& subject) {
   if (view_index < 0 || size_t(view_index) >= model.bufferViews.size())
-    refuse(subject, fmt::format("refers to buffer view {}; the file has {}", view_index, model.bufferViews.size()));
+    refuse_gltf(subject, fmt::format("refers to buffer view {}; the file has {}", view_index, model.bufferViews.size()));
   const tinygltf::BufferView& view = model.bufferViews[size_t(view_index)];
   if (view.buffer < 0 || size_t(view.buffer) >= model.buffers.size())
-    refuse(subject,
-           fmt::format("buffer view {} refers to buffer {}; the file has {}", view_index, view.buffer, model.buffers.size()));
+    refuse_gltf(subject, fmt::format("buffer view {} refers to buffer {}; the file has {}", view_index, view.buffer,
+                                     model.buffers.size()));
   const std::vector<unsigned char>& data = model.buffers[size_t(view.buffer)].data;
   if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
-    refuse(subject, fmt::format("buffer view {} ({} bytes from {}) leaves its buffer of {} bytes", view_index, view.byteLength,
-                                view.byteOffset, data.size()));
+    refuse_gltf(subject, fmt::format("buffer view {} ({} bytes from {}) leaves its buffer of {} bytes", view_index,
+                                     view.byteLength, view.byteOffset, data.size()));
   if (offset > view.byteLength)
-    refuse(subject, fmt::format("starts at byte {} of buffer view {}, which has {}", offset, view_index, view.byteLength));
+    refuse_gltf(subject, fmt::format("starts at byte {} of buffer view {}, which has {}", offset, view_index, view.byteLength));
   return std::as_bytes(std::span(data)).subspan(view.byteOffset, view.byteLength).subspan(offset);
 }
 
@@ -145,7 +141,7 @@ size_t component_bytes(int type, const std::string& subject) {
     case TINYGLTF_COMPONENT_TYPE_FLOAT:
       return 4;
     default:
-      refuse(subject, fmt::format("has component type {}, which glTF 2.0 does not have", type));
+      refuse_gltf(subject, fmt::format("has component type {}, which glTF 2.0 does not have", type));
   }
 }
 
@@ -156,7 +152,7 @@ std::vector<double> read_elements(std::span<const std::byte> bytes, size_t count
   if (stride == 0) stride = size * components;
   if (count == 0) return {};
   if (size * components > bytes.size() || (count - 1) > (bytes.size() - size * components) / stride)
-    refuse(subject, fmt::format("has {} elements, {} bytes apart, but only {} bytes", count, stride, bytes.size()));
+    refuse_gltf(subject, fmt::format("has {} elements, {} bytes apart, but only {} bytes", count, stride, bytes.size()));
   std::vector<double> values(count * components);
   for (size_t i = 0; i < count; ++i)
     for (size_t c = 0; c < components; ++c)
@@ -166,12 +162,16 @@ std::vector<double> read_elements(std::span<const std::byte> bytes, size_t count
 
 }  // namespace
 
+void refuse_gltf(const std::string& subject, const std::string& message) {
+  throw Error(ErrorKind::bad_input, "gltf", subject, message);
+}
+
 tinygltf::Model read_gltf_file(const std::filesystem::path& file, std::vector<std::string>& warnings) {
   const std::string subject = file.string();
   const std::string bytes = read_file(file, "gltf");
   const bool binary = bytes.starts_with("glTF");
   refuse_deep_nesting(binary ? checked_glb_json(bytes, subject) : std::string_view(bytes), subject);
-  if (bytes.size() > std::numeric_limits<uint32_t>::max()) refuse(subject, "is larger than 4 GiB");
+  if (bytes.size() > std::numeric_limits<uint32_t>::max()) refuse_gltf(subject, "is larger than 4 GiB");
 
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(keep_encoded, nullptr);
@@ -187,20 +187,20 @@ tinygltf::Model read_gltf_file(const std::filesystem::path& file, std::vector<st
   } catch (const std::exception& thrown) {  // an empty buffer, and what else tinygltf's at() and resize() find
     error = thrown.what();
   }
-  if (!read || !error.empty()) refuse(subject, "is not a glTF 2.0 file that can be read: " + trimmed(error));
+  if (!read || !error.empty()) refuse_gltf(subject, "is not a glTF 2.0 file that can be read: " + trimmed(error));
   if (!warning.empty()) warnings.push_back(subject + ": " + trimmed(warning) + ".");
   for (const std::string& extension : model.extensionsRequired)
     if (!readable_without(extension))
-      refuse(subject, fmt::format("requires the extension {}, which is not read; export the model without it", extension));
+      refuse_gltf(subject, fmt::format("requires the extension {}, which is not read; export the model without it", extension));
   return model;
 }
 
 std::vector<double> read_accessor(const tinygltf::Model& model, int accessor, int components, const std::string& subject) {
   if (accessor < 0 || size_t(accessor) >= model.accessors.size())
-    refuse(subject, fmt::format("refers to accessor {}; the file has {}", accessor, model.accessors.size()));
+    refuse_gltf(subject, fmt::format("refers to accessor {}; the file has {}", accessor, model.accessors.size()));
   const tinygltf::Accessor& from = model.accessors[size_t(accessor)];
   const int has = tinygltf::GetNumComponentsInType(uint32_t(from.type));
-  if (has != components) refuse(subject, fmt::format("has {} components where {} are needed", has, components));
+  if (has != components) refuse_gltf(subject, fmt::format("has {} components where {} are needed", has, components));
   const auto width = static_cast<size_t>(components);
 
   std::vector<double> values;
@@ -211,14 +211,14 @@ std::vector<double> read_accessor(const tinygltf::Model& model, int accessor, in
   } else {
     // All zeros by definition; only sparse accessors have a use for that, and only memory bounds their count.
     constexpr size_t most_zeros = size_t{1} << 24;
-    if (from.count > most_zeros) refuse(subject, fmt::format("has {} elements but no buffer view", from.count));
+    if (from.count > most_zeros) refuse_gltf(subject, fmt::format("has {} elements but no buffer view", from.count));
     values.assign(from.count * width, 0.0);
   }
   if (!from.sparse.isSparse) return values;
 
   const auto& sparse = from.sparse;
   if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
-    refuse(subject, "its sparse part has a negative count or offset");
+    refuse_gltf(subject, "its sparse part has a negative count or offset");
   const auto count = static_cast<size_t>(sparse.count);
   const std::vector<double> places =
       read_elements(view_bytes(model, sparse.indices.bufferView, size_t(sparse.indices.byteOffset), subject), count, 1,
@@ -228,7 +228,7 @@ std::vector<double> read_accessor(const tinygltf::Model& model, int accessor, in
                     from.componentType, from.normalized, 0, subject);
   for (size_t i = 0; i < count; ++i) {
     if (!(places[i] >= 0 && places[i] < double(from.count)))
-      refuse(subject, fmt::format("its sparse part replaces element {} of {}", places[i], from.count));
+      refuse_gltf(subject, fmt::format("its sparse part replaces element {} of {}", places[i], from.count));
     std::copy_n(&replaced[i * width], width, &values[size_t(places[i]) * width]);
   }
   return values;
@@ -236,10 +236,11 @@ std::vector<double> read_accessor(const tinygltf::Model& model, int accessor, in
 
 std::span<const std::byte> encoded_picture(const tinygltf::Model& model, int image, const std::string& subject) {
   if (image < 0 || size_t(image) >= model.images.size())
-    refuse(subject, fmt::format("refers to picture {}; the file has {}", image, model.images.size()));
+    refuse_gltf(subject, fmt::format("refers to picture {}; the file has {}", image, model.images.size()));
   const tinygltf::Image& picture = model.images[size_t(image)];
   if (picture.bufferView >= 0) return view_bytes(model, picture.bufferView, 0, subject);
-  if (picture.image.empty()) refuse(subject, fmt::format("its picture '{}' cannot be found beside the model", picture.uri));
+  if (picture.image.empty())
+    refuse_gltf(subject, fmt::format("its picture '{}' cannot be found beside the model", picture.uri));
   return std::as_bytes(std::span(picture.image));
 }
 

@@ -4,14 +4,11 @@
 #include <cmath>
 
 #include "harness/core/error.h"
+#include "harness/scene/gltf/gltf_file.h"
 #include "harness/scene/mesh/tangents.h"
 
 namespace lamina {
 namespace {
-
-[[noreturn]] void refuse(const std::string& subject, const std::string& message) {
-  throw Error(ErrorKind::bad_input, "gltf", subject, message);
-}
 
 // The attribute's numbers, all finite; empty where the primitive has no such attribute.
 std::vector<double> read_attribute(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
@@ -22,7 +19,7 @@ std::vector<double> read_attribute(const tinygltf::Model& model, const tinygltf:
   std::vector<double> values = read_accessor(model, found->second, components, subject);
   for (size_t i = 0; i < values.size(); ++i)
     if (!std::isfinite(values[i]))
-      refuse(fmt::format("{}, vertex {}", subject, i / size_t(components)), "is not a finite number; repair the model");
+      refuse_gltf(fmt::format("{}, vertex {}", subject, i / size_t(components)), "is not a finite number; repair the model");
   return values;
 }
 
@@ -37,7 +34,7 @@ std::vector<uint32_t> triangle_corners(const tinygltf::Model& model, const tinyg
     const std::string subject = fmt::format("mesh '{}', indices", mesh_name);
     for (const double index : read_accessor(model, primitive.indices, 1, subject)) {
       if (!(index >= 0 && index < double(vertices) && index == std::floor(index)))
-        refuse(subject, fmt::format("index {} is out of range; the mesh has {} vertices", index, vertices));
+        refuse_gltf(subject, fmt::format("index {} is out of range; the mesh has {} vertices", index, vertices));
       order.push_back(static_cast<uint32_t>(index));
     }
   }
@@ -135,7 +132,7 @@ void mirror_in_x(Mesh& mesh) {
 std::optional<Mesh> mesh_from_primitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
                                         const std::string& name, bool mirrored, std::vector<std::string>& warnings) {
   if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
-    refuse(fmt::format("mesh '{}'", name), fmt::format("primitive mode {} is none of glTF's", primitive.mode));
+    refuse_gltf(fmt::format("mesh '{}'", name), fmt::format("primitive mode {} is none of glTF's", primitive.mode));
   if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
     warnings.push_back(fmt::format("Mesh '{}' has points or lines, which are not drawn.", name));
     return std::nullopt;
@@ -147,13 +144,14 @@ std::optional<Mesh> mesh_from_primitive(const tinygltf::Model& model, const tiny
   const std::vector<double> tangents = read_attribute(model, primitive, "TANGENT", 4, name);
   const std::vector<double> uvs = read_attribute(model, primitive, "TEXCOORD_0", 2, name);
   const size_t count = positions.size() / 3;
-  if (count == 0) refuse(fmt::format("mesh '{}'", name), "has no POSITION");
+  if (count == 0) refuse_gltf(fmt::format("mesh '{}'", name), "has no POSITION");
   if (uvs.empty())
-    refuse(fmt::format("mesh '{}'", name),
-           "has no TEXCOORD_0; textures need texture coordinates, so unwrap it and export again");
+    refuse_gltf(fmt::format("mesh '{}'", name),
+                "has no TEXCOORD_0; textures need texture coordinates, so unwrap it and export again");
   const auto require_count = [&](const char* attribute, size_t has) {
     if (has != 0 && has != count)
-      refuse(fmt::format("mesh '{}', {}", name, attribute), fmt::format("has {} vertices where POSITION has {}", has, count));
+      refuse_gltf(fmt::format("mesh '{}', {}", name, attribute),
+                  fmt::format("has {} vertices where POSITION has {}", has, count));
   };
   require_count("NORMAL", normals.size() / 3);
   require_count("TANGENT", tangents.size() / 4);

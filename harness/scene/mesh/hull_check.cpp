@@ -13,7 +13,7 @@ namespace {
 
 // Spreads 64 bits (the finalizer of Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", 2014): meshes on
 // grids have keys that differ in few bits.
-uint64_t mix(uint64_t z) {
+uint64_t mixed_bits(uint64_t z) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
   return z ^ (z >> 31);
@@ -21,10 +21,10 @@ uint64_t mix(uint64_t z) {
 
 using PositionBits = std::array<uint32_t, 3>;
 struct HashPosition {
-  size_t operator()(const PositionBits& p) const { return mix(mix(uint64_t{p[0]} << 32 | p[1]) + p[2]); }
+  size_t operator()(const PositionBits& p) const { return mixed_bits(mixed_bits(uint64_t{p[0]} << 32 | p[1]) + p[2]); }
 };
 struct HashEdge {
-  size_t operator()(uint64_t edge) const { return mix(edge); }
+  size_t operator()(uint64_t edge) const { return mixed_bits(edge); }
 };
 
 // A number for each vertex: the first vertex that stands at its place.
