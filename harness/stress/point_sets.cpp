@@ -18,10 +18,10 @@ namespace {
 
 // The nearest binary32 in the input's range: pi is none.
 float in_range(double number, const FamilyInput& input) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
+  constexpr float no_bound = std::numeric_limits<float>::infinity();
   const float rounded = static_cast<float>(number);
-  if (rounded > input.to) return std::nextafter(rounded, -infinity);
-  return rounded < input.from ? std::nextafter(rounded, infinity) : rounded;
+  if (rounded > input.to) return std::nextafter(rounded, -no_bound);
+  return rounded < input.from ? std::nextafter(rounded, no_bound) : rounded;
 }
 
 float grid_number(const FamilyInput& input, size_t i, size_t steps) {
