@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/backend/opengl/commands.h"
 
-#include <chrono>
+#include "harness/core/stopwatch.h"
 
 namespace lamina::gl {
 namespace {
@@ -120,8 +120,7 @@ RunTimes run_passes(Resources& resources, PassTimer& timer, SampleCounts& sample
   const auto longest_name = static_cast<size_t>(message_limit - 1);
   glFinish();
 
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
+  const Stopwatch watch;
   for (size_t i = 0; i < passes.size(); ++i) {
     const DebugGroup group(passes[i].name, longest_name);
     if (timed) timer.begin(i);
@@ -132,7 +131,7 @@ RunTimes run_passes(Resources& resources, PassTimer& timer, SampleCounts& sample
   glFinish();
 
   RunTimes times;
-  times.wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  times.wall_ms = watch.elapsed_ms();
   throw_on_error(passes.size() == 1 ? passes[0].name : fmt::format("a frame of {} passes", passes.size()));
   if (timed) times.pass_ms = timer.read_ms(passes.size());
   times.samples = samples.read(passes);

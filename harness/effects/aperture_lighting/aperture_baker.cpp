@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/effects/aperture_lighting/aperture_baker.h"
 
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 #include <span>
 
 #include "harness/core/error.h"
+#include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
 
 namespace lamina {
@@ -76,7 +76,7 @@ class ApertureBaker : public Baker {
     made.visibility = std::make_unique<Visibility>(made.surface.points, rays.count, rays.seed);
     const std::string key = visibility_key(tools_.occluders(), made.surface, rays);
     const std::span<uint64_t> bits = made.visibility->all_bits();
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     BakeStats stats;
     stats.points = made.surface.points.size(), stats.rays = rays.count;
     if (const auto kept = tools_.cache().find(key); kept && kept->size() == bits.size_bytes()) {
@@ -86,7 +86,7 @@ class ApertureBaker : public Baker {
       made.visibility->cast(tools_.occluders(), rays.bias_m, [&](double fraction) { tools_.progress(fraction); });
       tools_.cache().keep(key, {reinterpret_cast<const char*>(bits.data()), bits.size_bytes()});
     }
-    stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    stats.seconds = watch.elapsed_s();
     tools_.add_stats(stats);
     return seen_.emplace(object, std::move(made)).first->second;
   }
