@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace lamina {
 
@@ -42,9 +44,10 @@ struct Sampler {
   Wrap wrap = Wrap::clamp;
   bool operator==(const Sampler&) const = default;
 };
+// As manifests and records say them, in the order of the enumerators.
+inline const std::vector<std::string> filter_names = {"nearest", "linear", "trilinear"};
+inline const std::vector<std::string> wrap_names = {"clamp", "repeat"};
 std::string_view name_of(Filter filter);
-std::optional<Filter> filter_named(std::string_view name);
-std::optional<Wrap> wrap_named(std::string_view name);
 
 // Levels of a full mip chain: floor(log2(max(width, height))) + 1.
 uint32_t full_mip_levels(uint32_t width, uint32_t height);
