@@ -6,6 +6,7 @@
 #include <glm/gtc/packing.hpp>
 #include <span>
 
+#include "harness/core/bytes.h"
 #include "harness/core/error.h"
 #include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
@@ -23,10 +24,8 @@ struct Rays {
 };
 
 std::string visibility_key(const Occluders& occluders, const SurfacePoints& surface, const Rays& rays) {
-  const std::string_view points(reinterpret_cast<const char*>(surface.points.data()),
-                                surface.points.size() * sizeof(SurfacePoint));
-  return "visibility-" + hash_hex(fmt::format("{} {} {} {} {} {}", cache_version, occluders.hash(), hash_hex(points),
-                                              rays.count, rays.seed, rays.bias_m));
+  return "visibility-" + hash_hex(fmt::format("{} {} {} {} {} {}", cache_version, occluders.hash(),
+                                              hash_hex(bytes_of(surface.points)), rays.count, rays.seed, rays.bias_m));
 }
 
 template <class T>
@@ -84,7 +83,7 @@ class ApertureBaker : public Baker {
       stats.from_cache = true;
     } else {
       made.visibility->cast(tools_.occluders(), rays.bias_m, [&](double fraction) { tools_.progress(fraction); });
-      tools_.cache().keep(key, {reinterpret_cast<const char*>(bits.data()), bits.size_bytes()});
+      tools_.cache().keep(key, bytes_of(bits));
     }
     stats.seconds = watch.elapsed_s();
     tools_.add_stats(stats);
