@@ -32,6 +32,7 @@ std::optional<Format> format_named(std::string_view name);
 // Size of one texel.
 uint32_t bytes_per_texel(Format format);
 uint32_t channels_of(Format format);
+inline bool is_depth(Format format) { return format == Format::d32_float; }
 
 enum class Filter : uint8_t {
   nearest,    // one texel of the base level
