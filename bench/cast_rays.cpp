@@ -5,11 +5,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 #include "harness/bake/occluders_embree.h"
 #include "harness/bake/visibility.h"
+#include "harness/core/stopwatch.h"
 #include "harness/measure/statistics.h"
 
 namespace {
@@ -21,9 +21,9 @@ constexpr uint64_t seed = 1;
 
 template <class Work>
 double seconds(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return watch.elapsed_s();
 }
 
 std::vector<RTCRay8> packets_of(const Visibility& visibility, float bias_m) {

@@ -39,42 +39,25 @@ const EffectManifest& effect_with_variants(const Plan& plan, const Scene& scene)
 }
 
 // What all gates share: the tree as it is, and the same with extra taps in a pass of the effect's baseline.
-class Bench {
- public:
+struct Bench {
   explicit Bench(const GateOptions& given)
       : options(given),
         tree(load_tree(load_library(home_folder(), effect_code()), given.compare)),
-        effect(effect_with_variants(tree.plan, *tree.scene)),
-        folder_(given.compare.out / "slower-trees") {}
-  ~Bench() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
+        effect(effect_with_variants(tree.plan, *tree.scene)) {}
 
   const VariantManifest& baseline_of(const Tree& of) const { return of.library.effect(effect.name).baseline(); }
-  fs::path slower_home(size_t dose) const { return folder_ / std::to_string(dose); }
   // Puts a tree for each number of extra taps into `slower`.
   void make_slower(const std::string& pass, const std::vector<uint32_t>& taps) {
     slower.clear();
-    for (size_t i = 0; i < taps.size(); ++i) {
-      write_slower_tree(home_folder(), slower_home(i), effect.baseline(), pass, taps[i]);
-      slower.push_back(std::make_unique<Tree>(load_tree(load_library(slower_home(i), effect_code()), options.compare, &tree)));
-    }
-  }
-
-  // A tree in which the code of this pass has changed in every variant.
-  fs::path changed_home(const std::string& pass) const {
-    write_changed_tree(home_folder(), folder_ / "changed", effect, pass);
-    return folder_ / "changed";
+    for (const uint32_t count : taps)
+      slower.push_back(std::make_unique<Tree>(
+          load_tree(with_extra_fetches(tree.library, effect.baseline(), pass, count), options.compare, &tree)));
   }
 
   const GateOptions& options;
   Tree tree;
   const EffectManifest& effect;
   std::vector<std::unique_ptr<Tree>> slower;
-
- private:
-  fs::path folder_;
 };
 
 // What is timed against what in one process.
@@ -211,9 +194,11 @@ std::vector<uint32_t> find_taps(Bench& bench, const std::string& pass) {
 // The seconds that a process has for rounds in a gate within the budget, by one real gate in which every variant with this
 // pass has changed.
 double round_seconds(Bench& bench, const std::string& pass) {
-  const fs::path changed = bench.changed_home(pass);
+  Library changed = bench.tree.library;
+  for (const VariantManifest& variant : bench.effect.variants)
+    changed = with_extra_fetches(std::move(changed), variant, pass, 0);
   const Stopwatch watch;
-  TreePair trees = pair_trees(load_library(home_folder(), effect_code()), load_library(changed, effect_code()), bench.options);
+  TreePair trees = pair_trees(bench.tree.library, std::move(changed), bench.options);
   const GateMeasurements measured = measure_trees(trees, bench.options, {}, watch);
   if (!measured.failures.empty()) throw Error(ErrorKind::failed, "gate", "calibration", measured.failures.front().sentence);
   const double backends = static_cast<double>(bench.options.compare.backends.size());

@@ -144,8 +144,6 @@ void find_steps(Series& series) {
 
 }  // namespace
 
-std::span<const TrendFigure> trend_figures() { return figures; }
-
 std::string commit_of(const HistoryRecord& record) {
   const std::string commit = text_at(record.record.run, "/commit");
   return commit.empty() ? "unknown" : commit;

@@ -21,7 +21,6 @@ struct TrendFigure {
   bool noisy;
   double tolerance;  // in the figure's unit; noisy ones: the least standard deviation that is believed, of their median
 };
-std::span<const TrendFigure> trend_figures();
 
 struct HistoryRecord {
   std::string name;  // the path as it was given

@@ -31,9 +31,6 @@ inline std::pair<std::vector<std::string>, size_t> read_words(const TomlTable& t
   return {words, choice(table, "value", words, size_t{0})};
 }
 
-inline const std::vector<std::string> filter_names = {"nearest", "linear", "trilinear"};
-inline const std::vector<std::string> wrap_names = {"clamp", "repeat"};
-
 // 'filter' and 'wrap', where the table has them.
 inline Sampler read_sampler(const TomlTable& table, Sampler otherwise) {
   return {choice(table, "filter", filter_names, otherwise.filter), choice(table, "wrap", wrap_names, otherwise.wrap)};

@@ -7,6 +7,7 @@
 #include "../common/frame.glsl"
 #include "../common/surface.glsl"
 #include "../common/mesh_in.glsl"
+#include "../common/extra_fetches.glsl"
 #include "apertures.glsl"
 
 layout(binding = 4) uniform sampler2D albedo;
@@ -72,4 +73,7 @@ void main() {
   }
   lit += ambient.rgb * (clamp(unfilled, 0.0, hemisphere_area) / hemisphere_area);
   out_color = vec4(texture(albedo, in_uv).rgb * lit, 1.0);
+#ifdef LAMINA_EXTRA_FETCHES
+  out_color += extra_fetches(albedo);
+#endif
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/effects/aperture_lighting/aperture_baker.h"
 
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 #include <span>
 
+#include "harness/core/bytes.h"
 #include "harness/core/error.h"
+#include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
 
 namespace lamina {
@@ -23,10 +24,8 @@ struct Rays {
 };
 
 std::string visibility_key(const Occluders& occluders, const SurfacePoints& surface, const Rays& rays) {
-  const std::string_view points(reinterpret_cast<const char*>(surface.points.data()),
-                                surface.points.size() * sizeof(SurfacePoint));
-  return "visibility-" + hash_hex(fmt::format("{} {} {} {} {} {}", cache_version, occluders.hash(), hash_hex(points),
-                                              rays.count, rays.seed, rays.bias_m));
+  return "visibility-" + hash_hex(fmt::format("{} {} {} {} {} {}", cache_version, occluders.hash(),
+                                              hash_hex(bytes_of(surface.points)), rays.count, rays.seed, rays.bias_m));
 }
 
 template <class T>
@@ -76,7 +75,7 @@ class ApertureBaker : public Baker {
     made.visibility = std::make_unique<Visibility>(made.surface.points, rays.count, rays.seed);
     const std::string key = visibility_key(tools_.occluders(), made.surface, rays);
     const std::span<uint64_t> bits = made.visibility->all_bits();
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     BakeStats stats;
     stats.points = made.surface.points.size(), stats.rays = rays.count;
     if (const auto kept = tools_.cache().find(key); kept && kept->size() == bits.size_bytes()) {
@@ -84,9 +83,9 @@ class ApertureBaker : public Baker {
       stats.from_cache = true;
     } else {
       made.visibility->cast(tools_.occluders(), rays.bias_m, [&](double fraction) { tools_.progress(fraction); });
-      tools_.cache().keep(key, {reinterpret_cast<const char*>(bits.data()), bits.size_bytes()});
+      tools_.cache().keep(key, bytes_of(bits));
     }
-    stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    stats.seconds = watch.elapsed_s();
     tools_.add_stats(stats);
     return seen_.emplace(object, std::move(made)).first->second;
   }

@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "harness/core/bytes.h"
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/effects/aperture_lighting/aperture_baker.h"
@@ -10,11 +11,6 @@
 
 namespace lamina {
 namespace {
-
-template <class T>
-std::string_view bytes_of(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
 
 // All that light at the points follows from.
 std::string light_key(const ShadingPoints& points, const Scene& scene, const Occluders& occluders, LightModel model,

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <map>
-#include <numeric>
 
 #include "harness/scene/declare.h"
 #include "harness/scene/mesh/unwrap_check.h"
@@ -18,22 +18,15 @@ namespace {
 // texels.
 constexpr double shared_border = 0.02;
 
-// Disjoint sets by path halving: Tarjan and van Leeuwen, "Worst-Case Analysis of Set Union Algorithms", JACM 1984.
-uint32_t root_of(std::vector<uint32_t>& parent, uint32_t vertex) {
-  while (parent[vertex] != vertex) vertex = parent[vertex] = parent[parent[vertex]];
-  return vertex;
-}
-
 // The triangles of each chart, charts in the order of their first triangle.
 std::vector<std::vector<size_t>> charts_of(const Mesh& mesh) {
-  std::vector<uint32_t> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0u);
+  boost::disjoint_sets_with_storage<> sets(mesh.vertices.size());  // of vertices
   for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
-    for (size_t c = 1; c < 3; ++c) parent[root_of(parent, mesh.indices[i + c])] = root_of(parent, mesh.indices[i]);
-  std::map<uint32_t, size_t> chart_of_root;
+    for (size_t c = 1; c < 3; ++c) sets.union_set(mesh.indices[i], mesh.indices[i + c]);
+  std::map<size_t, size_t> chart_of_set;
   std::vector<std::vector<size_t>> charts;
   for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const auto [entry, is_new] = chart_of_root.try_emplace(root_of(parent, mesh.indices[i]), charts.size());
+    const auto [entry, is_new] = chart_of_set.try_emplace(sets.find_set(mesh.indices[i]), charts.size());
     if (is_new) charts.emplace_back();
     charts[entry->second].push_back(i / 3);
   }

@@ -3,12 +3,13 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 
-#include "harness/backend/vulkan/result.h"
+#include "harness/core/error.h"
 
-namespace lamina::vulkan {
+namespace lamina {
 
 template <class Id, class Item>
 class Table {
@@ -24,7 +25,9 @@ class Table {
   // Throws Error(bad_input) for an id that was never given out or is destroyed; `subject` is who asks.
   Item& at(Id id, std::string_view subject) {
     const auto found = items_.find(id);
-    if (found == items_.end()) throw_bad_input(subject, fmt::format("names a {} that does not exist or is destroyed", what_));
+    if (found == items_.end())
+      throw Error(ErrorKind::bad_input, "backend", std::string(subject),
+                  fmt::format("names a {} that does not exist or is destroyed", what_));
     return found->second;
   }
   void erase(Id id) {
@@ -39,4 +42,4 @@ class Table {
   uint32_t next_ = 0;
 };
 
-}  // namespace lamina::vulkan
+}  // namespace lamina
