@@ -7,7 +7,7 @@
 namespace lamina {
 
 BackendRun::BackendRun(Backend& backend, SceneResources& resources, const Plan& plan, const EffectManifest& effect,
-                       ShaderCache& shaders, Bakes& bakes, const CompareOptions& options, const std::string& images)
+                       ShaderCache& shaders, Bakes& bakes, const CellOptions& options, const std::string& images)
     : resources_(resources),
       plan_(plan),
       shaders_(shaders),
@@ -105,7 +105,7 @@ void BackendRun::score_view(Variant& variant, size_t view, const Image& picture,
     fill_errors(row, picture, *baseline, either(variant.covered[view], variants_.front().covered[view]), write);
 }
 
-RoundsResult BackendRun::time(Progress& progress, bool timer_ok) {
+RoundsResult BackendRun::time(const RoundOptions& rounds, Progress& progress, bool timer_ok) {
   for (Variant& variant : variants_)
     for (CellRow& row : variant.rows) row.timed = timer_ok;
   if (!timer_ok) return {};
@@ -119,7 +119,7 @@ RoundsResult BackendRun::time(Progress& progress, bool timer_ok) {
       if (variants_.front().failure.empty()) cell.baseline = view;  // the baseline's come first, one a view
     }
   }
-  return time_cells(cells, options_, progress);
+  return time_cells(cells, rounds, progress);
 }
 
 std::vector<CellRow> BackendRun::rows() const {
@@ -129,7 +129,7 @@ std::vector<CellRow> BackendRun::rows() const {
 }
 
 std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene, const Library& library,
-                                 const EffectManifest& effect, const CompareOptions& options, const std::string& reason) {
+                                 const EffectManifest& effect, const CellOptions& options, const std::string& reason) {
   std::vector<CellRow> rows;
   for (const VariantManifest& variant : effect.variants) {
     if (!is_compared(variant, options)) continue;

@@ -16,7 +16,7 @@ class BackendRun {
   // Everything but the options must outlive this. `images` is the folder of the pictures within options.out; their paths in
   // rows begin with it.
   BackendRun(Backend& backend, SceneResources& resources, const Plan& plan, const EffectManifest& effect, ShaderCache& shaders,
-             Bakes& bakes, const CompareOptions& options, const std::string& images);
+             Bakes& bakes, const CellOptions& options, const std::string& images);
 
   // A picture as it is scored, the baseline's before the others of its view.
   struct Scored {
@@ -31,7 +31,7 @@ class BackendRun {
   void prepare(Progress& progress);                         // pipelines and targets, the first view; what is done once
   void count(Progress& progress);                           // by the counting build
   void score(Progress& progress, const Known& known = {});  // pictures, and their errors; before time()
-  RoundsResult time(Progress& progress, bool timer_ok);
+  RoundsResult time(const RoundOptions& rounds, Progress& progress, bool timer_ok);
 
   // The variant's frame; null where it failed or is not compared.
   ReadyFrame* frame(std::string_view variant);
@@ -55,7 +55,7 @@ class BackendRun {
   SceneResources& resources_;
   const Plan& plan_;
   ShaderCache& shaders_;
-  const CompareOptions options_;
+  const CellOptions options_;
   const std::string images_;
   TruthRun truth_;
   std::vector<Variant> variants_;  // the baseline first
@@ -63,6 +63,6 @@ class BackendRun {
 
 // Failed rows for a backend that cannot run at all.
 std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene, const Library& library,
-                                 const EffectManifest& effect, const CompareOptions& options, const std::string& reason);
+                                 const EffectManifest& effect, const CellOptions& options, const std::string& reason);
 
 }  // namespace lamina

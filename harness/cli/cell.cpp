@@ -57,7 +57,7 @@ Image with_marked_nonfinite(const Image& image) {
 }  // namespace
 
 CellRow blank_row(const std::string& backend, const std::string& device, const Scene& scene, const Library& library,
-                  const View& view, const VariantManifest& variant, const CompareOptions& options) {
+                  const View& view, const VariantManifest& variant, const CellOptions& options) {
   CellRow row;
   row.scene = scene.name;
   row.effect = variant.effect;
@@ -166,14 +166,10 @@ std::vector<std::vector<double>> time_once(Frame& frame) {
   return once_ms;
 }
 
-RoundsResult time_cells(const std::vector<TimedCell>& cells, const CompareOptions& options, Progress& progress) {
+RoundsResult time_cells(const std::vector<TimedCell>& cells, const RoundOptions& rounds, Progress& progress) {
   std::vector<Arm> arms;
   for (const TimedCell& cell : cells)
     arms.push_back({[&cell] { return cell.frame->run(cell.view, Timing::bracketed); }, cell.baseline});
-  RoundOptions rounds;
-  rounds.budget_s = options.budget_s;
-  rounds.precision = options.precision;
-  rounds.seed = options.seed;
   RoundsResult result = run_rounds(arms, rounds, [&](double fraction) { progress.show(fraction, "timing"); });
 
   for (size_t i = 0; i < arms.size(); ++i) {

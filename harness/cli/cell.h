@@ -7,15 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/common.h"
+#include "harness/cli/progress.h"
 #include "harness/graph/frame.h"
 #include "harness/measure/rounds.h"
 #include "harness/record/record.h"
 
 namespace lamina {
 
+// Difference pictures are |test - baseline| of display values times this; records and reports state it.
+inline constexpr double difference_gain = 4;
+
 CellRow blank_row(const std::string& backend, const std::string& device, const Scene& scene, const Library& library,
-                  const View& view, const VariantManifest& variant, const CompareOptions& options);
+                  const View& view, const VariantManifest& variant, const CellOptions& options);
 void fail(CellRow& row, const std::string& reason);
 // Does a variant's work unless it has failed before; what the work throws becomes its failure, and that of its rows. The one
 // place where a variant's failure is caught: the others go on. Returns whether the variant is still well.
@@ -52,7 +56,7 @@ struct TimedCell {
   const std::vector<std::vector<double>>* once_ms = nullptr;  // [pass][repetition], of the frame
   std::optional<size_t> baseline;                             // index among the cells
 };
-RoundsResult time_cells(const std::vector<TimedCell>& cells, const CompareOptions& options, Progress& progress);
+RoundsResult time_cells(const std::vector<TimedCell>& cells, const RoundOptions& rounds, Progress& progress);
 // The passes done once, repeated: [pass][repetition].
 std::vector<std::vector<double>> time_once(Frame& frame);
 

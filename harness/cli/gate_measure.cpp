@@ -13,7 +13,7 @@ namespace {
 // Every variant of one effect that is to be drawn; its baselines always are.
 void compare_exactly(GateProcess& process, TreePair& trees, const std::string& effect, const LimitsFile& limits,
                      Progress& progress, const EmitLine& emit) {
-  CompareOptions only = process.options.compare;
+  CellOptions only = process.options.compare;
   only.variants.clear();
   for (const VariantPair& pair : trees.variants)
     if (pair.after && pair.after->effect == effect && is_drawn(pair, limits.of(effect, pair.after->name, process.task.backend)))

@@ -175,7 +175,7 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
   if (stored && !options.update) pin_threads_of(*stored);
   const std::vector<DeviceInfo> devices = probe_devices(options);
   options.side_by_side = can_run_side_by_side(devices);
-  const nlohmann::ordered_json run = run_line(options.compare, scene, devices);
+  const nlohmann::ordered_json run = gate_run_line(options, scene, devices);
   if (!options.update) check_comparable(*stored, shape_of(run, effects, options), file);
 
   RecordWriter record = begin_record(options.compare.out, run, scene, tree);

@@ -172,7 +172,7 @@ void PointRun::time(Progress& progress) {
       if (variants_.front().failure.empty()) cell.baseline = view;  // the baseline's come first, one a view
     }
   }
-  if (!cells.empty()) time_cells(cells, options_.compare, progress);
+  if (!cells.empty()) time_cells(cells, options_.rounds, progress);
 }
 
 Image PointRun::render(Variant& variant, size_t view) {

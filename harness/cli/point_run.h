@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "harness/cli/cell.h"
+#include "harness/cli/sweep.h"
 #include "harness/cli/truth_run.h"
 #include "harness/sweep/swept_scene.h"
 

@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "commit.h"
+#include "harness/cli/cell.h"
+#include "harness/cli/common.h"
 #include "harness/graph/graph.h"
 #include "harness/record/record.h"
 
@@ -97,11 +99,12 @@ std::string cpu_model() {
   return "unknown";
 }
 
-Json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices) {
+Json run_line(const CellOptions& options, const RoundOptions& rounds, bool quick, const Scene& scene,
+              const std::vector<DeviceInfo>& devices) {
   Json line = start(options.command, devices);
   line["settings"] = {
-      {"width", options.width_px},        {"height", options.height_px},        {"quick", options.quick},
-      {"budget_s", options.budget_s},     {"precision", options.precision},     {"seed", options.seed},
+      {"width", options.width_px},        {"height", options.height_px},        {"quick", quick},
+      {"budget_s", rounds.budget_s},      {"precision", rounds.precision},      {"seed", rounds.seed},
       {"truth_rays", options.truth_rays}, {"difference_gain", difference_gain}, {"validation", options.validation}};
   line["scene"] = scene.name;
   line["source"] = scene.source;
@@ -112,7 +115,7 @@ Json run_line(const CompareOptions& options, const Scene& scene, const std::vect
 
 Json run_line(const SweepOptions& options, const Scene& scene, const std::vector<const EffectManifest*>& effects,
               const std::vector<DeviceInfo>& devices, const std::string& inputs) {
-  Json line = run_line(options.compare, scene, devices);
+  Json line = run_line(options.compare, options.rounds, false, scene, devices);
   Json& settings = line["settings"];
   settings["backends"] = options.compare.backends;
   settings["effects"] = settings["variants"] = settings["views"] = Json::array();

@@ -6,7 +6,9 @@
 #include <span>
 #include <string>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/options.h"
+#include "harness/cli/stress.h"
+#include "harness/cli/sweep.h"
 #include "harness/graph/graph.h"
 
 namespace lamina {
@@ -17,7 +19,9 @@ nlohmann::ordered_json to_json(const DeviceInfo& device);
 std::string command_line(std::span<const char* const> arguments);
 // As /proc/cpuinfo names it.
 std::string cpu_model();
-nlohmann::ordered_json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices);
+// Of a command that leaves cells.
+nlohmann::ordered_json run_line(const CellOptions& options, const RoundOptions& rounds, bool quick, const Scene& scene,
+                                const std::vector<DeviceInfo>& devices);
 // The same for a sweep; `inputs` is a hash of all that its cells follow from.
 nlohmann::ordered_json run_line(const SweepOptions& options, const Scene& scene,
                                 const std::vector<const EffectManifest*>& effects, const std::vector<DeviceInfo>& devices,

@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "commit.h"
+#include "harness/cli/commands.h"
+#include "harness/cli/common.h"
+#include "harness/cli/devices.h"
+#include "harness/cli/progress.h"
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
 #include "harness/manifest/effect_code.h"
@@ -219,33 +224,30 @@ std::vector<FamilyRun> planned_runs(const StressOptions& options, const std::fil
   return runs;
 }
 
-}  // namespace
-
 int run_stress(const StressOptions& options) {
+  pin_rasterizer_threads();
   const std::filesystem::path shaders = home_folder() / "shaders";
   const std::filesystem::path record = options.out / "record.jsonl";
   if (std::filesystem::exists(record)) read_record(record);  // what cannot be added to is said before the work, not after it
   std::vector<FamilyRun> runs = planned_runs(options, shaders);
+  const std::vector<ProbedBackend> backends = probe_backends(options);
+  require_any("stress", backends);
+  const std::vector<DeviceInfo> devices = devices_of(backends);
   make_run_folder("stress", options.out);
   for (FamilyRun& run : runs) {
     for (const PointSet& set : run.sets) run.truths.push_back(truth_of(*run.family.oracle, set));
     if (options.points.empty()) run.slices = make_slices(run.family);
   }
 
-  std::vector<DeviceInfo> devices;
   bool complained = false;
-  for (const std::string& name : options.backends) {
-    std::string failure;
-    const auto backend = try_open_backend(name, {options.device, options.validation}, failure);
-    if (!backend) continue;
-    devices.push_back(backend->info());
+  for (const DeviceInfo& device : devices) {
+    const auto backend = open_backend(device.backend, {options.device, options.validation});
     for (FamilyRun& run : runs) run_functions(*backend, shaders, options, run);
     for (const std::string& message : backend->take_messages()) {
-      fmt::print(stderr, "lamina: {}: {}\n", name, message);
+      fmt::print(stderr, "lamina: {}: {}\n", device.backend, message);
       complained = true;
     }
   }
-  if (devices.empty()) throw_no_backend("stress");
 
   bool uncertified = false;
   std::vector<std::filesystem::path> tables;
@@ -263,6 +265,37 @@ int run_stress(const StressOptions& options) {
   for (const std::filesystem::path& table : tables) fmt::print("table: {}\n", table.string());
   fmt::print("report: {}\n", (options.out / "index.html").string());
   return complained || uncertified ? 1 : 0;
+}
+
+}  // namespace
+
+Command add_stress(CLI::App& program) {
+  auto options = std::make_shared<StressOptions>();
+  CLI::App& command =
+      *program.add_subcommand("stress", "Runs the shaders' functions on hard inputs, and compares them with exact values");
+  command.add_option(
+      "family", options->family,
+      "A family of functions, such as caps (the area that two spherical caps share), or a family.toml; all without a name");
+  CLI::Option* points =
+      command.add_option("--points", options->points,
+                         "File of inputs and, if known, their right value (caps: r0,r1,d[,area]) instead of the sets");
+  CLI::Option* count =
+      command.add_option("--count", options->count, "Inputs a set")->capture_default_str()->check(CLI::Range(1000, 4000000));
+  command
+      .add_option("--grid", options->grid_steps,
+                  "An even grid of N values of each input, N from 2 (caps: to 160), instead of the sets")
+      ->check(CLI::PositiveNumber)
+      ->excludes(points)
+      ->excludes(count);
+  add_variant(command, options->variants, "Only this function (may be given again)");
+  add_backends(command, *options);
+  add_out(command, options->out, "Folder of a run, or a new one: functions are added to its record and report");
+  add_seed(command, options->seed, "Seed of the inputs");
+  add_validation(command, *options);
+  return {&command, [=](const std::string& typed) {
+            options->command = typed;
+            return run_stress(*options);
+          }};
 }
 
 }  // namespace lamina

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 
+#include "harness/cli/commands.h"
+#include "harness/cli/devices.h"
 #include "harness/cli/point_run.h"
 #include "harness/cli/run_line.h"
 #include "harness/cli/sweep_end.h"
@@ -79,18 +82,14 @@ std::string inputs_hash(const SweepOptions& options, const Scene& scene) {
 }
 
 // All must open here: a backend that is missing is known before anything runs.
-std::vector<DeviceInfo> devices_of(const SweepOptions& options) {
-  std::vector<DeviceInfo> devices;
-  for (const std::string& name : options.compare.backends) {
-    try {
-      devices.push_back(open_backend(name, {options.compare.device, options.compare.validation})->info());
-    } catch (const Error& error) {
-      if (error.kind() == ErrorKind::bad_input) throw;
-      throw Error(ErrorKind::no_device, "sweep", name,
-                  fmt::format("{}; name those that are here with --backend", error.what()));
-    }
-    check_size("sweep", options.compare, devices.back());
-  }
+std::vector<DeviceInfo> all_devices(const SweepOptions& options) {
+  const std::vector<ProbedBackend> backends = probe_backends(options.compare);
+  for (const ProbedBackend& backend : backends)
+    if (!backend.device)
+      throw Error(ErrorKind::no_device, "sweep", backend.name,
+                  fmt::format("{}; name those that are here with --backend", backend.failure));
+  std::vector<DeviceInfo> devices = devices_of(backends);
+  check_size("sweep", options.compare, devices);
   return devices;
 }
 
@@ -202,10 +201,9 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
   return go_on;
 }
 
-}  // namespace
-
 int run_sweep(const SweepOptions& options) {
   const StopSignals signals;
+  pin_rasterizer_threads();
   const Library library = load_library_for(options.compare.scene);
   SweptScene scenes(scene_of(options, library), library, points_from(options));
   const Scene& scene = scenes.scene();
@@ -214,7 +212,7 @@ int run_sweep(const SweepOptions& options) {
   check_variant_names("sweep", options.compare.variants, variant_names(effects));
   std::vector<Limit> limits;
   for (const std::string& text : options.limits) limits.push_back(parse_limit(text));
-  const std::vector<DeviceInfo> devices = devices_of(options);
+  const std::vector<DeviceInfo> devices = all_devices(options);
 
   make_run_folder("sweep", options.compare.out);
   const FolderLock lock("sweep", options.compare.out);
@@ -254,6 +252,53 @@ int run_sweep(const SweepOptions& options) {
     }
   const bool failed = end_sweep(options.compare.out, record);
   return failed || tally.messages > 0 ? 1 : 0;
+}
+
+void add_schedule(CLI::App& command, const std::string& name, Schedule& schedule, const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          name, [name, &schedule](const std::string& text) { schedule = parse_schedule(name, text); }, help)
+      ->default_str(words_of(schedule));
+}
+
+}  // namespace
+
+Command add_sweep(CLI::App& program) {
+  auto options = std::make_shared<SweepOptions>();
+  options->compare.out = "lamina-sweep";
+  CLI::App& command =
+      *program.add_subcommand("sweep", "Errors and cost of every variant along parameters; resumes where it was stopped");
+  add_scene_name(command, options->compare.scene);
+  command
+      .add_option(
+          "--set", options->sets,
+          "PATH=FROM:TO:STEP, PATH=FROM:TO:xFACTOR or PATH=A,B,C (may be given again, for a grid); the moment of the scene "
+          "is scene.time, in seconds; 'lamina list --parameters SCENE' names the paths")
+      ->required();
+  command.add_flag("--zip", options->zip, "Values of several --set in pairs, not as a grid");
+  add_schedule(command, "--time", options->time, "Points whose cost is timed: none, all or every:N");
+  add_schedule(command, "--fetches", options->fetches,
+               "Points whose fetches are counted, besides timed ones: none, all or every:N");
+  add_schedule(command, "--pictures", options->pictures, "Points whose pictures are kept: none, all or every:N");
+  command.add_option("--limit", options->limits, "METRIC=NUMBER that is good enough (may be given again)")
+      ->capture_default_str();
+  command.add_option_function<std::string>(
+      "--shard", [options = options.get()](const std::string& text) { options->shard = parse_shard(text); },
+      "K/N: the K-th part of N, K from 1; 'lamina merge' joins them");
+  add_out(command, options->compare.out, "Folder for record, report and pictures; one that holds a part of this sweep");
+  add_backends(command, options->compare);
+  add_variant(command, options->compare.variants);
+  command.add_option("--view", options->views, "Only this view (may be given again)");
+  add_variants_dir(command, options->compare.scene);
+  add_size(command, options->compare);
+  add_rounds(command, options->rounds, "a timed point");
+  add_truth(command, options->compare);
+  add_seed(command, options->rounds.seed);
+  add_validation(command, options->compare);
+  return {&command, [=](const std::string& typed) {
+            options->compare.command = typed;
+            return run_sweep(*options);
+          }};
 }
 
 }  // namespace lamina

@@ -24,7 +24,7 @@ Mask covered_by(const TruthAnswer& answer, const Image& picture) {
 }  // namespace
 
 TruthRun::TruthRun(SceneResources& resources, const Plan& plan, const EffectManifest& effect, ShaderCache& shaders,
-                   Bakes& bakes, const CompareOptions& options)
+                   Bakes& bakes, const CellOptions& options)
     : resources_(resources), plan_(plan), effect_(effect), shaders_(shaders), bakes_(bakes), options_(options) {}
 
 // The variant that has passes for the truth and the same bake options as this one.

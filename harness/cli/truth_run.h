@@ -7,7 +7,7 @@
 #include <map>
 #include <memory>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/cell.h"
 #include "harness/graph/frame.h"
 #include "harness/record/record.h"
 #include "harness/truth/truth.h"
@@ -18,7 +18,7 @@ class TruthRun {
  public:
   // Everything must outlive this.
   TruthRun(SceneResources& resources, const Plan& plan, const EffectManifest& effect, ShaderCache& shaders, Bakes& bakes,
-           const CompareOptions& options);
+           const CellOptions& options);
 
   // Writes a picture and returns its path for the record.
   using Write = std::function<std::string(const std::string& suffix, const DisplayImage& image)>;
@@ -45,7 +45,7 @@ class TruthRun {
   const EffectManifest& effect_;
   ShaderCache& shaders_;
   Bakes& bakes_;
-  const CompareOptions& options_;
+  const CellOptions& options_;
   std::unique_ptr<Truth> truth_;  // started when it is first asked
   std::map<const VariantManifest*, std::unique_ptr<Graph>> graphs_;
   std::map<const VariantManifest*, std::unique_ptr<Frame>> frames_;
