@@ -6,9 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "harness/cli/backend_run.h"
 #include "harness/cli/commands.h"
 #include "harness/cli/devices.h"
+#include "harness/cli/effect_run.h"
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
 #include "harness/measure/timer_certificate.h"
@@ -55,14 +55,16 @@ size_t run_backend(const std::string& name, const Scene& scene, const Library& l
   const TimerRow timer = certify_timer(*backend, library.shaders);
   record.append(to_json(timer));
   SceneResources resources(*backend, scene, library, options.width_px, options.height_px, &bakes);
+  const SceneOnDevice there{&scene, &plan, &bakes, &resources};
   ShaderCache shaders(backend->info().api, library.shaders);
   while (!effects.empty()) {
     const EffectManifest* effect = effects.front();
-    BackendRun run(*backend, resources, plan, *effect, shaders, bakes, options, "images");
-    run.prepare(progress);
-    run.count(progress);
-    run.score(progress);
-    const RoundsResult rounds = run.time(options.rounds, progress, timer.ok);
+    EffectRun run(*backend, *effect, shaders, options, "images", progress.tell());
+    run.start(there, {.timed = timer.ok});
+    run.prepare();
+    run.count();
+    run.score();
+    const RoundsResult rounds = run.time(options.rounds);
     for (const CellRow& row : run.rows()) append_row(record, row);
     effects.erase(effects.begin());
     if (!(rounds.device_ms > 0)) continue;
@@ -78,6 +80,18 @@ size_t run_backend(const std::string& name, const Scene& scene, const Library& l
   const std::vector<std::string> messages = backend->take_messages();
   for (const std::string& message : messages) fmt::print(stderr, "lamina: {}: {}\n", name, message);
   return messages.size();
+}
+
+// Failed rows for a backend that cannot run at all.
+std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene, const Library& library,
+                                 const EffectManifest& effect, const CellOptions& options, const std::string& reason) {
+  std::vector<CellRow> rows;
+  for (const VariantManifest& variant : effect.variants) {
+    if (!is_compared(variant, options)) continue;
+    for (const View& view : scene.views)
+      fail(rows.emplace_back(blank_row(backend, "", scene, library, view, variant, options)), reason);
+  }
+  return rows;
 }
 
 int run_compare(const CompareOptions& options) {

@@ -26,10 +26,10 @@ GateProcess::SceneThere::SceneThere(Backend& backend, const Tree& tree, const Ce
     : bakes(*tree.scene, *tree.library.code, DiskCache(options.cache)),
       resources(backend, *tree.scene, tree.library, options.width_px, options.height_px, &bakes) {}
 
-GateProcess::SceneThere& GateProcess::scene_of(const Tree& tree) {
+SceneOnDevice GateProcess::scene_of(const Tree& tree) {
   std::unique_ptr<SceneThere>& there = scenes_[tree.scene.get()];
   if (!there) there = std::make_unique<SceneThere>(*backend, tree, options.compare);
-  return *there;
+  return {tree.scene.get(), &tree.plan, &there->bakes, &there->resources};
 }
 
 bool GateProcess::certify(Backend& backend, const std::filesystem::path& shaders, const EmitLine& emit) {
@@ -43,7 +43,7 @@ void GateProcess::end(const EmitLine& emit) { emit({{"messages", backend->take_m
 ReadyFrame& ProcessFrames::get(Tree& tree, const VariantManifest& variant, size_t copy) {
   std::unique_ptr<ReadyFrame>& ready = made_[{&tree, &variant, copy}];
   if (!ready)
-    ready = std::make_unique<ReadyFrame>(process_.scene_of(tree).resources, tree.plan, variant,
+    ready = std::make_unique<ReadyFrame>(*process_.scene_of(tree).resources, tree.plan, variant,
                                          tree.shaders.at(process_.backend->info().api));
   return *ready;
 }

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "harness/backend/backend.h"
-#include "harness/cli/backend_run.h"
+#include "harness/cli/effect_run.h"
 #include "harness/cli/gate.h"
 
 namespace lamina {
@@ -30,14 +30,14 @@ class GateProcess {
   double rounds_s = 0;
 
   // A tree's scene on the device; trees with one scene share it.
+  SceneOnDevice scene_of(const Tree& tree);
+
+ private:
   struct SceneThere {
     SceneThere(Backend& backend, const Tree& tree, const CellOptions& options);
     Bakes bakes;
     SceneResources resources;
   };
-  SceneThere& scene_of(const Tree& tree);
-
- private:
   std::map<const Scene*, std::unique_ptr<SceneThere>> scenes_;
   static bool certify(Backend& backend, const std::filesystem::path& shaders, const EmitLine& emit);
 };

@@ -23,6 +23,17 @@
 namespace lamina {
 namespace {
 
+struct StressOptions : DeviceOptions {
+  std::string family;            // by name, or a family.toml; empty: all
+  std::filesystem::path points;  // a file of inputs
+  size_t grid_steps = 0;         // of make_grid(); 0 and no file: the sets of the family
+  size_t count = 100000;         // inputs a set
+  std::vector<std::string> variants;
+  std::filesystem::path out = "lamina-out";
+  uint64_t seed = 1;
+  std::string command;  // as the user typed it
+};
+
 constexpr size_t timing_rounds = 12;
 constexpr size_t timed_points = 1 << 16;
 
@@ -179,7 +190,11 @@ void write_record(const StressOptions& options, const std::vector<DeviceInfo>& d
   for (const FunctionTimeRow& row : run.times) lines.push_back(to_json(row));
   for (const TimerRow& timer : run.timers) lines.push_back(function_timer_line(function, timer));
   for (const FunctionPictureRow& row : run.pictures) lines.push_back(to_json(row));
-  replace_function_lines(options.out / "record.jsonl", function, run_line(options, devices), lines);
+  nlohmann::ordered_json line = run_line(options.command, devices);
+  line["settings"] = {{"count", options.count}, {"seed", options.seed}, {"validation", options.validation}};
+  if (!options.points.empty()) line["settings"]["points"] = options.points.string();
+  line["warnings"] = nlohmann::ordered_json::array();
+  replace_function_lines(options.out / "record.jsonl", function, line, lines);
 }
 
 // The one that is asked for, by its name or by its file; all without a name.

@@ -20,13 +20,11 @@ class TruthRun {
   TruthRun(SceneResources& resources, const Plan& plan, const EffectManifest& effect, ShaderCache& shaders, Bakes& bakes,
            const CellOptions& options);
 
-  // Writes a picture and returns its path for the record.
-  using Write = std::function<std::string(const std::string& suffix, const DisplayImage& image)>;
   // The scene's numbers have changed: what was answered is another scene's.
   void forget();
   // Fills in the row's truth and assumptions, where the effect has a truth for variants like this one and this view shows any
   // of it. `picture`: the variant's, of this view, all finite.
-  void score(const VariantManifest& variant, size_t view, const Image& picture, CellRow& row, const Write& write,
+  void score(const VariantManifest& variant, size_t view, const Image& picture, CellRow& row, const KeepPicture& keep,
              const std::function<void(double)>& progress);
 
  private:
