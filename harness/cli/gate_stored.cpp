@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/cli/backend_run.h"
+#include "harness/cli/effect_run.h"
 #include "harness/cli/gate_process.h"
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
@@ -22,17 +22,16 @@ using Json = nlohmann::json;
 void measure_state(Tree& tree, const std::vector<const EffectManifest*>& effects, const GateTask& task,
                    const GateOptions& options, const EmitLine& emit) {
   GateProcess process(task, tree.library.shaders, options, emit);
-  GateProcess::SceneThere& there = process.scene_of(tree);
   ShaderCache& shaders = tree.shaders.at(process.backend->info().api);
   Progress progress(task.backend);
-  std::vector<std::unique_ptr<BackendRun>> runs;
+  std::vector<std::unique_ptr<EffectRun>> runs;
   for (const EffectManifest* effect : effects) {
-    runs.push_back(std::make_unique<BackendRun>(*process.backend, there.resources, tree.plan, *effect, shaders, there.bakes,
-                                                options.compare, "images"));
-    BackendRun& run = *runs.back();
-    run.prepare(progress);
+    runs.push_back(std::make_unique<EffectRun>(*process.backend, *effect, shaders, options.compare, "images", progress.tell()));
+    EffectRun& run = *runs.back();
+    run.start(process.scene_of(tree));
+    run.prepare();
     if (!task.exact) continue;
-    run.count(progress), run.score(progress);
+    run.count(), run.score();
     for (const CellRow& row : run.rows()) emit({{"cell", to_json(row)}});
   }
   if (task.exact) return process.end(emit);
@@ -175,7 +174,7 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
   if (stored && !options.update) pin_threads_of(*stored);
   const std::vector<DeviceInfo> devices = probe_devices(options);
   options.side_by_side = can_run_side_by_side(devices);
-  const nlohmann::ordered_json run = run_line(options.compare, scene, devices);
+  const nlohmann::ordered_json run = gate_run_line(options, scene, devices);
   if (!options.update) check_comparable(*stored, shape_of(run, effects, options), file);
 
   RecordWriter record = begin_record(options.compare.out, run, scene, tree);

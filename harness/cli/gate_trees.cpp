@@ -54,7 +54,7 @@ void look_at_code(VariantPair& pair, Tree& before, Tree& after) {
 
 }  // namespace
 
-Tree load_tree(Library library, const CompareOptions& options, const Tree* known) {
+Tree load_tree(Library library, const CellOptions& options, const Tree* known) {
   const auto owner = std::make_shared<const Library>(std::move(library));
   const bool same = known && known->library.declarations() == owner->declarations();
   Tree tree{owner, *owner, same ? known->scene : std::make_shared<const Scene>(load_scene_for(options.scene, *owner)), {}, {}};

@@ -2,7 +2,10 @@
 // lamina merge: the records of a sweep's shards to one, with answers and reports of the whole.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include "harness/cli/commands.h"
+#include "harness/cli/common.h"
 #include "harness/cli/sweep_end.h"
 #include "harness/core/error.h"
 #include "harness/core/text.h"
@@ -45,8 +48,6 @@ void check_nothing_is_lost(const std::filesystem::path& out, std::vector<std::fi
   if (cells > joined.cells) refuse(fmt::format("holds {} cells that these records lack", cells - joined.cells));
 }
 
-}  // namespace
-
 int run_merge(const std::vector<std::filesystem::path>& records, const std::filesystem::path& out) {
   std::vector<std::filesystem::path> folders, files;
   for (const std::filesystem::path& given : records) {
@@ -68,6 +69,21 @@ int run_merge(const std::vector<std::filesystem::path>& records, const std::file
              joined.duplicates > 0 ? fmt::format("; {} were there twice, and agree", joined.duplicates) : "");
   for (const std::string& missing : joined.missing) fmt::print(stderr, "lamina: {}\n", missing);
   return failed || !joined.missing.empty() ? 1 : 0;
+}
+
+}  // namespace
+
+Command add_merge(CLI::App& program) {
+  struct Options {
+    std::vector<std::filesystem::path> records;
+    std::filesystem::path out = "lamina-sweep";
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *program.add_subcommand("merge", "Joins the records of a sweep's shards, and gives the answers of the whole sweep");
+  command.add_option("record", options->records, "Run folders or their record.jsonl")->required();
+  add_out(command, options->out, "Folder for the joined record, report and pictures");
+  return {&command, [=](const std::string&) { return run_merge(options->records, options->out); }};
 }
 
 }  // namespace lamina

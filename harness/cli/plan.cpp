@@ -2,6 +2,10 @@
 // lamina plan: what a scene calls for and why, and the passes of every variant, those left out too. Needs no device.
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
+
+#include "harness/cli/commands.h"
+#include "harness/cli/common.h"
 #include "harness/cli/run_line.h"
 
 namespace lamina {
@@ -25,8 +29,6 @@ void print_variant(const Json& variant) {
   }
 }
 
-}  // namespace
-
 int run_plan(const SceneOptions& options) {
   const Library library = load_library_for(options);
   const Scene scene = load_scene_for(options, library);
@@ -47,6 +49,15 @@ int run_plan(const SceneOptions& options) {
     for (const Json& variant : effect["variants"]) print_variant(variant);
   }
   return 0;
+}
+
+}  // namespace
+
+Command add_plan(CLI::App& program) {
+  auto options = std::make_shared<SceneOptions>();
+  CLI::App& command = *program.add_subcommand("plan", "What the scene calls for and why, and the passes");
+  add_scene(command, *options);
+  return {&command, [=](const std::string&) { return run_plan(*options); }};
 }
 
 }  // namespace lamina

@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "commit.h"
+#include "harness/cli/cell.h"
+#include "harness/cli/common.h"
 #include "harness/graph/graph.h"
 #include "harness/record/record.h"
 
@@ -46,25 +48,6 @@ Json passes_of(const std::vector<GraphPass>& passes, const Scene& scene, bool ru
   return rows;
 }
 
-// What the run lines of all commands have in common.
-Json start(const std::string& command, const std::vector<DeviceInfo>& devices) {
-  Json rows = Json::array();
-  for (const DeviceInfo& device : devices) rows.push_back(to_json(device));
-  return {{"kind", "run"},
-          {"schema", record_schema},
-          {"lamina", LAMINA_VERSION},
-          {"commit", LAMINA_COMMIT},
-          {"commit_date", *LAMINA_COMMIT_DATE ? Json(LAMINA_COMMIT_DATE) : Json(nullptr)},
-          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(started))},
-          {"build", LAMINA_BUILD_NAME},
-          {"command", command},
-          {"machine",
-           {{"cpu", cpu_model()},
-            {"threads", std::thread::hardware_concurrency()},
-            {"lp_num_threads", environment("LP_NUM_THREADS")}}},
-          {"devices", rows}};
-}
-
 }  // namespace
 
 Json to_json(const DeviceInfo& device) {
@@ -97,43 +80,35 @@ std::string cpu_model() {
   return "unknown";
 }
 
-Json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices) {
-  Json line = start(options.command, devices);
+Json run_line(const std::string& command, const std::vector<DeviceInfo>& devices) {
+  Json rows = Json::array();
+  for (const DeviceInfo& device : devices) rows.push_back(to_json(device));
+  return {{"kind", "run"},
+          {"schema", record_schema},
+          {"lamina", LAMINA_VERSION},
+          {"commit", LAMINA_COMMIT},
+          {"commit_date", *LAMINA_COMMIT_DATE ? Json(LAMINA_COMMIT_DATE) : Json(nullptr)},
+          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(started))},
+          {"build", LAMINA_BUILD_NAME},
+          {"command", command},
+          {"machine",
+           {{"cpu", cpu_model()},
+            {"threads", std::thread::hardware_concurrency()},
+            {"lp_num_threads", environment("LP_NUM_THREADS")}}},
+          {"devices", rows}};
+}
+
+Json run_line(const CellOptions& options, const RoundOptions& rounds, bool quick, const Scene& scene,
+              const std::vector<DeviceInfo>& devices) {
+  Json line = run_line(options.command, devices);
   line["settings"] = {
-      {"width", options.width_px},        {"height", options.height_px},        {"quick", options.quick},
-      {"budget_s", options.budget_s},     {"precision", options.precision},     {"seed", options.seed},
+      {"width", options.width_px},        {"height", options.height_px},        {"quick", quick},
+      {"budget_s", rounds.budget_s},      {"precision", rounds.precision},      {"seed", rounds.seed},
       {"truth_rays", options.truth_rays}, {"difference_gain", difference_gain}, {"validation", options.validation}};
   line["scene"] = scene.name;
   line["source"] = scene.source;
   line["time_s"] = scene.time_s;
   line["warnings"] = scene.warnings;
-  return line;
-}
-
-Json run_line(const SweepOptions& options, const Scene& scene, const std::vector<const EffectManifest*>& effects,
-              const std::vector<DeviceInfo>& devices, const std::string& inputs) {
-  Json line = run_line(options.compare, scene, devices);
-  Json& settings = line["settings"];
-  settings["backends"] = options.compare.backends;
-  settings["effects"] = settings["variants"] = settings["views"] = Json::array();
-  for (const EffectManifest* effect : effects) {
-    settings["effects"].push_back(effect->name);
-    for (const VariantManifest& variant : effect->variants)
-      if (is_compared(variant, options.compare)) settings["variants"].push_back(effect->name + "/" + variant.name);
-  }
-  for (const View& view : scene.views) settings["views"].push_back(view.name);
-  settings["time"] = words_of(options.time);
-  settings["fetches"] = words_of(options.fetches);
-  settings["pictures"] = words_of(options.pictures);
-  line["inputs"] = inputs;
-  return line;
-}
-
-Json run_line(const StressOptions& options, const std::vector<DeviceInfo>& devices) {
-  Json line = start(options.command, devices);
-  line["settings"] = {{"count", options.count}, {"seed", options.seed}, {"validation", options.validation}};
-  if (!options.points.empty()) line["settings"]["points"] = options.points.string();
-  line["warnings"] = Json::array();
   return line;
 }
 

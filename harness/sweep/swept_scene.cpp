@@ -128,14 +128,6 @@ std::map<std::string, std::string> SweptScene::words_at(size_t point) const {
   return words;
 }
 
-Parameters SweptScene::parameters_of_variant(const VariantManifest& variant, size_t point) const {
-  Parameters own;
-  const std::map<std::string, double> values = params(point);
-  for (const ParameterManifest& parameter : variant.parameters)
-    if (const auto set = values.find(variant.name + "." + parameter.name); set != values.end()) own.insert(*set);
-  return own;
-}
-
 std::string SweptScene::words(size_t point) const {
   std::string text;
   const std::vector<double> values = points_.at(point);
