@@ -50,8 +50,13 @@ void bake(const Plan& plan, const std::vector<const EffectManifest*>& effects, c
         }
         if (bakes.stats().size() == known) continue;
         const BakeStats& stats = bakes.stats().back();
-        record.append(to_json(BakeRow{effect->name, scene.objects[object].name, effect->baker, stats.points,
-                                      stats.points * stats.rays, stats.seconds, stats.from_cache}));
+        record.append(to_json(BakeRow{.effect = effect->name,
+                                      .object = scene.objects[object].name,
+                                      .what = effect->baker,
+                                      .points = stats.points,
+                                      .rays = stats.points * stats.rays,
+                                      .seconds = stats.seconds,
+                                      .from_cache = stats.from_cache}));
       }
   for (const std::string& warning : bakes.cache().take_warnings()) fmt::print(stderr, "lamina: warning: {}\n", warning);
 }
@@ -78,12 +83,7 @@ size_t run_backend(const OpenedBackend& opened, const Scene& scene, const Librar
     for (const CellRow& row : run.rows()) append_row(record, row);
     effects.erase(effects.begin());
     if (!(rounds.device_ms > 0)) continue;
-    record.append({{"kind", "phase"},
-                   {"backend", opened.name},
-                   {"effect", effect->name},
-                   {"rounds", rounds.rounds},
-                   {"wall_ms", rounds.wall_ms},
-                   {"device_ms", rounds.device_ms}});
+    record.append(to_json(PhaseRow{opened.name, effect->name, rounds.rounds, rounds.wall_ms, rounds.device_ms}));
     fmt::print("{}: {} rounds of {} in {:.1f} s, {:.3f} times the device time measured\n", opened.name, rounds.rounds,
                effect->name, rounds.wall_ms / 1000, rounds.wall_ms / rounds.device_ms);
   }
@@ -139,10 +139,8 @@ int run_compare(const CompareOptions& options) {
   write_reports(options.out);
   const Record written = read_record(options.out / "record.jsonl");
   fmt::print("{}\nreport: {}\n", terminal_table(written, ::isatty(STDOUT_FILENO) == 1), (options.out / "index.html").string());
-  const bool failed =
-      std::any_of(written.cells.begin(), written.cells.end(), [](const auto& cell) { return cell.at("status") == "failed"; });
-  const bool uncertified =
-      std::any_of(written.timers.begin(), written.timers.end(), [](const auto& timer) { return !timer.at("ok"); });
+  const bool failed = std::ranges::any_of(written.cells, &CellRow::failed);
+  const bool uncertified = !std::ranges::all_of(written.timers, &TimerRow::ok);
   return failed || uncertified || messages > 0 ? 1 : 0;
 }
 

@@ -95,7 +95,6 @@ void PointRun::start_rows(Variant& variant, size_t point) {
     for (const auto& [path, value] : scenes_.params(point)) row.params[path] = value;
     for (const auto& [path, word] : scenes_.words_at(point)) row.words[path] = word;
     row.timed = options_.time.has(point) && timer_ok_;
-    row.counted = options_.fetches.has(point) || options_.time.has(point);
   }
 }
 
@@ -224,7 +223,7 @@ bool PointRun::run(size_t point, const std::function<bool(const std::string&, co
     attempt(variant.failure, variant.rows, [&] {
       if (!failure.empty()) throw std::runtime_error(failure);
       prepare(variant, point);
-      count(variant, variant.rows.front().counted);
+      count(variant, options_.fetches.has(point) || options_.time.has(point));
     });
   }
   if (options_.time.has(point) && timer_ok_) time(progress);
