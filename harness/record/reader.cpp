@@ -2,7 +2,7 @@
 // Reads a record and checks every line, so that what makes reports of it can trust each field.
 #include "harness/core/error.h"
 #include "harness/core/text.h"
-#include "harness/record/fields.h"
+#include "harness/record/kinds.h"
 #include "harness/record/record.h"
 
 namespace lamina {

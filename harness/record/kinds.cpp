@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "harness/record/fields.h"
+#include "harness/record/kinds.h"
 
 #include <cmath>
 
