@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "harness/core/error.h"
 #include "harness/gate/exact_verdicts.h"
 #include "harness/record/record.h"
 
