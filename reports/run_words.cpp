@@ -12,15 +12,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-// The objects in an array that a record may have; none where it has not.
-std::vector<Json> elements_of(const Json& owner, const char* name) {
-  std::vector<Json> objects;
-  if (const auto array = owner.find(name); array != owner.end() && array->is_array())
-    for (const Json& element : *array)
-      if (element.is_object()) objects.push_back(element);
-  return objects;
-}
-
 // `what`: "on vulkan", and what the timer timed where that is not frames; `times`: which then are not shown.
 std::string words_of(const TimerRow& timer, const std::string& what, const char* times = "times") {
   std::string measured;
@@ -94,19 +85,17 @@ std::vector<Certificate> certificates(const Record& record) {
 
 std::vector<std::string> plan_lines(const Record& record) {
   std::vector<std::string> lines;
-  for (const Json& plan : record.plans)
-    for (const Json& effect : plan.at("effects")) {
-      const std::string name = effect.at("effect");
-      lines.push_back(fmt::format("{}: {}: {}", name, effect.at("called_for").get<bool>() ? "called for" : "not called for",
-                                  effect.at("reason").get<std::string>()));
-      for (const Json& feature : elements_of(effect, "features"))
-        lines.push_back(fmt::format("{}: {} {}: {}", name, text_at(feature, "/on") == "true" ? "with" : "without",
-                                    text_at(feature, "/feature"), text_at(feature, "/reason")));
-      for (const Json& variant : elements_of(effect, "variants"))
-        for (const Json& pass : elements_of(variant, "passes"))
-          if (text_at(pass, "/runs") == "false")
-            lines.push_back(fmt::format("{}: {} without its pass {}: {}", name, text_at(variant, "/variant"),
-                                        text_at(pass, "/pass"), text_at(pass, "/reason")));
+  for (const PlanRow& plan : record.plans)
+    for (const PlanRow::Effect& effect : plan.effects) {
+      const std::string& name = effect.effect;
+      lines.push_back(fmt::format("{}: {}: {}", name, effect.called_for ? "called for" : "not called for", effect.reason));
+      for (const PlanRow::Feature& feature : effect.features)
+        lines.push_back(fmt::format("{}: {} {}: {}", name, feature.on ? "with" : "without", feature.feature, feature.reason));
+      for (const PlanRow::Variant& variant : effect.variants)
+        for (const PlanRow::Pass& pass : variant.passes)
+          if (!pass.runs)
+            lines.push_back(
+                fmt::format("{}: {} without its pass {}: {}", name, variant.variant, pass.pass, pass.reason));
     }
   return lines;
 }

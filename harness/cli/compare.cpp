@@ -103,7 +103,7 @@ int run_compare(const CompareOptions& options) {
   const std::vector<OpenedBackend> backends = probe_backends(options);
 
   ShaderCache shaders(Api::vulkan, library.shaders);
-  const nlohmann::ordered_json planned = plan_line(plan, scene, shaders);
+  const PlanRow planned = plan_row(plan, scene, shaders);
 
   std::error_code not_there;
   std::filesystem::remove_all(options.out / "images", not_there);  // an earlier run's
@@ -113,7 +113,7 @@ int run_compare(const CompareOptions& options) {
   for (const OpenedBackend& backend : backends)
     if (backend.info) devices.push_back(*backend.info);
   record.append(run_line(options, scene, devices));
-  record.append(planned);
+  record.append(to_json(planned));
   for (const std::string& warning : scene.warnings) fmt::print(stderr, "lamina: note: {}\n", warning);
 
   Progress baking("baking");

@@ -112,7 +112,7 @@ RecordWriter begin_record(const std::filesystem::path& out, const nlohmann::orde
   make_run_folder("gate", out);
   RecordWriter record(out / "record.jsonl");
   record.append(run);
-  record.append(plan_line(tree.plan, scene, tree.shaders.begin()->second));
+  record.append(to_json(plan_row(tree.plan, scene, tree.shaders.begin()->second)));
   return record;
 }
 

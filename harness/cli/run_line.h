@@ -8,6 +8,7 @@
 
 #include "harness/cli/commands.h"
 #include "harness/graph/graph.h"
+#include "harness/record/plan_row.h"
 
 namespace lamina {
 
@@ -24,7 +25,6 @@ nlohmann::ordered_json run_line(const SweepOptions& options, const Scene& scene,
                                 const std::string& inputs);
 // The same for a record that holds functions alone.
 nlohmann::ordered_json run_line(const StressOptions& options, const std::vector<DeviceInfo>& devices);
-// {"kind":"plan", "effects":[...]}: each effect with called_for and why, its features, and the passes of every variant.
-nlohmann::ordered_json plan_line(const Plan& plan, const Scene& scene, ShaderCache& shaders);
+PlanRow plan_row(const Plan& plan, const Scene& scene, ShaderCache& shaders);
 
 }  // namespace lamina

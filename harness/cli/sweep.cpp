@@ -222,14 +222,14 @@ int run_sweep(const SweepOptions& options) {
   const nlohmann::ordered_json run = run_line(options, scene, effects, devices, inputs_hash(options, scene));
   const SweepRow swept = sweep_row(options, scenes.points(), limits);
   const std::optional<Earlier> earlier = continue_record(file, run, swept, scenes.points());
-  std::optional<nlohmann::ordered_json> planned;  // before the record is begun: a mistake of a manifest leaves none
+  std::optional<PlanRow> planned;  // before the record is begun: a mistake of a manifest leaves none
   if (!earlier || !earlier->kinds.contains("plan")) {
     ShaderCache shaders(Api::vulkan, library.shaders);
-    planned = plan_line(plan, scene, shaders);
+    planned = plan_row(plan, scene, shaders);
   }
   RecordWriter record(file, earlier.has_value());
   if (!earlier) record.append(run), record.append(to_json(swept));
-  if (planned) record.append(*planned);
+  if (planned) record.append(to_json(*planned));
 
   Tally tally;
   const std::set<CellKey> known = earlier ? earlier->cells : std::set<CellKey>{};

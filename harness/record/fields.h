@@ -34,6 +34,18 @@ constexpr auto field(const char* name, T Row::*member) {
   return Field<K, Row, T>{name, member};
 }
 
+// One that records of before it lack.
+template <class K, class Row, class T>
+struct MayLack : Field<K, Row, T> {
+  void read(Row& row, const Json& object, const At& at) const {
+    if (object.contains(this->name)) Field<K, Row, T>::read(row, object, at);
+  }
+};
+template <class Row, class T>
+constexpr auto may_lack(const char* name, T Row::*member) {
+  return MayLack<Kind<T>, Row, T>{{name, member}};
+}
+
 // Left out where it is empty.
 template <class K, class Row, class T>
 struct LeftOut {

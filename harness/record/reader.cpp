@@ -38,16 +38,6 @@ void check_run(const Json& line, const At& at) {
   if (line.contains("commit_date")) value_of<MomentOrNull>(line, "commit_date", at);
 }
 
-void check_plan(const Json& line, const At& at) {
-  for (const Json& effect : value_of<Kind<std::vector<Json>>>(line, "effects", at)) {
-    const At inside = at.in("effects");
-    if (!effect.is_object()) refuse(at, "effects. is not an object");
-    value_of<Kind<std::string>>(effect, "effect", inside);
-    value_of<Kind<bool>>(effect, "called_for", inside);
-    value_of<Kind<std::string>>(effect, "reason", inside);
-  }
-}
-
 // The kind of a line; checks that it is an object with one.
 std::string kind_of(const Json& line, const At& at) {
   if (!line.is_object()) refuse(at, "the line is not an object");
@@ -55,25 +45,20 @@ std::string kind_of(const Json& line, const At& at) {
 }
 
 template <auto rows>
-void add_row(Record& record, Json& line, const At& at) {
+void add_row(Record& record, const Json& line, const At& at) {
   auto& all = record.*rows;
   using Row = typename std::remove_reference_t<decltype(all)>::value_type;
   all.push_back(row_of<Row>(line, at.subject));
 }
-void add_plan(Record& record, Json& line, const At& at) {
-  check_plan(line, at);
-  record.plans.push_back(std::move(line));
-}
-
-void add_line(Record& record, Json line, const At& at) {
+void add_line(Record& record, const Json& line, const At& at) {
   const std::string kind = kind_of(line, at);
   if (kind == "run") refuse(at, "a second line of kind 'run'; one record holds one run, so split the file before this line");
   struct KnownKind {
     const char* name;
-    void (*add)(Record&, Json&, const At&);
+    void (*add)(Record&, const Json&, const At&);
   };
   constexpr KnownKind kinds[] = {{"timer", add_row<&Record::timers>},
-                                 {"plan", add_plan},
+                                 {"plan", add_row<&Record::plans>},
                                  {"bake", add_row<&Record::bakes>},
                                  {"phase", add_row<&Record::phases>},
                                  {"cell", add_row<&Record::cells>},
@@ -122,7 +107,7 @@ Record read_record(const std::filesystem::path& file, std::vector<Json>* all_lin
     }
     if (all_lines) all_lines->push_back(line);
     if (number_of_line > 1) {
-      add_line(record, std::move(line), at);
+      add_line(record, line, at);
       continue;
     }
     if (kind_of(line, at) != "run")

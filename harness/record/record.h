@@ -14,6 +14,7 @@
 #include "harness/record/cell_rows.h"
 #include "harness/record/function_rows.h"
 #include "harness/record/gate_rows.h"
+#include "harness/record/plan_row.h"
 #include "harness/record/row_of.h"
 #include "harness/record/sweep_rows.h"
 #include "harness/record/timer_row.h"
@@ -38,8 +39,8 @@ class RecordWriter {
 
 // A record as read back: what reports are made of.
 struct Record {
-  nlohmann::json run;                 // its settings are each command's own
-  std::vector<nlohmann::json> plans;  // "effects": an array of objects with "effect", "called_for" and "reason"
+  nlohmann::json run;  // its settings are each command's own
+  std::vector<PlanRow> plans;
   std::vector<TimerRow> timers;
   std::vector<CellRow> cells;
   std::vector<BakeRow> bakes;

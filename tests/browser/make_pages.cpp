@@ -82,10 +82,8 @@ Record compare_record(const std::string& commit) {
   cells.push_back(failed);
   Record record = example_record(cells, {example_timer("vulkan"), example_timer("osmesa")});
   record.run["commit"] = commit;
-  record.plans.push_back({{"kind", "plan"},
-                          {"effects",
-                           {{{"effect", "layered_material"}, {"called_for", true}, {"reason", "heart has layers"}},
-                            {{"effect", "aperture_lighting"}, {"called_for", false}, {"reason", "no object has apertures"}}}}});
+  record.plans.push_back({{{.effect = "layered_material", .called_for = true, .reason = "heart has layers"},
+                           {.effect = "aperture_lighting", .reason = "no object has apertures"}}});
   record.gates = {example_gate_row(Verdict::slower, 1)};
   record.aas = {example_aa(Verdict::same)};
   record.verdicts = {example_slower(), example_verdict(Verdict::same, "ssim", "vertex_normal on vulkan: ssim as before")};
@@ -238,14 +236,13 @@ void write_record(Record& record, const fs::path& folder) {
   fs::create_directories(folder);
   paint_pictures(record, folder);
   std::string lines = record.run.dump() + '\n';
-  for (const nlohmann::json& plan : record.plans) lines += plan.dump() + '\n';
   const auto add = [&](const auto&... rows) {
     const auto add_each = [&](const auto& part) {
       for (const auto& row : part) lines += to_json(row).dump() + '\n';
     };
     (add_each(rows), ...);
   };
-  add(record.timers, record.cells, record.gates, record.pairs, record.aas, record.verdicts, record.functions,
+  add(record.timers, record.plans, record.cells, record.gates, record.pairs, record.aas, record.verdicts, record.functions,
       record.function_times, record.function_pictures);
   write_file_atomically(folder / "record.jsonl", lines);
 }

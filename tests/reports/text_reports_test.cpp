@@ -199,15 +199,13 @@ TEST(Headlines, NearAnSsimOfOnePsnrTells) {
 
 TEST(MarkdownSummary, HoldsWhatWasRunThePlanAndThePasses) {
   Record record = example_record(example_cells());
-  record.plans.push_back(
-      {{"kind", "plan"},
-       {"effects",
-        {{{"effect", "layered_material"},
-          {"called_for", true},
-          {"reason", "object 'heart' has layers"},
-          {"features", {{{"feature", "SCATTER"}, {"on", false}, {"reason", "the thickness is 0"}}}},
-          {"variants", {{{"variant", "light_map"}, {"passes", {{{"pass", "blur"}, {"runs", false}, {"reason", "unread"}}}}}}}},
-         {{"effect", "volume_fog"}, {"called_for", false}, {"reason", "the scene has no fog"}}}}});
+  PlanRow::Variant variant{.variant = "light_map", .passes = {{.pass = "blur", .runs = false, .reason = "unread"}}};
+  record.plans.push_back({{{.effect = "layered_material",
+                            .called_for = true,
+                            .reason = "object 'heart' has layers",
+                            .features = {{"SCATTER", false, "the thickness is 0"}},
+                            .variants = {variant}},
+                           {.effect = "volume_fog", .reason = "the scene has no fog"}}});
   record.phases.push_back({"vulkan", "layered_material", 9, 2200, 2000});
   const std::string markdown = markdown_summary(record);
   for (const char* part :
