@@ -52,11 +52,10 @@ std::string passes_section(const std::vector<PassSummary>& passes) {
 
 std::string assumptions_section(const Record& record) {
   std::string text;
-  for (const auto& cell : record.cells)
-    if (cell.contains("assumptions") && !cell.at("assumptions").empty())
-      text +=
-          fmt::format("- {} on {}, view {}: {}\n", escaped_markdown(cell.at("variant")), escaped_markdown(cell.at("backend")),
-                      escaped_markdown(cell.at("view")), escaped_markdown(costliest_assumption(cell)));
+  for (const CellRow& cell : record.cells)
+    if (!cell.assumptions.empty())
+      text += fmt::format("- {} on {}, view {}: {}\n", escaped_markdown(cell.variant), escaped_markdown(cell.backend),
+                          escaped_markdown(cell.view), escaped_markdown(costliest_assumption(cell)));
   return text.empty() ? "" : "\n## Which assumption costs you\n\n" + text;
 }
 
@@ -92,7 +91,7 @@ std::string hard_cases_markdown(const FunctionBackend& backend) {
   for (const auto* row : rows) {
     const auto cells = function_set_cells(*row);
     std::vector<std::string> with_set(cells.begin(), cells.end());
-    with_set.insert(with_set.begin(), text_at(*row, "/set"));
+    with_set.insert(with_set.begin(), row->set);
     text += markdown_row(with_set);
   }
   return text;
@@ -125,7 +124,7 @@ std::string gate_section(const Record& record) {
   for (const auto* row : reading.all()) text += markdown_row(gate_cells(*row));
   text += "\n";
   for (const GateReading::Rows& rows : {reading.regressed, reading.ambiguous, reading.not_compared})
-    for (const auto* row : rows) text += fmt::format("- {}\n", escaped_markdown(text_at(*row, "/sentence")));
+    for (const auto* row : rows) text += fmt::format("- {}\n", escaped_markdown(row->sentence));
   return text;
 }
 

@@ -9,8 +9,6 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
 struct Sums {
   double covered_pixels = 0, fetches = 0, ms = 0, timed_fetches = 0;
   size_t timed_views = 0;
@@ -30,20 +28,19 @@ PassSummary::Share& share_of(PassSummary& pass, const TextureFetches& fetched) {
 std::vector<PassSummary> summarize_passes(const Record& record) {
   std::vector<PassSummary> passes;
   std::vector<Sums> sums;  // of the pass at the same index
-  for (const Json& cell : record.cells) {
-    if (cell.at("status") == "failed") continue;
-    const std::string backend = cell.at("backend");
-    for (const PassRow& row : passes_of(cell)) {
+  for (const CellRow& cell : record.cells) {
+    if (cell.failed) continue;
+    for (const PassRow& row : cell.passes) {
       const auto known = std::find_if(passes.begin(), passes.end(), [&](const PassSummary& p) {
-        return p.name == row.name && p.backend == backend && p.once == row.once && p.variant == cell.at("variant") &&
-               p.effect == cell.at("effect");
+        return p.name == row.name && p.backend == cell.backend && p.once == row.once && p.variant == cell.variant &&
+               p.effect == cell.effect;
       });
       const size_t index = static_cast<size_t>(known - passes.begin());
       if (known == passes.end()) {
         PassSummary& added = passes.emplace_back();
-        added.effect = cell.at("effect");
-        added.variant = cell.at("variant");
-        added.backend = backend;
+        added.effect = cell.effect;
+        added.variant = cell.variant;
+        added.backend = cell.backend;
         added.name = row.name;
         added.once = row.once;
         sums.emplace_back();
@@ -52,13 +49,14 @@ std::vector<PassSummary> summarize_passes(const Record& record) {
       Sums& sum = sums[index];
       ++pass.views;
       pass.early_tests = pass.early_tests && row.early_tests;
-      pass.fragments += static_cast<double>(row.fragments);
-      sum.fetches += static_cast<double>(row.fetches);
-      if (const Json& covered = cell.at("covered_pixels"); !covered.is_null()) sum.covered_pixels += covered.get<double>();
+      const double fetches = static_cast<double>(row.fetches.value_or(0));
+      pass.fragments += static_cast<double>(row.fragments.value_or(0));
+      sum.fetches += fetches;
+      sum.covered_pixels += static_cast<double>(cell.covered_pixels.value_or(0));
       for (const TextureFetches& fetched : row.by_texture) share_of(pass, fetched).fetches += fetched.fetches;
-      if (!row.ms.empty() && cell.at("timed").get<bool>() && times_shown(record, backend)) {
+      if (!row.ms.empty() && cell.timed && times_shown(record, cell.backend)) {
         sum.ms += median(row.ms);
-        sum.timed_fetches += static_cast<double>(row.fetches);
+        sum.timed_fetches += fetches;
         ++sum.timed_views;
       }
     }

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A record's values and figures as text.
+// Figures as text.
 #include "reports/words.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace lamina {
 namespace {
-
-using Json = nlohmann::json;
-
-std::string text_of(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
 const char* mark_of(const Interval& interval) { return interval.coverage < report_confidence ? "*" : ""; }
 
@@ -22,45 +17,6 @@ std::string mean_and_worst(double mean, double worst, int digits) {
 }
 
 }  // namespace
-
-std::string text_at(const Json& value, const char* pointer) {
-  const Json::json_pointer path(pointer);
-  return value.contains(path) ? text_of(value.at(path)) : std::string();
-}
-
-std::string entries_of(const Json& object) {
-  if (!object.is_object()) return {};
-  std::string words;
-  for (const auto& [key, value] : object.items())
-    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", key, text_of(value));
-  return words;
-}
-
-std::optional<ErrorFigures> figures_of(const Json& figures) {
-  if (figures.is_null()) return std::nullopt;
-  const Json& psnr_db = figures.at("psnr_db");
-  return ErrorFigures{.psnr_db = psnr_db.is_null() ? std::numeric_limits<double>::infinity() : psnr_db.get<double>(),
-                      .ssim = figures.at("ssim"),
-                      .flip = figures.at("flip"),
-                      .rmse_linear = figures.at("rmse_linear"),
-                      .max_linear = figures.at("max_linear")};
-}
-
-bool times_shown(const Record& record, std::string_view backend) {
-  bool certified = false;
-  for (const Json& timer : record.timers) {
-    if (timer.at("backend") != backend) continue;
-    if (!timer.at("ok").get<bool>()) return false;
-    certified = true;
-  }
-  return certified;
-}
-
-std::vector<double> shown_samples_ms(const Record& record, const Json& cell) {
-  if (cell.at("status") == "failed" || !cell.at("timed").get<bool>()) return {};
-  if (!times_shown(record, cell.at("backend").get<std::string>())) return {};
-  return frame_samples_ms(passes_of(cell));
-}
 
 Interval interval_or_range(std::vector<double> samples) {
   if (samples.size() >= min_rounds_for_95) return median_interval(samples);

@@ -15,21 +15,8 @@
 
 namespace lamina {
 
-// ---- Reading a record ----------------------------------------------------------------------------------------------------
-
-// The value at a JSON pointer as text ("/machine/cpu"); "" where there is none.
-std::string text_at(const nlohmann::json& value, const char* pointer);
-// An object's entries as "key value, key value"; "" for anything else.
-std::string entries_of(const nlohmann::json& object);
-// PSNR is +infinity for identical pictures. Nothing for null.
-std::optional<ErrorFigures> figures_of(const nlohmann::json& figures);
-
-// Whether the backend has a timer certificate and every one of it is good. Where not, no report shows its times.
-bool times_shown(const Record& record, std::string_view backend);
 // The median with its 95% interval, or the whole range below min_rounds_for_95 samples, whose coverage says so.
 Interval interval_or_range(std::vector<double> samples);
-// A cell's frame time of each round, or nothing where it failed or its backend's times are not shown.
-std::vector<double> shown_samples_ms(const Record& record, const nlohmann::json& cell);
 
 // ---- Numbers -------------------------------------------------------------------------------------------------------------
 
@@ -74,11 +61,11 @@ std::string trouble_of(const SummaryRow& row);
 // How to read the table, one sentence each.
 std::vector<std::string> summary_notes(const std::vector<SummaryRow>& rows);
 
-// Which of a cell's assumptions costs the most, by RMSE in linear light, as a sentence. `cell` has "assumptions".
-std::string costliest_assumption(const nlohmann::json& cell);
+// Which of a cell's assumptions costs the most, by RMSE in linear light, as a sentence.
+std::string costliest_assumption(const CellRow& cell);
 // Columns of a table of assumptions: one name, figures.
 inline constexpr std::array<const char*, 5> assumption_columns = {"assumption", "RMSE, linear", "PSNR dB", "SSIM", "FLIP"};
-std::array<std::string, assumption_columns.size()> assumption_cells(const nlohmann::json& assumption);
+std::array<std::string, assumption_columns.size()> assumption_cells(const AssumptionRow& assumption);
 
 // A pass of a variant on a backend, over the views that have it.
 struct PassSummary {

@@ -46,9 +46,9 @@ fs::path write_reports(const std::vector<fs::path>& run_folders, const ReportOpt
       files[from_page] = {run_folders[i], path};
       path = from_page;
     });
-    for (const nlohmann::json& cell : records[i].cells)
-      for (const char* field : {"image", "difference", "flip", "truth_image", "before_image"})
-        if (!options.single_file && cell.contains(field) && cell.at(field) != "") write_pixel_script(out, cell.at(field));
+    if (options.single_file) continue;
+    for (CellRow& cell : records[i].cells)
+      for_each_picture(cell, [&](const std::string& path) { write_pixel_script(out, path); });
   }
   write_file_atomically(out / "summary.md", summary);
   const PictureUrl inside = [&](const std::string& path) { return std::apply(data_url, files.at(path)); };

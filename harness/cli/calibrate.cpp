@@ -130,7 +130,7 @@ std::vector<std::string> passes_by_length(Bench& bench) {
                                      emit(to_json(all.front().row(process)));
                                    });
   std::vector<std::pair<double, std::string>> passes;
-  for (const PairedPass& pass : pairs_from_json(lines.front()).passes)
+  for (const PairedPass& pass : row_of<PairsRow>(lines.front(), "calibration").passes)
     for (const PassManifest& manifest : bench.effect.baseline().passes)
       if (manifest.name == pass.name && !manifest.fragment.empty())
         passes.emplace_back(-whole_ms(pass, 0).value_or(0), pass.name);
@@ -160,7 +160,7 @@ std::vector<double> costs_of_slower(Bench& bench, const std::string& pass) {
       });
   std::vector<std::vector<double>> ratios(bench.slower.size());
   for (size_t i = 0; i < lines.size(); ++i) {
-    const PairsRow row = pairs_from_json(lines[i]);
+    const PairsRow row = row_of<PairsRow>(lines[i], "calibration");
     for (size_t k = 0; k < row.passes.size(); ++k)
       if (row.passes[k].name == pass)
         ratios[i % bench.slower.size()].push_back(std::exp(estimate_of(row, frame_after, k).log_ratio));
@@ -294,7 +294,7 @@ std::vector<CalibratedGate> run_set(Bench& bench, const Setup& setup, size_t set
   for (size_t process = 0; process < bench.options.processes; ++process)
     for (const nlohmann::json& line :
          run_processes(bench, bench.options.compare.backends, set * bench.options.processes + process, work))
-      rows[line.at("kind")].push_back(pairs_from_json(line.at("pairs")));
+      rows[line.at("kind")].push_back(row_of<PairsRow>(line.at("pairs"), "calibration"));
   std::vector<CalibratedGate> gates;
   for (const auto& [kind, pairs] : rows)
     gates.push_back(judge_calibrated(kind == 0 ? 0 : slow_downs[kind - 1], pairs, bench.options.family_error, setup.pass));

@@ -112,12 +112,14 @@ Mask count_cell(CellRow& row, Frame& counting, const std::vector<PassCounts>& on
                 size_t view) {
   counting.run(view, Timing::off);
   row.passes = count_rows(counting, once, counting.frame_counts());
+  uint64_t fetches = 0;
   for (const PassRow& pass : row.passes)
-    if (!pass.once) row.fetches += pass.fetches;
+    if (!pass.once) fetches += *pass.fetches;
+  row.fetches = fetches;
   Mask covered = counting.coverage(variant.effect);
   row.covered_pixels = count_on(covered);
   if (row.covered_pixels > 0)
-    row.fetches_per_pixel = static_cast<double>(row.fetches) / static_cast<double>(row.covered_pixels);
+    row.fetches_per_pixel = static_cast<double>(fetches) / static_cast<double>(*row.covered_pixels);
   return covered;
 }
 

@@ -38,8 +38,13 @@ void bake(const Plan& plan, const std::vector<const EffectManifest*>& effects, c
         }
         if (bakes.stats().size() == known) continue;
         const BakeStats& stats = bakes.stats().back();
-        record.append(to_json(BakeRow{effect->name, scene.objects[object].name, effect->baker, stats.points,
-                                      stats.points * stats.rays, stats.seconds, stats.from_cache}));
+        record.append(to_json(BakeRow{.effect = effect->name,
+                                      .object = scene.objects[object].name,
+                                      .what = effect->baker,
+                                      .points = stats.points,
+                                      .rays = stats.points * stats.rays,
+                                      .seconds = stats.seconds,
+                                      .from_cache = stats.from_cache}));
       }
   for (const std::string& warning : bakes.cache().take_warnings()) fmt::print(stderr, "lamina: warning: {}\n", warning);
 }
@@ -68,12 +73,7 @@ size_t run_backend(const std::string& name, const Scene& scene, const Library& l
     for (const CellRow& row : run.rows()) append_row(record, row);
     effects.erase(effects.begin());
     if (!(rounds.device_ms > 0)) continue;
-    record.append({{"kind", "phase"},
-                   {"backend", name},
-                   {"effect", effect->name},
-                   {"rounds", rounds.rounds},
-                   {"wall_ms", rounds.wall_ms},
-                   {"device_ms", rounds.device_ms}});
+    record.append(to_json(PhaseRow{name, effect->name, rounds.rounds, rounds.wall_ms, rounds.device_ms}));
     fmt::print("{}: {} rounds of {} in {:.1f} s, {:.3f} times the device time measured\n", name, rounds.rounds, effect->name,
                rounds.wall_ms / 1000, rounds.wall_ms / rounds.device_ms);
   }
@@ -107,14 +107,14 @@ int run_compare(const CompareOptions& options) {
   check_size("compare", options, devices);
 
   ShaderCache shaders(Api::vulkan, library.shaders);
-  const nlohmann::ordered_json planned = plan_line(plan, scene, shaders);
+  const PlanRow planned = plan_row(plan, scene, shaders);
 
   std::error_code not_there;
   std::filesystem::remove_all(options.out / "images", not_there);  // an earlier run's
   make_run_folder("compare", options.out);
   RecordWriter record(options.out / "record.jsonl");
   record.append(run_line(options, options.rounds, options.quick, scene, devices));
-  record.append(planned);
+  record.append(to_json(planned));
   for (const std::string& warning : scene.warnings) fmt::print(stderr, "lamina: note: {}\n", warning);
 
   Progress baking("baking");
@@ -140,10 +140,8 @@ int run_compare(const CompareOptions& options) {
   write_reports(options.out);
   const Record written = read_record(options.out / "record.jsonl");
   fmt::print("{}\nreport: {}\n", terminal_table(written, ::isatty(STDOUT_FILENO) == 1), (options.out / "index.html").string());
-  const bool failed =
-      std::any_of(written.cells.begin(), written.cells.end(), [](const auto& cell) { return cell.at("status") == "failed"; });
-  const bool uncertified =
-      std::any_of(written.timers.begin(), written.timers.end(), [](const auto& timer) { return !timer.at("ok"); });
+  const bool failed = std::ranges::any_of(written.cells, &CellRow::failed);
+  const bool uncertified = !std::ranges::all_of(written.timers, &TimerRow::ok);
   return failed || uncertified || messages > 0 ? 1 : 0;
 }
 

@@ -78,7 +78,7 @@ void EffectRun::start(const SceneOnDevice& scene, const MeasuredPoint& point, co
                                                          *scene.plan->library, view, *variant.manifest, options_));
       for (const auto& [path, value] : point.params) row.params[path] = value;
       for (const auto& [path, word] : point.words) row.words[path] = word;
-      row.timed = point.timed, row.counted = point.counted;
+      row.timed = point.timed;
       if (!failure.empty()) fail(row, failure);
     }
   }

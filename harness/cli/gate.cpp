@@ -33,12 +33,10 @@ GateNames names_in(const TreePair& trees, const GateOptions& options) {
 }
 
 // The cell with the picture of the same cell before the change, where there is one.
-nlohmann::ordered_json with_picture_before(const nlohmann::json& cell, const std::vector<nlohmann::json>& cells_before) {
-  nlohmann::ordered_json line = cell;
-  const nlohmann::json before =
-      find_cell(cells_before, cell.at("backend"), cell.at("effect"), cell.at("variant"), cell.at("view"));
-  if (!before.is_null() && before.at("image") != "") line["before_image"] = before.at("image");
-  return line;
+CellRow with_picture_before(CellRow cell, const std::vector<CellRow>& cells_before) {
+  if (const auto before = find_cell(cells_before, cell.backend, cell.effect, cell.variant, cell.view))
+    cell.before_image = before->image;
+  return cell;
 }
 
 int run_against(GateOptions options, const Stopwatch& watch) {
@@ -52,8 +50,9 @@ int run_against(GateOptions options, const Stopwatch& watch) {
   const GateMeasurements measured = measure_trees(trees, options, limits, watch);
   const GateResult result = judge_trees(trees, measured, options, limits);
   const GateOutcome outcome = outcome_of(result.rows);
-  for (const nlohmann::json& timer : measured.timers) record.append(nlohmann::ordered_json(timer));
-  for (const nlohmann::json& cell : measured.cells_after) record.append(with_picture_before(cell, measured.cells_before));
+  for (const TimerRow& timer : measured.timers) record.append(to_json(timer));
+  for (const CellRow& cell : measured.cells_after)
+    record.append(to_json(with_picture_before(cell, measured.cells_before)));
   for (const PairsRow& row : measured.pairs) record.append(to_json(row));
   for (const SameArmRow& row : result.times.same_arms) record.append(to_json(row));
   for (const VerdictRow& row : result.rows) record.append(to_json(row));
@@ -103,7 +102,7 @@ RecordWriter begin_record(const std::filesystem::path& out, const nlohmann::orde
   make_run_folder("gate", out);
   RecordWriter record(out / "record.jsonl");
   record.append(run);
-  record.append(plan_line(tree.plan, scene, tree.shaders.begin()->second));
+  record.append(to_json(plan_row(tree.plan, scene, tree.shaders.begin()->second)));
   return record;
 }
 
@@ -112,7 +111,7 @@ int finish_gate(const std::filesystem::path& out) {
   write_reports(out);
   fmt::print("{}\nreport: {}\n", gate_table(written, ::isatty(STDOUT_FILENO) == 1), (out / "index.html").string());
   announce_on_github(written);
-  return written.gates.front().at("status");
+  return written.gates.front().status;
 }
 
 namespace {

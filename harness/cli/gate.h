@@ -72,9 +72,10 @@ struct GateTask {
 void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOptions& options, const LimitsFile& limits,
                             const EmitLine& emit);
 
-// What the processes of a gate have handed over, in record form.
+// What the processes of a gate have handed over.
 struct GateMeasurements {
-  std::vector<nlohmann::json> timers, cells_before, cells_after;
+  std::vector<TimerRow> timers;
+  std::vector<CellRow> cells_before, cells_after;
   std::map<std::array<std::string, 4>, double> changes;  // most_change(), by backend, effect, variant and view
   std::vector<PairsRow> pairs;
   std::vector<VerdictRow> failures;  // of backends and processes
@@ -82,7 +83,7 @@ struct GateMeasurements {
   double rounds_s = 0;  // the time that rounds took
 
   // The backend's certificate, the last one: an earlier one that failed was asked again. Null: none.
-  const nlohmann::json* timer(const std::string& backend) const;
+  const TimerRow* timer(const std::string& backend) const;
   bool certified(const std::string& backend) const;  // by that one
 };
 
@@ -96,9 +97,9 @@ bool is_drawn(const VariantPair& pair, const Limits& limits);
 // The trees of `lamina gate SCENE --against DIR`. Throws Error(bad_input) where they have no variant in common.
 TreePair pair_trees(Library before, Library after, const GateOptions& options);
 
-// The cell of these among `cells`; null where there is none.
-nlohmann::json find_cell(const std::vector<nlohmann::json>& cells, const std::string& backend, const std::string& effect,
-                         const std::string& variant, const std::string& view);
+// The cell of these among `cells`, if there is one.
+std::optional<CellRow> find_cell(const std::vector<CellRow>& cells, const std::string& backend, const std::string& effect,
+                                 const std::string& variant, const std::string& view);
 
 // All verdicts on two trees.
 struct GateResult {
@@ -113,7 +114,7 @@ GateResult judge_trees(const TreePair& trees, const GateMeasurements& measured, 
 Tree load_tree(Library library, const CellOptions& options, const Tree* known = nullptr);
 // Sorts what a process has handed over into `measured`.
 void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements& measured);
-VerdictRow judge_timer(const nlohmann::json& timer);
+VerdictRow judge_timer(const TimerRow& timer);
 // The devices of the backends. Throws Error(no_device) where one of them does not open.
 std::vector<DeviceInfo> probe_devices(const GateOptions& options);
 

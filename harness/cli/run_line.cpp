@@ -26,24 +26,19 @@ std::string environment(const char* name) {
   return value ? value : "";
 }
 
-Json passes_of(const std::vector<GraphPass>& passes, const Scene& scene, bool runs) {
-  Json rows = Json::array();
+std::vector<PlanRow::Pass> planned(const std::vector<GraphPass>& passes, const Scene& scene, bool runs) {
+  std::vector<PlanRow::Pass> rows;
   for (const GraphPass& pass : passes) {
-    Json objects = Json::array(), textures = Json::array();
+    PlanRow::Pass& row = rows.emplace_back();
+    row.pass = pass.pass->name, row.effect = pass.variant->effect;
+    row.runs = runs, row.once = pass.once, row.reason = pass.reason;
     std::set<std::string> names;
     for (const GraphDraw& draw : pass.draws) {
-      if (draw.object) objects.push_back(scene.objects[*draw.object].name);
+      if (draw.object) row.objects.push_back(scene.objects[*draw.object].name);
       for (const ResolvedRead& read : draw.reads) names.insert(read.source.name);
     }
-    for (const std::string& name : names) textures.push_back(name);
-    rows.push_back({{"pass", pass.pass->name},
-                    {"effect", pass.variant->effect},
-                    {"runs", runs},
-                    {"once", pass.once},
-                    {"reason", pass.reason},
-                    {"objects", objects},
-                    {"reads", textures},
-                    {"writes", pass.pass->written()}});
+    row.reads.assign(names.begin(), names.end());
+    row.writes = pass.pass->written();
   }
   return rows;
 }
@@ -112,32 +107,28 @@ Json run_line(const CellOptions& options, const RoundOptions& rounds, bool quick
   return line;
 }
 
-Json plan_line(const Plan& plan, const Scene& scene, ShaderCache& shaders) {
-  Json effects = Json::array();
+PlanRow plan_row(const Plan& plan, const Scene& scene, ShaderCache& shaders) {
+  PlanRow row;
   for (const EffectPlan& entry : plan.effects) {
-    Json features = Json::array(), variants = Json::array();
-    for (const FeaturePlan& feature : entry.features)
-      features.push_back({{"feature", feature.define}, {"on", feature.on}, {"reason", feature.reason}});
-    for (const VariantManifest& variant : entry.effect->variants) {
+    PlanRow::Effect& effect = row.effects.emplace_back();
+    effect.effect = entry.effect->name, effect.called_for = entry.called_for, effect.reason = entry.reason;
+    effect.objects = entry.objects.size();
+    for (const FeaturePlan& feature : entry.features) effect.features.push_back({feature.define, feature.on, feature.reason});
+    for (const VariantManifest& manifest : entry.effect->variants) {
       if (!entry.called_for) break;
+      PlanRow::Variant& variant = effect.variants.emplace_back();
+      variant.variant = manifest.name, variant.baseline = manifest.baseline;
       try {
-        const Graph graph = make_graph(plan, {&variant}, scene, shaders);
-        Json passes = passes_of(graph.passes, scene, true);
-        for (const Json& dropped : passes_of(graph.dropped, scene, false)) passes.push_back(dropped);
-        variants.push_back({{"variant", variant.name}, {"baseline", variant.baseline}, {"passes", passes}});
+        const Graph graph = make_graph(plan, {&manifest}, scene, shaders);
+        variant.passes = planned(graph.passes, scene, true);
+        for (PlanRow::Pass& dropped : planned(graph.dropped, scene, false)) variant.passes.push_back(std::move(dropped));
       } catch (const Error& error) {
         if (error.kind() == ErrorKind::bad_input && error.stage() == "variants") throw;  // a mistake of a manifest
-        variants.push_back({{"variant", variant.name}, {"baseline", variant.baseline}, {"error", error.what()}});
+        variant.error = error.what();
       }
     }
-    effects.push_back({{"effect", entry.effect->name},
-                       {"called_for", entry.called_for},
-                       {"reason", entry.reason},
-                       {"objects", entry.objects.size()},
-                       {"features", features},
-                       {"variants", variants}});
   }
-  return {{"kind", "plan"}, {"effects", effects}};
+  return row;
 }
 
 }  // namespace lamina

@@ -8,6 +8,7 @@
 
 #include "harness/cli/options.h"
 #include "harness/graph/graph.h"
+#include "harness/record/plan_row.h"
 
 namespace lamina {
 
@@ -22,7 +23,7 @@ nlohmann::ordered_json run_line(const std::string& command, const std::vector<De
 // The same with the scene and the settings of a command that leaves cells.
 nlohmann::ordered_json run_line(const CellOptions& options, const RoundOptions& rounds, bool quick, const Scene& scene,
                                 const std::vector<DeviceInfo>& devices);
-// {"kind":"plan", "effects":[...]}: each effect with called_for and why, its features, and the passes of every variant.
-nlohmann::ordered_json plan_line(const Plan& plan, const Scene& scene, ShaderCache& shaders);
+// Each effect with called_for and why, its features, and the passes of every variant.
+PlanRow plan_row(const Plan& plan, const Scene& scene, ShaderCache& shaders);
 
 }  // namespace lamina

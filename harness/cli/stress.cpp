@@ -69,7 +69,7 @@ FunctionRow row_of(const FunctionSubject& subject, const Family& family, const P
                   .not_zero = e.not_zero,
                   .worst_over = e.worst_over,
                   .worst_under = e.worst_under,
-                  .first_fault = e.first_fault};
+                  .first_fault = e.first_fault.value_or(std::vector<double>{})};
   if (claim) row.bounds = FunctionBounds{claim->over, claim->under, claim->eps_kappa};
   return row;
 }
@@ -83,7 +83,7 @@ void write_csv(const std::filesystem::path& file, const FamilyRun& run) {
   for (const FunctionRow& row : run.errors) {
     const FunctionSubject& subject = row.subject;
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", subject.backend, subject.variant, row.set, row.points,
-                        row.max_over, row.max_under, row.mean_absolute, row.rms, row.most_eps, row.most_eps_kappa, row.negative,
+                        *row.max_over, *row.max_under, *row.mean_absolute, *row.rms, *row.most_eps, *row.most_eps_kappa, row.negative,
                         row.nonfinite, row.not_zero, fmt::join(row.worst_over, ","), fmt::join(row.worst_under, ","));
     const auto time = std::ranges::find_if(run.times, [&](const FunctionTimeRow& t) {
       return t.subject.backend == subject.backend && t.subject.variant == subject.variant;
@@ -102,8 +102,8 @@ void print_set(const PointSet& set, const FamilyRun& run) {
   for (const FunctionRow& row : run.errors) {
     if (row.set != set.name) continue;
     fmt::print("{:<16} {:<8} {:>9.3g} {:>9.3g} {:>9.2g} {:>9.2g} {:>10.3g} {:>10.3g} {:>9} {:>10}  {}\n", row.subject.variant,
-               row.subject.backend, row.max_over, row.max_under, row.mean_absolute, row.rms, row.most_eps, row.most_eps_kappa,
-               row.negative, row.nonfinite, fmt::join(row.max_over > -row.max_under ? row.worst_over : row.worst_under, " "));
+               row.subject.backend, *row.max_over, *row.max_under, *row.mean_absolute, *row.rms, *row.most_eps, *row.most_eps_kappa,
+               row.negative, row.nonfinite, fmt::join(*row.max_over > -*row.max_under ? row.worst_over : row.worst_under, " "));
   }
 }
 
@@ -188,7 +188,7 @@ void write_record(const StressOptions& options, const std::vector<DeviceInfo>& d
   std::vector<nlohmann::ordered_json> lines;
   for (const FunctionRow& row : run.errors) lines.push_back(to_json(row));
   for (const FunctionTimeRow& row : run.times) lines.push_back(to_json(row));
-  for (const TimerRow& timer : run.timers) lines.push_back(function_timer_line(function, timer));
+  for (const TimerRow& timer : run.timers) lines.push_back(to_json(FunctionTimerRow{timer, function}));
   for (const FunctionPictureRow& row : run.pictures) lines.push_back(to_json(row));
   nlohmann::ordered_json line = run_line(options.command, devices);
   line["settings"] = {{"count", options.count}, {"seed", options.seed}, {"validation", options.validation}};

@@ -111,7 +111,7 @@ SweepRow sweep_row(const SweepOptions& options, const SweepPoints& points, const
   row.zip = points.zip;
   row.points = points.count();
   row.shard_index = options.shard.index, row.shard_count = options.shard.count;
-  for (const Limit& limit : limits) row.limits.emplace_back(limit.metric, limit.value);
+  row.limits = limits;
   return row;
 }
 
@@ -273,16 +273,16 @@ int run_sweep(const SweepOptions& options) {
   const FolderLock lock("sweep", options.compare.out);
   const std::filesystem::path file = options.compare.out / "record.jsonl";
   const nlohmann::ordered_json run = sweep_run_line(options, scene, effects, devices, inputs_hash(options, scene));
-  const nlohmann::ordered_json sweep_line = to_json(sweep_row(options, scenes.points(), limits));
-  const std::optional<Earlier> earlier = continue_record(file, run, sweep_line, scenes.points());
-  std::optional<nlohmann::ordered_json> planned;  // before the record is begun: a mistake of a manifest leaves none
+  const SweepRow swept = sweep_row(options, scenes.points(), limits);
+  const std::optional<Earlier> earlier = continue_record(file, run, swept, scenes.points());
+  std::optional<PlanRow> planned;  // before the record is begun: a mistake of a manifest leaves none
   if (!earlier || !earlier->kinds.contains("plan")) {
     ShaderCache shaders(Api::vulkan, library.shaders);
-    planned = plan_line(plan, scene, shaders);
+    planned = plan_row(plan, scene, shaders);
   }
   RecordWriter record(file, earlier.has_value());
-  if (!earlier) record.append(run), record.append(sweep_line);
-  if (planned) record.append(*planned);
+  if (!earlier) record.append(run), record.append(to_json(swept));
+  if (planned) record.append(to_json(*planned));
 
   Tally tally;
   const std::set<CellKey> known = earlier ? earlier->cells : std::set<CellKey>{};

@@ -2,13 +2,13 @@
 // Verdicts on figures without noise: counts, pictures and errors of one cell before and after a change.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
 #include "harness/core/image.h"
 #include "harness/gate/limits.h"
-#include "harness/gate/verdict.h"
+#include "harness/record/cell_rows.h"
+#include "harness/record/gate_rows.h"
 
 namespace lamina {
 
@@ -16,10 +16,9 @@ namespace lamina {
 // Error(failed) for pictures of two sizes.
 double most_change(const Image& picture, const Image& before);
 
-// One variant on one backend: the cells of all its views, in one order before and after, as read from a record or made by
-// to_json(). Null: there is none. `changes` is beside `after`, or empty where no pictures were compared.
+// One variant on one backend: the cells of all its views, in one order before and after; absent where there is none. `changes` is beside `after`, or empty where no pictures were compared.
 struct CellPair {
-  std::vector<nlohmann::json> before, after;
+  std::vector<std::optional<CellRow>> before, after;
   std::vector<std::optional<double>> changes;  // most_change()
   // One machine and driver drew both: then a hash that changed is a picture that changed, however little.
   bool hashes_tell = false;

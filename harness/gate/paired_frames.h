@@ -14,24 +14,12 @@
 #include <vector>
 
 #include "harness/graph/frame.h"
-#include "harness/measure/ratio_estimate.h"
+#include "harness/record/gate_rows.h"
 
 namespace lamina {
 
 // One round takes every fourth strip of a pass: a fair sample of the picture, and four times the rounds in the same time.
 inline constexpr size_t rounds_a_frame = 4;
-
-struct PairedPass {
-  std::string name;
-  bool cut = false;  // else every round takes all of it
-  // [frame]: whether the pass is known to be the same as frame 0's; it is then not run for that frame. Where it is the same in
-  // all other frames, frame 0 runs it in the first whole frame only, to find its share of the frame.
-  std::vector<bool> same;
-  // [frame][round]: the sum over the strips of this round; empty for a frame that has no such pass.
-  std::vector<std::vector<double>> ms;
-  // [frame]: its strips in all rounds, beside those of frame 0; empty for frame 0, and where either has no such pass.
-  std::vector<std::vector<StripPair>> strips;
-};
 
 struct PieceOptions {
   double piece_ms = 5;        // what a strip should last, at least

@@ -11,8 +11,6 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 using Part = std::optional<size_t>;  // a pass by its place, or the whole frame
 constexpr Part whole_frame = std::nullopt;
 
@@ -181,42 +179,6 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
   }
   report.comparisons = comparisons.size();
   return report;
-}
-
-Json to_json(const PairsRow& row) {
-  const auto rounded = [](double ms) { return std::round(ms * 1e6) / 1e6; };  // to the nanosecond
-  Json passes = Json::array();
-  for (const PairedPass& pass : row.passes) {
-    Json strips = Json::array();
-    for (const std::vector<StripPair>& of_frame : pass.strips) {
-      Json& pairs = strips.emplace_back(Json::array());
-      for (const StripPair& pair : of_frame)
-        pairs.push_back({rounded(pair.before), rounded(pair.after), pair.after_first ? 1 : 0});
-    }
-    passes.push_back({{"name", pass.name}, {"cut", pass.cut}, {"same", pass.same}, {"ms", pass.ms}, {"strips", strips}});
-  }
-  return {{"kind", "pairs"},        {"process", row.process}, {"backend", row.backend}, {"effect", row.effect},
-          {"variant", row.variant}, {"view", row.view},       {"frames", row.frames},   {"passes", passes}};
-}
-
-PairsRow pairs_from_json(const nlohmann::json& line) {
-  PairsRow row;
-  row.process = line.at("process");
-  row.backend = line.at("backend"), row.effect = line.at("effect"), row.variant = line.at("variant"),
-  row.view = line.at("view");
-  row.frames = line.at("frames").get<std::vector<std::string>>();
-  for (const nlohmann::json& pass : line.at("passes")) {
-    PairedPass& paired = row.passes.emplace_back(PairedPass{pass.at("name"),
-                                                            pass.at("cut"),
-                                                            pass.at("same").get<std::vector<bool>>(),
-                                                            pass.at("ms").get<std::vector<std::vector<double>>>(),
-                                                            {}});
-    for (const nlohmann::json& of_frame : pass.at("strips")) {
-      std::vector<StripPair>& pairs = paired.strips.emplace_back();
-      for (const nlohmann::json& pair : of_frame) pairs.push_back({pair.at(0), pair.at(1), pair.at(2) == 1});
-    }
-  }
-  return row;
 }
 
 }  // namespace lamina

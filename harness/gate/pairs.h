@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times of paired frames from several processes, as lines of the record, and the verdicts on them.
+// Verdicts on the times of paired frames from several processes.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "harness/gate/limits.h"
 #include "harness/gate/paired_frames.h"
-#include "harness/gate/verdict.h"
+#include "harness/record/gate_rows.h"
 
 namespace lamina {
-
-// What a frame of a pair is.
-inline constexpr std::string_view frame_before = "before", frame_after = "after", frame_again = "again";
-
-struct PairsRow {
-  size_t process = 0;
-  std::string backend, effect, variant, view;
-  std::vector<std::string> frames;  // "before", "after", "again" (before a second time), as there are
-  std::vector<PairedPass> passes;   // ms beside frames
-};
-nlohmann::ordered_json to_json(const PairsRow& row);
-PairsRow pairs_from_json(const nlohmann::json& line);
 
 struct TimeReport {
   std::vector<VerdictRow> rows;  // of frames (pass "") and of passes

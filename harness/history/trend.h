@@ -33,7 +33,7 @@ std::string day_of(const HistoryRecord& record);
 // What is the same thing in two records: everything about a cell but what was measured, and but for the device.
 struct TrendCell {
   std::string scene, effect, variant, backend, view;
-  uint64_t width = 0, height = 0;
+  int width = 0, height = 0;
   std::string params;  // "objects.heart.thickness 6, scene.time 0"
   auto operator<=>(const TrendCell&) const = default;
 };

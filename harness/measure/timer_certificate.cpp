@@ -135,17 +135,19 @@ TimerRow judge_timer(const std::vector<std::vector<double>>& times_ms, const std
   const double one = median(shares[0]);
   const double whole = (1 << multiples) - 1;
   bool linear = one > 0;
+  double attribution = 0;
   for (size_t k = 0; k < multiples; ++k) {
     const double multiple = 1 << k, share = median(shares[k]);
     row.linearity.push_back(one > 0 ? share / (multiple * one) : 0);
     linear = linear && std::abs(row.linearity.back() - 1) <= linearity_tolerance;
-    row.attribution = std::max(row.attribution, std::abs(share * whole / multiple - 1));
+    attribution = std::max(attribution, std::abs(share * whole / multiple - 1));
   }
   row.one_ms = median(ones_ms);
   row.additivity = median(sums_over_wall);
+  row.attribution = attribution;
   if (!linear)
     row.reason = "time is not proportional to work";
-  else if (std::abs(row.additivity - 1) > additivity_tolerance)
+  else if (std::abs(*row.additivity - 1) > additivity_tolerance)
     row.reason = "the passes' times do not add up to the wall time";
   row.ok = row.reason.empty();
   return row;

@@ -4,23 +4,12 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "harness/backend/backend.h"
+#include "harness/record/timer_row.h"
 
 namespace lamina {
-
-struct TimerRow {
-  std::string backend;
-  bool ok = false;
-  std::vector<double> linearity;  // time of 1x, 2x, 4x, 8x work over that multiple of the 1x time: 1 is perfect
-  double one_ms = 0;              // what the pass of 1x work lasted
-  double additivity = 0;          // sum of passes over the wall time
-  double attribution = 0;  // greatest relative error of a pass's share of the frame, the passes' order shuffled every round; a
-                           // time given to the wrong pass breaks linearity, so this one is reported, not judged
-  std::string reason;  // why not ok
-};
 
 // Bounds that a certificate holds to.
 inline constexpr double linearity_tolerance = 0.05;

@@ -2,7 +2,7 @@
 // Lines of the record that a sweep adds to its cells: what was swept, and what the curves answer.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,11 +14,15 @@ struct SweepRow {
     std::string path, unit;
     std::vector<double> values;
   };
+  struct Limit {
+    std::string metric;
+    double value = 0;
+  };
   std::vector<Parameter> parameters;
   bool zip = false;   // values in pairs; else a grid, the last parameter fastest
   size_t points = 0;  // of the whole sweep
   size_t shard_index = 0, shard_count = 1;
-  std::vector<std::pair<std::string, double>> limits;  // by metric
+  std::vector<Limit> limits;
 };
 
 struct CrossoverRow {

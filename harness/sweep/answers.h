@@ -8,10 +8,7 @@
 
 namespace lamina {
 
-struct Limit {
-  std::string metric;  // of curves.h, but for "ratio"
-  double value = 0;
-};
+using Limit = SweepRow::Limit;  // on a metric of curves.h, but for "ratio"
 // "ssim=0.98". Throws Error(bad_input) with the nearest metric.
 Limit parse_limit(const std::string& text);
 

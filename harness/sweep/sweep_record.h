@@ -5,13 +5,13 @@
 
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "harness/record/record.h"
 #include "harness/sweep/points.h"
 
 namespace lamina {
@@ -24,7 +24,7 @@ class PointIndex {
  public:
   explicit PointIndex(const SweepPoints& points);
   // Throws Error(bad_input, "record", where, ...) for a cell that is of no point.
-  CellKey key_of(const nlohmann::json& cell, const std::string& where) const;
+  CellKey key_of(const CellRow& cell, const std::string& where) const;
 
  private:
   std::vector<std::string> paths_;
@@ -58,7 +58,7 @@ class FolderLock {
 // or fewer than two whole lines in it. `run` and `sweep` are the lines that the present run would begin with. Throws
 // Error(bad_input) where the lines in the file show other inputs, settings, devices or another program.
 std::optional<Earlier> continue_record(const std::filesystem::path& file, const nlohmann::json& run,
-                                       const nlohmann::json& sweep, const SweepPoints& points);
+                                       const SweepRow& sweep, const SweepPoints& points);
 
 // Records of shards of one sweep, or of parts of it, joined as one run would have left them, without answers.
 struct Joined {
@@ -72,6 +72,6 @@ struct Joined {
 Joined join_records(const std::vector<std::filesystem::path>& files);
 
 // The points of a sweep line.
-SweepPoints points_of(const nlohmann::json& sweep);
+SweepPoints points_of(const SweepRow& sweep);
 
 }  // namespace lamina

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a gate says, made from its record alone (the lines of harness/record/gate_lines.h), for people and for CI systems. None
+// What a gate says, made from its record alone (the lines of harness/record/gate_rows.h), for people and for CI systems. None
 // of these throws for what read_record() lets through. A record without a gate's answer, or one whose answer its figures do not
 // bear out, is shown as such and never as a pass.
 #pragma once

@@ -13,8 +13,6 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr size_t shown_of_a_kind = 10;  // annotations of one kind that GitHub shows of one step
 
 // In a command's message; in a property the comma and the colon have a meaning too.
@@ -44,9 +42,8 @@ std::string commands(const char* kind, const std::vector<Annotation>& annotation
   return text;
 }
 
-Annotation annotation_of(const Json& verdict) {
-  return {fmt::format("{}: {}: {}", text_at(verdict, "/verdict"), text_at(verdict, "/what"), subject_of(verdict)),
-          text_at(verdict, "/sentence")};
+Annotation annotation_of(const VerdictRow& row) {
+  return {fmt::format("{}: {}: {}", name_of(row.verdict), row.what, subject_of(row)), row.sentence};
 }
 
 }  // namespace
@@ -55,9 +52,9 @@ std::string github_annotations(const Record& record) {
   const GateReading reading = reading_of(record);
   std::vector<Annotation> errors, warnings;
   if (!reading.trouble.empty()) errors.push_back({"Lamina gate " + reading.word, reading.trouble});
-  for (const Json* row : reading.regressed) errors.push_back(annotation_of(*row));
-  for (const Json* row : reading.ambiguous) warnings.push_back(annotation_of(*row));
-  for (const Json* aa : reading.unequal_aas)
+  for (const VerdictRow* row : reading.regressed) errors.push_back(annotation_of(*row));
+  for (const VerdictRow* row : reading.ambiguous) warnings.push_back(annotation_of(*row));
+  for (const SameArmRow* aa : reading.unequal_aas)
     warnings.push_back({"A variant came out unlike itself", words_for_aa(*aa) + "; doubt the times"});
   return commands("error", errors) + commands("warning", warnings);
 }

@@ -12,21 +12,19 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr size_t most_sentences_open = 20;  // sentences; more of them are folded away
 
 std::string sentences(const char* title, const GateReading::Rows& rows, bool open) {
   if (rows.empty()) return "";
   std::string html = fmt::format("<details class=\"verdicts printed\"{}><summary>{}: {}</summary>\n<ul>\n", open ? " open" : "",
                                  title, rows.size());
-  for (const Json* row : rows)
-    html += fmt::format("<li><strong>{}</strong> ({}) {}</li>\n", escaped_html(text_at(*row, "/verdict")),
-                        escaped_html(text_at(*row, "/what")), escaped_html(text_at(*row, "/sentence")));
+  for (const VerdictRow* row : rows)
+    html += fmt::format("<li><strong>{}</strong> ({}) {}</li>\n", name_of(row->verdict), escaped_html(row->what),
+                        escaped_html(row->sentence));
   return html + "</ul></details>\n";
 }
 
-std::string row_of(const Json& verdict, bool bad) {
+std::string verdict_row(const VerdictRow& verdict, bool bad) {
   const auto cells = gate_cells(verdict);
   std::string html = fmt::format("<tr{}><th scope=\"row\">{}</th>", bad ? " class=\"bad\"" : "", escaped_html(cells[0]));
   for (size_t i = 1; i < cells.size(); ++i)
@@ -87,7 +85,7 @@ std::string html_gate(const Record& record) {
       "checks\"><table class=\"wide\"><caption>Change: of a time the ratio to before with its interval, of fetches the "
       "share, of other figures the difference. Limit: what was allowed; of a time the margin.</caption>{1}<tbody>\n",
       record.verdicts.size(), header_row(gate_columns, 6), record.verdicts.size() <= most_sentences_open ? " open" : "");
-  for (size_t i = 0; const Json* row : reading.all()) html += row_of(*row, i++ < reading.regressed.size());
+  for (size_t i = 0; const VerdictRow* row : reading.all()) html += verdict_row(*row, i++ < reading.regressed.size());
   return html + "</tbody></table></div></details>\n" + processes_table(gate_strips(record));
 }
 

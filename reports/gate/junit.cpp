@@ -10,15 +10,13 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
 // A failure, error or skip: its first line for lists, and all that is known.
 std::string outcome_element(const char* element, const std::string& type, const std::string& message, const std::string& more) {
   return fmt::format("      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n", element, escaped_xml(type), escaped_xml(message),
                      escaped_xml(more));
 }
 
-std::string facts_of(const Json& verdict) {
+std::string facts_of(const VerdictRow& verdict) {
   std::string words;
   const auto add = [&](const char* label, const std::string& fact) {
     if (!fact.empty()) words += fmt::format("{}: {}\n", label, fact);
@@ -37,17 +35,30 @@ std::string test_case(const std::string& classname, const std::string& name, con
   return inside.empty() ? start + "/>\n" : fmt::format("{}>\n{}    </testcase>\n", start, inside);
 }
 
-std::string test_case(const Json& verdict) {
-  const std::string word = verdict.at("verdict"), sentence = verdict.at("sentence"), place = place_of(verdict);
-  const char* element = word == "slower" || word == "worse" || word == "failed" ? "failure"
-                        : word == "ambiguous"                                   ? "error"
-                        : word == "not_compared"                                ? "skipped"
-                                                                                : nullptr;
+const char* element_for(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::slower:
+    case Verdict::worse:
+    case Verdict::failed:
+      return "failure";
+    case Verdict::ambiguous:
+      return "error";
+    case Verdict::not_compared:
+      return "skipped";
+    default:
+      return nullptr;
+  }
+}
+
+std::string test_case(const VerdictRow& row) {
+  const std::string place = place_of(row);
+  const char* element = element_for(row.verdict);
   std::string classname;  // a backend's own row, as of its timer, has no effect and no variant
-  for (const char* part : {"/backend", "/effect", "/variant"})
-    if (const std::string words = text_at(verdict, part); !words.empty()) classname += (classname.empty() ? "" : ".") + words;
-  return test_case(classname.empty() ? "gate" : classname, text_at(verdict, "/what") + (place.empty() ? "" : ", " + place),
-                   element ? outcome_element(element, word, sentence, facts_of(verdict)) : "");
+  for (const std::string* part : {&row.backend, &row.effect, &row.variant})
+    if (!part->empty()) classname += (classname.empty() ? "" : ".") + *part;
+  return test_case(
+      classname.empty() ? "gate" : classname, row.what + (place.empty() ? "" : ", " + place),
+      element ? outcome_element(element, std::string(name_of(row.verdict)), row.sentence, facts_of(row)) : "");
 }
 
 std::string properties(const Record& record) {
@@ -58,7 +69,7 @@ std::string properties(const Record& record) {
   add("lamina", text_at(record.run, "/lamina"));
   add("commit", text_at(record.run, "/commit"));
   for (const std::string& device : device_lines(record)) add("device", device);
-  for (const Json& aa : record.aas) add("aa", words_for_aa(aa));
+  for (const SameArmRow& aa : record.aas) add("aa", words_for_aa(aa));
   return text + "    </properties>\n";
 }
 
@@ -69,7 +80,7 @@ std::string gate_junit(const Record& record) {
   const bool trouble = !reading.trouble.empty();
   const std::string counts = fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\"", record.verdicts.size() + trouble,
                                          reading.regressed.size(), reading.ambiguous.size() + trouble);
-  const double wall_s = record.gates.empty() ? 0 : record.gates.back().at("wall_s").get<double>();
+  const double wall_s = record.gates.empty() ? 0 : record.gates.back().wall_s;
   const std::string time = record.gates.empty() ? "" : fmt::format(" time=\"{:.3f}\"", wall_s);
   std::string date = text_at(record.run, "/date");
   if (date.ends_with('Z')) date.pop_back();  // the schemas that ask for a timestamp take none with a zone; it is in UTC
@@ -81,7 +92,7 @@ std::string gate_junit(const Record& record) {
       counts, time, reading.not_compared.size(), timestamp);
   xml += properties(record);
   if (trouble) xml += test_case("gate", "answer", outcome_element("error", "no answer", reading.trouble, reading.conditions));
-  for (const Json& verdict : record.verdicts) xml += test_case(verdict);
+  for (const VerdictRow& verdict : record.verdicts) xml += test_case(verdict);
   xml += fmt::format("    <system-out>{}</system-out>\n", escaped_xml(gate_table(record, false)));
   return xml + "  </testsuite>\n</testsuites>\n";
 }

@@ -8,8 +8,6 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr size_t most_bytes = 60000;  // a comment on GitHub takes 65,536 characters
 
 // Adds lines while they fit; says how many did not.
@@ -27,9 +25,9 @@ void add_section(std::string& text, const char* title, const GateReading::Rows& 
   if (rows.empty()) return;
   text += fmt::format("\n**{}**\n\n", title);
   std::vector<std::string> lines;
-  for (const Json* row : rows)
-    lines.push_back(fmt::format("- **{}** ({}) {}\n", escaped_markdown(text_at(*row, "/verdict")),
-                                escaped_markdown(text_at(*row, "/what")), escaped_markdown(text_at(*row, "/sentence"))));
+  for (const VerdictRow* row : rows)
+    lines.push_back(fmt::format("- **{}** ({}) {}\n", escaped_markdown(std::string(name_of(row->verdict))),
+                                escaped_markdown(row->what), escaped_markdown(row->sentence)));
   add_while_they_fit(text, lines, most_bytes / 2, "of these");
 }
 
@@ -46,7 +44,7 @@ std::string gate_markdown(const Record& record) {
   add_section(text, "Ambiguous", reading.ambiguous);
   add_section(text, "Better", reading.improved);
   text += "\n";
-  for (const Json& aa : record.aas) text += fmt::format("{}  \n", escaped_markdown(words_for_aa(aa)));
+  for (const SameArmRow& aa : record.aas) text += fmt::format("{}  \n", escaped_markdown(words_for_aa(aa)));
   if (!reading.unequal_aas.empty()) text += "**A variant came out unlike itself: doubt the times.**  \n";
   if (!reading.conditions.empty()) text += fmt::format("{}  \n", escaped_markdown(reading.conditions));
   for (const std::string& device : device_lines(record)) text += fmt::format("{}  \n", escaped_markdown(device));
@@ -55,7 +53,7 @@ std::string gate_markdown(const Record& record) {
 
   text += fmt::format("\n<details><summary>All {} checks</summary>\n\n{}", record.verdicts.size(), gate_table_head());
   std::vector<std::string> rows;
-  for (const Json* row : reading.all()) rows.push_back(markdown_row(gate_cells(*row)));
+  for (const VerdictRow* row : reading.all()) rows.push_back(markdown_row(gate_cells(*row)));
   add_while_they_fit(text, rows, most_bytes, "rows");
   return text + "\n</details>\n";
 }

@@ -16,13 +16,13 @@ inline constexpr std::array<const char*, 10> gate_columns = {
     "verdict", "what", "effect", "variant", "backend", "where", "before -> after", "change", "how sure", "limit"};
 
 struct GateReading {
-  using Rows = std::vector<const nlohmann::json*>;  // into the record, which must outlive this
-  Rows regressed;                                   // slower, worse, failed
-  Rows ambiguous, not_compared, improved, same;     // improved: faster, better
-  Rows unequal_aas;                                 // A/A arms that differ from themselves
-  bool well = false;                                // the gate says so and its figures bear it out
-  std::string word;                                 // "passed", "FAILED", "AMBIGUOUS" or "NO VERDICT"
-  std::string counts;                               // "2 of 36 checks regressed, 1 is ambiguous"
+  using Rows = std::vector<const VerdictRow*>;    // into the record, which must outlive this
+  Rows regressed;                                // slower, worse, failed
+  Rows ambiguous, not_compared, improved, same;  // improved: faster, better
+  std::vector<const SameArmRow*> unequal_aas;    // A/A arms that differ from themselves
+  bool well = false;                             // the gate says so and its figures bear it out
+  std::string word;                              // "passed", "FAILED", "AMBIGUOUS" or "NO VERDICT"
+  std::string counts;                            // "2 of 36 checks regressed, 1 is ambiguous"
   std::string conditions;  // "against main, 60 rounds in 3 processes, 41.2 s, ..."; "" without an answer
   // Why the answer cannot be believed: it is missing, its figures contradict it, nothing was compared. "" for most.
   std::string trouble;
@@ -35,15 +35,15 @@ GateReading reading_of(const Record& record);
 std::vector<std::string> gate_lines(const Record& record);
 
 // Of a verdict line.
-std::string place_of(const nlohmann::json& verdict);  // "view front, pass composite, texture light_map"; "" for the whole frame
-std::string subject_of(const nlohmann::json& verdict);  // "vertex_normal on vulkan, view front, pass composite", or "vulkan"
-std::string before_and_after(const nlohmann::json& verdict);  // "12.31 -> 13.54 ms", "now 0.052", "" where neither is known
-std::string change_of(const nlohmann::json& verdict);         // "+10.1% [+8.2%, +11.9%]", "-0.0123"; "" where not known
-std::string certainty_of(const nlohmann::json& verdict);      // "95.9% interval, 60 rounds", or "exact"
-std::string limit_of(const nlohmann::json& verdict);          // "0.03"; "" where there is none
-std::array<std::string, gate_columns.size()> gate_cells(const nlohmann::json& verdict);
+std::string place_of(const VerdictRow& row);  // "view front, pass composite, texture light_map"; "" for the whole frame
+std::string subject_of(const VerdictRow& row);  // "vertex_normal on vulkan, view front, pass composite", or "vulkan"
+std::string before_and_after(const VerdictRow& row);  // "12.31 -> 13.54 ms", "now 0.052", "" where neither is known
+std::string change_of(const VerdictRow& row);         // "+10.1% [+8.2%, +11.9%]", "-0.0123"; "" where not known
+std::string certainty_of(const VerdictRow& row);      // "95.9% interval, 60 rounds", or "exact"
+std::string limit_of(const VerdictRow& row);          // "0.03"; "" where there is none
+std::array<std::string, gate_columns.size()> gate_cells(const VerdictRow& row);
 // Of an A/A line: "A/A vertex_normal on vulkan: 1.001 [0.997, 1.004], 60 rounds: same".
-std::string words_for_aa(const nlohmann::json& aa);
+std::string words_for_aa(const SameArmRow& aa);
 inline constexpr const char* aa_note =
     "A/A: the same code timed against itself. Slower or faster here means that the times of this run are not to be believed.";
 // "vulkan: llvmpipe (LLVM 15.0.6, 256 bits), Mesa 22.3.6", one a device.

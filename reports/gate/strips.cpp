@@ -8,42 +8,37 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
-bool is_on(const Json& verdict, const GateStrips& strips) {
-  return verdict.at("what") == "time" && verdict.at("effect") == strips.effect && verdict.at("variant") == strips.variant &&
-         verdict.at("backend") == strips.backend && verdict.at("view") == strips.view && verdict.at("pass") == strips.pass;
+bool is_on(const VerdictRow& row, const GateStrips& strips) {
+  return row.what == "time" && row.effect == strips.effect && row.variant == strips.variant && row.backend == strips.backend &&
+         row.view == strips.view && row.pass == strips.pass;
 }
 
-GateStrips& comparison_of(std::vector<GateStrips>& all, const Json& pairs, const std::string& pass, bool same_arm) {
+GateStrips& comparison_of(std::vector<GateStrips>& all, const PairsRow& pairs, const std::string& pass, bool same_arm) {
   for (GateStrips& known : all)
-    if (known.effect == pairs.at("effect") && known.variant == pairs.at("variant") && known.backend == pairs.at("backend") &&
-        known.view == pairs.at("view") && known.pass == pass && known.same_arm == same_arm)
+    if (known.effect == pairs.effect && known.variant == pairs.variant && known.backend == pairs.backend &&
+        known.view == pairs.view && known.pass == pass && known.same_arm == same_arm)
       return known;
-  return all.emplace_back(
-      GateStrips{pairs.at("effect"), pairs.at("variant"), pairs.at("backend"), pairs.at("view"), pass, same_arm, nullptr, {}});
+  return all.emplace_back(GateStrips{pairs.effect, pairs.variant, pairs.backend, pairs.view, pass, same_arm, nullptr, {}});
 }
 
 }  // namespace
 
 std::vector<GateStrips> gate_strips(const Record& record) {
   std::vector<GateStrips> all;
-  for (const Json& pairs : record.pairs)
-    for (const Json& pass : pairs.at("passes"))
-      for (size_t frame = 1; frame < pairs.at("frames").size(); ++frame) {
-        GateStrips::Process process{pairs.at("process"), {}, {}};
-        for (const Json& strip : pass.at("strips").at(frame)) process.strips.push_back({strip[0], strip[1], strip[2] == 1});
+  for (const PairsRow& pairs : record.pairs)
+    for (const PairedPass& pass : pairs.passes)
+      for (size_t frame = 1; frame < pairs.frames.size(); ++frame) {
+        GateStrips::Process process{pairs.process, {}, pass.strips[frame]};
         try {
           process.estimate = estimate_ratio(process.strips);
         } catch (const Error&) {
           continue;
         }
-        comparison_of(all, pairs, pass.at("name"), pairs.at("frames")[frame] == "again")
-            .processes.push_back(std::move(process));
+        comparison_of(all, pairs, pass.name, pairs.frames[frame] == frame_again).processes.push_back(std::move(process));
       }
   for (GateStrips& strips : all)
-    for (const Json& verdict : record.verdicts)
-      if (!strips.same_arm && is_on(verdict, strips)) strips.verdict = &verdict;
+    for (const VerdictRow& row : record.verdicts)
+      if (!strips.same_arm && is_on(row, strips)) strips.verdict = &row;
   return all;
 }
 

@@ -14,20 +14,18 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
 using namespace terminal;
 
-Cells cells_of(const Json& verdict, bool several_effects) {
-  const std::string variant = text_at(verdict, "/variant");
-  const std::string limit = limit_of(verdict);
-  Cells cells = {text_at(verdict, "/verdict"),
-                 text_at(verdict, "/what"),
-                 several_effects ? fmt::format("{}/{}", text_at(verdict, "/effect"), variant) : variant,
-                 text_at(verdict, "/backend"),
-                 place_of(verdict),
-                 before_and_after(verdict),
-                 change_of(verdict),
-                 certainty_of(verdict),
+Cells cells_of(const VerdictRow& row, bool several_effects) {
+  const std::string limit = limit_of(row);
+  Cells cells = {std::string(name_of(row.verdict)),
+                 row.what,
+                 several_effects ? fmt::format("{}/{}", row.effect, row.variant) : row.variant,
+                 row.backend,
+                 place_of(row),
+                 before_and_after(row),
+                 change_of(row),
+                 certainty_of(row),
                  limit.empty() ? "" : "limit " + limit};
   for (std::string& cell : cells) cell = one_line(cell);
   return cells;
@@ -39,12 +37,12 @@ void add_rows(Lines& lines, const char* title, const GateReading::Rows& rows, co
   lines.add("");
   lines.add(title, bold);
   std::vector<Cells> table;
-  for (const Json* row : rows) table.push_back(cells_of(*row, several_effects));
+  for (const VerdictRow* row : rows) table.push_back(cells_of(*row, several_effects));
   const std::vector<size_t> widths = column_widths(table);
   const std::vector<bool> figures = {false, false, false, false, false, true, true, false, false};
   for (size_t i = 0; i < rows.size(); ++i) {
     lines.add("  " + aligned(table[i], widths, figures), colour);
-    const std::string sentence = one_line(text_at(*rows[i], "/sentence"));
+    const std::string sentence = one_line(rows[i]->sentence);
     if (sentences && !sentence.empty()) lines.add("    " + sentence);
   }
 }
@@ -52,7 +50,7 @@ void add_rows(Lines& lines, const char* title, const GateReading::Rows& rows, co
 // What was not compared is many rows for few reasons.
 void add_not_compared(Lines& lines, const GateReading::Rows& rows) {
   std::map<std::string, size_t> reasons;
-  for (const Json* row : rows) ++reasons[one_line(text_at(*row, "/sentence"))];
+  for (const VerdictRow* row : rows) ++reasons[one_line(row->sentence)];
   if (!rows.empty()) lines.add("");
   for (const auto& [reason, count] : reasons) lines.add(fmt::format("not compared ({}): {}", count, reason), yellow);
 }
@@ -62,7 +60,7 @@ void add_not_compared(Lines& lines, const GateReading::Rows& rows) {
 std::string gate_table(const Record& record, bool colours) {
   const GateReading reading = reading_of(record);
   std::set<std::string> effects;
-  for (const Json& verdict : record.verdicts) effects.insert(verdict.at("effect"));
+  for (const VerdictRow& row : record.verdicts) effects.insert(row.effect);
   const bool several = effects.size() > 1;
 
   Lines lines(colours);
@@ -77,8 +75,8 @@ std::string gate_table(const Record& record, bool colours) {
   lines.add("");
   if (!reading.same.empty())
     lines.add(fmt::format("{} check{} the same", reading.same.size(), reading.same.size() == 1 ? " is" : "s are"));
-  for (const Json& aa : record.aas) lines.add(one_line(words_for_aa(aa)), dim);
-  const bool timed = std::ranges::any_of(record.verdicts, [](const Json& verdict) { return !verdict.at("ratio").is_null(); });
+  for (const SameArmRow& aa : record.aas) lines.add(one_line(words_for_aa(aa)), dim);
+  const bool timed = std::ranges::any_of(record.verdicts, [](const VerdictRow& row) { return row.ratio.has_value(); });
   if (record.aas.empty() && timed) lines.add("no A/A arm was run: how far these times can be believed is not known", yellow);
   if (!timed) lines.add("no times were judged", dim);
   if (!reading.unequal_aas.empty())

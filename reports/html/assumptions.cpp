@@ -9,22 +9,17 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
-bool has_assumptions(const Json& cell) { return cell.contains("assumptions") && !cell.at("assumptions").empty(); }
-
-std::string assumption_cards(const Json& cell, const std::string& difference, const PictureUrl& url) {
+std::string assumption_cards(const CellRow& cell, const std::string& difference, const PictureUrl& url) {
   std::string html = fmt::format("<p>{}</p>\n<div class=\"shots\">\n", escaped_html(costliest_assumption(cell)));
-  for (const Json& assumption : cell.at("assumptions")) {
+  for (const AssumptionRow& assumption : cell.assumptions) {
     const auto figures = assumption_cells(assumption);
-    const std::string path = assumption.at("image");
     html += fmt::format("<article class=\"shot\"><h4>{}</h4>\n", escaped_html(figures[0]));
-    if (!path.empty())
+    if (!assumption.image.empty())
       html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
-                          picture_tag(path,
-                                      fmt::format("difference by {}, {} on {}, view {}", figures[0], text_at(cell, "/variant"),
-                                                  text_at(cell, "/backend"), text_at(cell, "/view")),
-                                      url, cell.at("width").dump(), cell.at("height").dump()),
+                          picture_tag(assumption.image,
+                                      fmt::format("difference by {}, {} on {}, view {}", figures[0], cell.variant,
+                                                  cell.backend, cell.view),
+                                      url, std::to_string(cell.width), std::to_string(cell.height)),
                           escaped_html(difference));
     html += "<table class=\"figures\"><tbody>";
     for (size_t i = 1; i < figures.size(); ++i)
@@ -37,16 +32,17 @@ std::string assumption_cards(const Json& cell, const std::string& difference, co
 }  // namespace
 
 std::string html_assumptions(const Record& record, const PictureUrl& url) {
-  std::vector<const Json*> cells;
-  for (const Json& cell : record.cells)
-    if (has_assumptions(cell)) cells.push_back(&cell);
+  std::vector<const CellRow*> cells;
+  for (const CellRow& cell : record.cells)
+    if (!cell.assumptions.empty()) cells.push_back(&cell);
   if (cells.empty()) return "";
   // The baseline of a view leads, its variants follow; views in order of appearance.
-  const auto place = [&](const Json* cell) {
-    return std::ranges::find_if(cells, [&](const Json* other) { return same_shot(*other, *cell); }) - cells.begin();
+  const auto place = [&](const CellRow* cell) {
+    return std::ranges::find_if(cells, [&](const CellRow* other) { return shot_key(*other) == shot_key(*cell); }) -
+           cells.begin();
   };
-  std::vector<std::pair<std::pair<std::ptrdiff_t, bool>, const Json*>> ordered;
-  for (const Json* cell : cells) ordered.push_back({{place(cell), !cell->at("baseline").get<bool>()}, cell});
+  std::vector<std::pair<std::pair<std::ptrdiff_t, bool>, const CellRow*>> ordered;
+  for (const CellRow* cell : cells) ordered.push_back({{place(cell), !cell->baseline}, cell});
   std::ranges::stable_sort(ordered, [](const auto& a, const auto& b) { return a.first < b.first; });
 
   std::string html =
@@ -54,14 +50,13 @@ std::string html_assumptions(const Record& record, const PictureUrl& url) {
       "makes, in display values; black is no difference. The "
       "figures are over the pixels that the effect covers.</p>\n";
   const std::string difference = difference_words(record);
-  const Json* before = nullptr;
+  const CellRow* before = nullptr;
   for (const auto& [unused, cell] : ordered) {
-    const std::string variant = escaped_html(cell->at("variant").get<std::string>());
-    if (!before || !same_shot(*before, *cell))
-      html +=
-          fmt::format("<h3>{}, {}, view {}</h3>\n", escaped_html(cell->at("effect").get<std::string>()),
-                      escaped_html(cell->at("backend").get<std::string>()), escaped_html(cell->at("view").get<std::string>()));
-    if (cell->at("baseline").get<bool>())
+    const std::string variant = escaped_html(cell->variant);
+    if (!before || shot_key(*before) != shot_key(*cell))
+      html += fmt::format("<h3>{}, {}, view {}</h3>\n", escaped_html(cell->effect), escaped_html(cell->backend),
+                          escaped_html(cell->view));
+    if (cell->baseline)
       html += fmt::format("<section><h4>{} <small>baseline</small></h4>\n{}</section>\n", variant,
                           assumption_cards(*cell, difference, url));
     else

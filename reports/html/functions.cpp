@@ -34,7 +34,7 @@ std::string rounds(const FunctionBackend& backend) {
 
 // Which cases each variant passes and fails, in words, and the figures of every set.
 std::string hard_cases_html(const FunctionBackend& backend) {
-  const std::vector<const Json*> rows = rows_by_set(backend);
+  const std::vector<const FunctionRow*> rows = rows_by_set(backend);
   if (rows.empty()) return "";
   std::string html = fmt::format("<h3>Hard cases on {}</h3>\n<ul class=\"verdicts\">\n", escaped_html(backend.backend));
   for (const Headline& one : hard_case_headlines(backend))
@@ -44,12 +44,11 @@ std::string hard_cases_html(const FunctionBackend& backend) {
       "role=\"region\" aria-label=\"every function and set on {0}\"><table class=\"wide\"><caption>{1}</caption>{2}<tbody>\n",
       escaped_html(backend.backend), escaped_html(function_set_note), header_row(function_set_columns, 3, 2));
   std::string set;
-  for (const Json* row : rows) {
-    if (row->at("set") != set) {
-      set = row->at("set");
+  for (const FunctionRow* row : rows) {
+    if (row->set != set) {
+      set = row->set;
       html += fmt::format("<tr class=\"group\"><th scope=\"rowgroup\" colspan=\"{}\">{}: {} ({} points)</th></tr>\n",
-                          function_set_columns.size(), escaped_html(set), escaped_html(row->at("what").get<std::string>()),
-                          row->at("points").dump());
+                          function_set_columns.size(), escaped_html(set), escaped_html(row->what), row->points);
     }
     const auto cells = function_set_cells(*row);
     html += fmt::format("<tr{}><th scope=\"row\">{}</th>", keeps_bounds(*row) == Keeps::no ? " class=\"bad\"" : "",
@@ -66,14 +65,14 @@ std::string slices(const FunctionBackend& backend, bool open, const PictureUrl& 
   for (const FunctionSummary& variant : backend.variants) {
     if (variant.pictures.empty()) continue;
     html += fmt::format("<div class=\"slices\"><h4>{}</h4>", escaped_html(variant.variant));
-    for (const Json* picture : variant.pictures) {
-      const std::string slice = picture->at("slice");
-      axes = picture->at("axes");
-      full_error = fmt::format("{:g}", picture->at("full_error").get<double>());
+    for (const FunctionPictureRow* picture : variant.pictures) {
+      axes = picture->axes;
+      full_error = fmt::format("{:g}", picture->full_error);
       html += fmt::format(
           "<figure>{}<figcaption>{}</figcaption></figure>",
-          picture_tag(picture->at("image"), fmt::format("error of {} on {}, {}", variant.variant, backend.backend, slice), url),
-          escaped_html(slice));
+          picture_tag(picture->image,
+                      fmt::format("error of {} on {}, {}", variant.variant, backend.backend, picture->slice), url),
+          escaped_html(picture->slice));
     }
     html += "</div>\n";
   }

@@ -11,55 +11,47 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr size_t most_groups_open = 1;  // groups that stand open; the others unfold
 
-std::vector<std::vector<const Json*>> group_shots(const Record& record) {
-  std::map<std::string, size_t> places;
-  std::vector<std::vector<const Json*>> groups;
-  for (const Json& cell : record.cells) {
+std::vector<std::vector<const CellRow*>> group_shots(const Record& record) {
+  std::map<ShotKey, size_t> places;
+  std::vector<std::vector<const CellRow*>> groups;
+  for (const CellRow& cell : record.cells) {
     const auto [known, added] = places.try_emplace(shot_key(cell), groups.size());
     if (added) groups.emplace_back();
     groups[known->second].push_back(&cell);
   }
   for (auto& group : groups)
-    std::ranges::stable_sort(group, [](const Json* a, const Json* b) { return a->at("baseline") > b->at("baseline"); });
+    std::ranges::stable_sort(group, std::greater(), &CellRow::baseline);
   return groups;
 }
 
-std::string text_of(const Json& cell, const char* field) { return cell.at(field).get<std::string>(); }
-
-std::string picture(const Json& cell, const std::string& path, const std::string& alt, const std::string& caption,
+std::string picture(const CellRow& cell, const std::string& path, const std::string& alt, const std::string& caption,
                     const PictureUrl& url) {
   if (path.empty()) return "";
   return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
-                     picture_tag(path, alt, url, cell.at("width").dump(), cell.at("height").dump()), escaped_html(caption));
+                     picture_tag(path, alt, url, std::to_string(cell.width), std::to_string(cell.height)), escaped_html(caption));
 }
 
 // The truth is shared by the cells of a view.
-std::string truth_picture(const std::vector<const Json*>& cells, const PictureUrl& url) {
-  for (const Json* cell : cells)
-    if (cell->contains("truth_image"))
-      return picture(*cell, cell->at("truth_image"), "the truth, view " + text_of(*cell, "view"),
-                     "truth, which no frame budget allows", url);
+std::string truth_picture(const std::vector<const CellRow*>& cells, const PictureUrl& url) {
+  for (const CellRow* cell : cells)
+    if (!cell->truth_image.empty())
+      return picture(*cell, cell->truth_image, "the truth, view " + cell->view, "truth, which no frame budget allows", url);
   return "";
 }
 
-std::string pictures(const std::vector<const Json*>& cells, const std::string& difference, const PictureUrl& url) {
+std::string pictures(const std::vector<const CellRow*>& cells, const std::string& difference, const PictureUrl& url) {
   std::string html = truth_picture(cells, url);
-  for (const Json* cell : cells) {
-    const std::string variant = text_of(*cell, "variant"), view = text_of(*cell, "view");
-    if (cell->contains("before_image"))
-      html += picture(*cell, text_of(*cell, "before_image"), fmt::format("{} before the change, view {}", variant, view),
-                      variant + ", before the change", url);
-    html += picture(*cell, text_of(*cell, "image"), fmt::format("{} on {}, view {}", variant, text_of(*cell, "backend"), view),
-                    cell->at("baseline").get<bool>() ? variant + ", the baseline" : variant, url);
-    html +=
-        picture(*cell, text_of(*cell, "difference"), fmt::format("difference of {} from the baseline, view {}", variant, view),
-                fmt::format("{}: {}", variant, difference), url);
-    html +=
-        picture(*cell, text_of(*cell, "flip"), fmt::format("FLIP map of {}, view {}", variant, view), variant + ": FLIP", url);
+  for (const CellRow* cell : cells) {
+    const std::string &variant = cell->variant, &view = cell->view;
+    html += picture(*cell, cell->before_image, fmt::format("{} before the change, view {}", variant, view),
+                    variant + ", before the change", url);
+    html += picture(*cell, cell->image, fmt::format("{} on {}, view {}", variant, cell->backend, view),
+                    cell->baseline ? variant + ", the baseline" : variant, url);
+    html += picture(*cell, cell->difference, fmt::format("difference of {} from the baseline, view {}", variant, view),
+                    fmt::format("{}: {}", variant, difference), url);
+    html += picture(*cell, cell->flip, fmt::format("FLIP map of {}, view {}", variant, view), variant + ": FLIP", url);
   }
   return html.empty() ? "" : "<div class=\"shots\">\n" + html + "</div>\n";
 }
@@ -80,37 +72,34 @@ constexpr std::array<const char*, 14> gallery_columns = {"variant",
                                                          "to truth: PSNR dB, SSIM, FLIP"};
 
 // The last column is left out where no cell has a truth.
-std::string cell_row(const Record& record, const Json& cell, bool with_truth) {
-  if (cell.at("status") == "failed")
+std::string cell_row(const Record& record, const CellRow& cell, bool with_truth) {
+  if (cell.failed)
     return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"bad wrap\" colspan=\"{}\">Failed: {}</td></tr>\n",
-                       escaped_html(text_of(cell, "variant")), gallery_columns.size() - (with_truth ? 1 : 2),
-                       escaped_html(text_of(cell, "reason")));
+                       escaped_html(cell.variant), gallery_columns.size() - (with_truth ? 1 : 2),
+                       escaped_html(cell.reason));
   const std::vector<double> samples_ms = shown_samples_ms(record, cell);
-  const bool shown = times_shown(record, text_of(cell, "backend"));
-  const auto error = figures_of(cell.at("error").at("baseline")), truth = figures_of(cell.at("error").at("truth"));
-  const auto ratio = interval_of(cell.at("ratio_to_baseline"));
-  const Json &once_ms = cell.at("once_ms"), &fetches = cell.at("fetches_per_pixel");
+  const bool shown = times_shown(record, cell.backend);
+  const std::optional<ErrorFigures>&error = cell.error_covered, &truth = cell.error_truth;
+  const std::optional<Interval>& ratio = cell.ratio_to_baseline;
+  const auto count = [](const std::optional<uint64_t>& value) { return value ? std::to_string(*value) : "-"; };
   std::vector<std::string> cells = {samples_ms.empty() ? "not timed" : words_for_ms(interval_or_range(samples_ms)),
-                                    cell.at("baseline").get<bool>() ? "baseline"
+                                    cell.baseline           ? "baseline"
                                     : ratio && shown                ? words_for_ratio(*ratio)
                                                                     : "-",
-                                    once_ms.is_null() || !shown ? "-" : words_for_ms(once_ms.get<double>()),
-                                    fetches.is_null() ? "-" : fmt::format("{:.1f}", fetches.get<double>())};
+                                    cell.once_ms && shown ? words_for_ms(*cell.once_ms) : "-",
+                                    cell.fetches_per_pixel ? fmt::format("{:.1f}", *cell.fetches_per_pixel) : "-"};
   if (error)
     cells.insert(cells.end(),
                  {words_for_psnr(error->psnr_db), fmt::format("{:.4f}", error->ssim), fmt::format("{:.4f}", error->flip),
                   fmt::format("{:.3g}", error->rmse_linear), fmt::format("{:.3g}", error->max_linear)});
   else
     cells.insert(cells.end(), 5, "");
-  for (const char* count : {"covered_pixels", "nonfinite_pixels"})
-    cells.push_back(cell.at(count).is_null() ? "-" : cell.at(count).dump());
-  const auto tile = cell.find("worst_tile");
-  cells.push_back(tile == cell.end() ? ""
-                                     : fmt::format("{:.3f} at {}, {}", tile->at("flip").get<double>(), tile->at("x").dump(),
-                                                   tile->at("y").dump()));
+  cells.insert(cells.end(), {count(cell.covered_pixels), count(cell.nonfinite_pixels)});
+  const std::optional<WorstTile>& tile = cell.worst_tile;
+  cells.push_back(tile ? fmt::format("{:.3f} at {}, {}", tile->flip, tile->x, tile->y) : "");
   if (with_truth)
     cells.push_back(truth ? fmt::format("{}, {:.4f}, {:.4f}", words_for_psnr(truth->psnr_db), truth->ssim, truth->flip) : "");
-  std::string html = fmt::format("<tr><th scope=\"row\">{}</th>", escaped_html(text_of(cell, "variant")));
+  std::string html = fmt::format("<tr><th scope=\"row\">{}</th>", escaped_html(cell.variant));
   for (const std::string& one : cells) html += fmt::format("<td>{}</td>", escaped_html(one));
   return html + "</tr>\n";
 }
@@ -120,18 +109,6 @@ std::string cell_row(const Record& record, const Json& cell, bool with_truth) {
 std::string difference_words(const Record& record) {
   const std::string gain = text_at(record.run, "/settings/difference_gain");
   return gain.empty() ? "difference, scaled" : "difference, times " + gain;
-}
-
-bool same_shot(const Json& a, const Json& b) {
-  return std::ranges::all_of(std::array{"effect", "backend", "scene", "width", "height", "params", "view"},
-                             [&](const char* field) { return a.at(field) == b.at(field); });
-}
-
-std::string shot_key(const Json& cell) {
-  std::string key;
-  for (const char* field : {"effect", "backend", "scene", "width", "height", "params", "view"})
-    key += cell.at(field).dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
-  return key;
 }
 
 std::string html_gallery(const Record& record, const PictureUrl& url) {
@@ -145,20 +122,19 @@ std::string html_gallery(const Record& record, const PictureUrl& url) {
       "class=\"magma\">"
       "</span>1</span></p>\n";
   const bool with_truth =
-      std::ranges::any_of(record.cells, [](const Json& cell) { return !cell.at("error").at("truth").is_null(); });
-  const auto head =
-      header_row(std::span(gallery_columns).first(gallery_columns.size() - (with_truth ? 0 : 1)), gallery_columns.size());
+      std::ranges::any_of(record.cells, [](const CellRow& cell) { return cell.error_truth.has_value(); });
+  const auto head = header_row(std::span(gallery_columns).first(gallery_columns.size() - (with_truth ? 0 : 1)), gallery_columns.size());
   size_t place = 0;
   for (const auto& cells : group_shots(record)) {
-    const Json& sample = *cells.front();
-    const std::string what =
-        fmt::format("{} on {}, view {}", text_of(sample, "effect"), text_of(sample, "backend"), text_of(sample, "view"));
+    const CellRow& sample = *cells.front();
+    const std::string what = fmt::format("{} on {}, view {}", sample.effect, sample.backend, sample.view);
+    const std::string params = entries_of(sample.params);
     html += fmt::format(
         "<details class=\"group\"{}><summary>{} <small>{}</small></summary>\n<div class=\"scroll\" tabindex=\"0\" "
         "role=\"region\" aria-label=\"{}\"><table class=\"wide cells\">{}<tbody>\n",
-        place++ < most_groups_open ? " open" : "", escaped_html(what), escaped_html(entries_of(sample.at("params"))),
-        escaped_html(what + ", " + entries_of(sample.at("params"))), head);
-    for (const Json* cell : cells) html += cell_row(record, *cell, with_truth);
+        place++ < most_groups_open ? " open" : "", escaped_html(what), escaped_html(params),
+        escaped_html(what + ", " + params), head);
+    for (const CellRow* cell : cells) html += cell_row(record, *cell, with_truth);
     html += "</tbody></table></div>\n" + html_samples(record, cells) + pictures(cells, difference, url) + "</details>\n";
   }
   return html;

@@ -46,7 +46,7 @@ enum class SampleAxis {
 };
 std::string html_rounds(const std::vector<SampleRow>& rows, SampleAxis axis, std::string (*words)(double), const char* unit);
 // That of the frame times of these cells; "" where no times are shown.
-std::string html_samples(const Record& record, const std::vector<const nlohmann::json*>& cells);
+std::string html_samples(const Record& record, const std::vector<const CellRow*>& cells);
 // What a difference picture is: "difference, times 4".
 std::string difference_words(const Record& record);
 // For every view with a truth, what each assumption costs by itself: pictures, figures, and which costs the most.
@@ -54,10 +54,11 @@ std::string html_assumptions(const Record& record, const PictureUrl& url);
 // What was run and what was not: effects, failures, certificates, A/A arms, device, commit, hashes, command.
 std::string html_run(const Record& record);
 
-// Whether two cells show the same thing: one effect, backend, scene, size, parameters and view.
-bool same_shot(const nlohmann::json& a, const nlohmann::json& b);
-// A text that is the same for exactly those.
-std::string shot_key(const nlohmann::json& cell);
+// What cells that show the same thing have in common; it refers to the cell.
+inline auto shot_key(const CellRow& cell) {
+  return std::tie(cell.effect, cell.backend, cell.scene, cell.width, cell.height, cell.params, cell.view);
+}
+using ShotKey = decltype(shot_key(std::declval<const CellRow&>()));
 // The charts and the picture viewer of all records, which the page's script fills from page_data(); "" without cells.
 std::string html_charts(const std::vector<Record>& records);
 // What the page's script draws, at most six significant digits a number: reports/page/data.js says how it is laid out.

@@ -72,14 +72,13 @@ void add_summary_rows(Json& rows, const std::vector<SummaryRow>& summary, size_t
   }
 }
 
-CostAndErrors figures_of_cell(const Json& cell, const std::vector<double>& samples_ms) {
+CostAndErrors figures_of_cell(const CellRow& cell, const std::vector<double>& samples_ms) {
   CostAndErrors all;
-  if (cell.at("status") == "failed") return all;
+  if (cell.failed) return all;
   if (!samples_ms.empty()) all.frame_ms = interval_or_range(samples_ms);
-  if (const Json& fetches = cell.at("fetches_per_pixel"); !fetches.is_null()) all.fetches_per_pixel = fetches.get<double>();
-  all.to_baseline = figures_of(cell.at("error").at("baseline"));
-  if (cell.at("baseline").get<bool>() && cell.at("nonfinite_pixels") == 0) all.to_baseline = no_error;
-  all.to_truth = figures_of(cell.at("error").at("truth"));
+  all.fetches_per_pixel = cell.fetches_per_pixel;
+  all.to_baseline = cell.baseline && cell.nonfinite_pixels == 0 ? no_error : cell.error_covered;
+  all.to_truth = cell.error_truth;
   return all;
 }
 
@@ -102,7 +101,7 @@ struct NamesOfCells {
 };
 
 void add_cells(Json& cells, const Record& record, size_t number, NamesOfCells& names) {
-  std::map<std::string, std::vector<size_t>> shots;
+  std::map<ShotKey, std::vector<size_t>> shots;
   std::vector<CostAndErrors> all;
   std::vector<std::vector<double>> samples;
   for (size_t i = 0; i < record.cells.size(); ++i) {
@@ -118,25 +117,31 @@ void add_cells(Json& cells, const Record& record, size_t number, NamesOfCells& n
     for (size_t i = 0; i < shot.size(); ++i) bits[shot[i]] = of_group[i];
   }
   for (size_t i = 0; i < record.cells.size(); ++i) {
-    const Json& cell = record.cells[i];
+    const CellRow& cell = record.cells[i];
     Json one = costs_and_errors(all[i], bits[i]);
     Json rounded = Json::array();
     for (const double sample_ms : samples[i]) rounded.push_back(six_digits(sample_ms));
-    const bool timed = times_shown(record, cell.at("backend").get<std::string>());
+    const bool timed = times_shown(record, cell.backend);
     one.update({{"record", number},
-                {"effect", names.effects(cell.at("effect"))},
-                {"variant", names.variants(cell.at("variant"))},
-                {"backend", names.backends(cell.at("backend"))},
-                {"view", names.views(cell.at("view"))},
-                {"point", names.points(cell.at("params"))},
-                {"is_baseline", cell.at("baseline")},
-                {"ratio", timed ? interval(interval_of(cell.at("ratio_to_baseline"))) : Json(nullptr)},
+                {"effect", names.effects(cell.effect)},
+                {"variant", names.variants(cell.variant)},
+                {"backend", names.backends(cell.backend)},
+                {"view", names.views(cell.view)},
+                {"point", names.points(cell.params)},
+                {"is_baseline", cell.baseline},
+                {"ratio", timed ? interval(cell.ratio_to_baseline) : Json(nullptr)},
                 {"samples", rounded},
-                {"size", {cell.at("width"), cell.at("height")}}});
-    if (cell.at("status") == "failed") one["failed"] = cell.at("reason");
-    for (const char* picture : {"image", "difference", "flip", "truth_image", "before_image"})
-      if (cell.contains(picture) && cell.at(picture) != "") one[picture] = cell.at(picture);
-    if (cell.contains("worst_tile")) one["worst_tile"] = cell.at("worst_tile");
+                {"size", {cell.width, cell.height}}});
+    if (cell.failed) one["failed"] = cell.reason;
+    const std::pair<const char*, const std::string&> pictures[] = {{"image", cell.image},
+                                                                   {"difference", cell.difference},
+                                                                   {"flip", cell.flip},
+                                                                   {"truth_image", cell.truth_image},
+                                                                   {"before_image", cell.before_image}};
+    for (const auto& [name, path] : pictures)
+      if (!path.empty()) one[name] = path;
+    if (const auto& tile = cell.worst_tile)
+      one["worst_tile"] = {{"x", tile->x}, {"y", tile->y}, {"size", tile->size}, {"flip", tile->flip}};
     cells.push_back(std::move(one));
   }
 }
@@ -163,12 +168,12 @@ void add_passes(Json& passes, const Record& record, size_t number) {
 }
 
 // The values of the other parameters at which a crossover was found, which its sentence alone says; none where it names none.
-Json held_of(const Json& crossover, const std::vector<Curve>& curves) {
+Json held_of(const CrossoverRow& crossover, const std::vector<Curve>& curves) {
   Json held = Json::object();
-  const std::string sentence = text_at(crossover, "/sentence");
+  const std::string& sentence = crossover.sentence;
   for (const Curve& curve : curves) {
-    if (curve.backend != text_at(crossover, "/backend") || curve.effect != text_at(crossover, "/effect") ||
-        curve.parameter != text_at(crossover, "/parameter") || curve.variant != text_at(crossover, "/variant"))
+    if (curve.backend != crossover.backend || curve.effect != crossover.effect || curve.parameter != crossover.parameter ||
+        curve.variant != crossover.variant)
       continue;
     const std::string place = place_words(curve);
     const size_t at = sentence.rfind(place), end = at + place.size();
@@ -191,12 +196,12 @@ void add_strips(Json& all, const Record& record, size_t number) {
     }
     all.push_back({{"record", number},
                    {"words", words_for_comparison(strips)},
-                   {"margin", record.gates.empty() ? Json(nullptr) : record.gates.back().at("margin")},
+                   {"margin", record.gates.empty() ? Json(nullptr) : Json(record.gates.back().margin)},
                    {"processes", processes}});
     if (!strips.verdict) continue;
-    all.back()["verdict"] = strips.verdict->at("verdict");
-    all.back()["interval"] = interval(interval_of(strips.verdict->at("ratio")));
-    all.back()["margin"] = strips.verdict->at("limit");
+    all.back()["verdict"] = name_of(strips.verdict->verdict);
+    all.back()["interval"] = interval(strips.verdict->ratio);
+    all.back()["margin"] = strips.verdict->limit ? Json(*strips.verdict->limit) : Json(nullptr);
   }
 }
 
@@ -224,15 +229,14 @@ Json page_data(const std::vector<Record>& records) {
     add_cells(cells, record, i, names);
     add_passes(passes, record, i);
     add_strips(strips, record, i);
-    for (const Json& sweep : record.sweeps)
-      for (Json parameter : sweep.at("parameters")) {
-        parameter["record"] = i;
-        sweeps.push_back(std::move(parameter));
-      }
+    for (const SweepRow& sweep : record.sweeps)
+      for (const auto& [path, unit, values] : sweep.parameters)
+        sweeps.push_back({{"path", path}, {"unit", unit}, {"values", values}, {"record", i}});
     const std::vector<Curve> curves = record.crossovers.empty() ? std::vector<Curve>{} : curves_of(record);
-    for (Json crossover : record.crossovers) {
+    for (const CrossoverRow& row : record.crossovers) {
+      Json crossover = to_json(row);
       crossover["record"] = i;
-      crossover["held"] = held_of(crossover, curves);
+      crossover["held"] = held_of(row, curves);
       crossovers.push_back(std::move(crossover));
     }
   }

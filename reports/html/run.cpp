@@ -11,8 +11,6 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
 std::string failures_section(const Record& record) {
   const auto failed = failures(record);
   if (failed.empty()) return "";
@@ -31,7 +29,7 @@ std::string timer_section(const Record& record) {
   for (const Certificate& certificate : certificates(record))
     html += fmt::format("<li{}>{}</li>\n", certificate.ok ? "" : " class=\"bad\"", escaped_html(certificate.words));
   for (const std::string& line : phase_lines(record)) html += fmt::format("<li>{}</li>\n", escaped_html(line));
-  for (const Json& aa : record.aas) html += fmt::format("<li>{}</li>\n", escaped_html(words_for_aa(aa)));
+  for (const SameArmRow& aa : record.aas) html += fmt::format("<li>{}</li>\n", escaped_html(words_for_aa(aa)));
   if (html.empty()) return "";
   html = "<h3>Timer</h3>\n<ul>\n" + html + "</ul>\n";
   if (!record.aas.empty()) html += fmt::format("<p class=\"note\">{}</p>\n", aa_note);

@@ -11,8 +11,6 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
 // The strip's own units: whole numbers of them keep a page of thousands of cells small, and are finer than the screen's pixels.
 constexpr int units_wide = 2000, units_high = 100;
 
@@ -69,9 +67,9 @@ std::string html_rounds(const std::vector<SampleRow>& rows, SampleAxis kind, std
                      axis.begin == 0 ? "0" : words(axis.begin), words(axis.end), unit, logarithmic ? " (log scale)" : "", html);
 }
 
-std::string html_samples(const Record& record, const std::vector<const Json*>& cells) {
+std::string html_samples(const Record& record, const std::vector<const CellRow*>& cells) {
   std::vector<SampleRow> rows;
-  for (const Json* cell : cells) rows.push_back({cell->at("variant"), shown_samples_ms(record, *cell)});
+  for (const CellRow* cell : cells) rows.push_back({cell->variant, shown_samples_ms(record, *cell)});
   return html_rounds(rows, SampleAxis::from_zero, words_for_ms, "ms");
 }
 

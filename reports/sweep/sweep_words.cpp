@@ -14,12 +14,10 @@ namespace lamina {
 
 namespace {
 
-using Json = nlohmann::json;
-
 bool has_several_effects(const Record& record) {
   std::set<std::string> effects;
-  for (const auto* lines : {&record.cells, &record.crossovers})
-    for (const Json& line : *lines) effects.insert(text_at(line, "/effect"));
+  for (const CellRow& cell : record.cells) effects.insert(cell.effect);
+  for (const CrossoverRow& row : record.crossovers) effects.insert(row.effect);
   return effects.size() > 1;
 }
 
@@ -52,16 +50,13 @@ std::vector<Headline> crossover_headlines(const Record& record, Told told) {
   };
   std::vector<Answer> answers;
   std::map<std::array<std::string, 4>, size_t> places;
-  for (const Json& line : record.crossovers) {
-    const bool about_limit = line.contains("limit") && !line.at("limit").is_null();
-    if (told != Told::all && about_limit != (told == Told::about_limits)) continue;
-    const std::string effect = text_at(line, "/effect"), backend = text_at(line, "/backend"),
-                      sentence = text_at(line, "/sentence");
-    const auto [before, after] = around_backend(sentence, backend);
-    const auto [place, added] = places.try_emplace({effect, text_at(line, "/parameter"), before, after}, answers.size());
-    if (added) answers.push_back({effect, before, after, {}});
+  for (const CrossoverRow& row : record.crossovers) {
+    if (told != Told::all && row.limit.has_value() != (told == Told::about_limits)) continue;
+    const auto [before, after] = around_backend(row.sentence, row.backend);
+    const auto [place, added] = places.try_emplace({row.effect, row.parameter, before, after}, answers.size());
+    if (added) answers.push_back({row.effect, before, after, {}});
     std::vector<std::string>& backends = answers[place->second].backends;
-    if (before != sentence && std::ranges::find(backends, backend) == backends.end()) backends.push_back(backend);
+    if (before != row.sentence && std::ranges::find(backends, row.backend) == backends.end()) backends.push_back(row.backend);
   }
   const bool several = has_several_effects(record);
   std::vector<Headline> all;
@@ -73,13 +68,13 @@ std::vector<Headline> crossover_headlines(const Record& record, Told told) {
 
 std::vector<std::string> sweep_lines(const Record& record) {
   std::vector<std::string> lines;
-  for (const Json& sweep : record.sweeps)
-    for (const Json& parameter : sweep.at("parameters")) {
-      const Json& values = parameter.at("values");
-      std::string words = text_at(parameter, "/path");
+  const auto words_of = [](double value) { return nlohmann::json(value).dump(); };
+  for (const SweepRow& sweep : record.sweeps)
+    for (const auto& [path, unit, values] : sweep.parameters) {
+      std::string words = path;
       if (!values.empty())
-        words += fmt::format(" from {} to {}{}{} in {} values", values.front().dump(), values.back().dump(),
-                             text_at(parameter, "/unit").empty() ? "" : " ", text_at(parameter, "/unit"), values.size());
+        words += fmt::format(" from {} to {}{}{} in {} values", words_of(values.front()), words_of(values.back()),
+                             unit.empty() ? "" : " ", unit, values.size());
       lines.push_back(words);
     }
   return lines;

@@ -11,8 +11,6 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
 const std::string data = LAMINA_SOURCE_DIR "/tests/data/effects";
 const std::string with_effect = " --variants-dir " + data;
 const std::string small = with_effect + " --size 96x96 --quick --cache \"\" --budget 0.2";
@@ -34,10 +32,10 @@ class DeclaredEffect : public ProgramTest {
     return lamina_program("sweep " + scene() + with_effect + " --size 64x64 --time none --cache \"\" --backend vulkan --out " +
                           (folder_ / folder).string() + " --set " + set);
   }
-  std::vector<Json> cells(const std::string& variant) const {
-    std::vector<Json> found;
-    for (const Json& cell : record().cells)
-      if (cell.at("variant") == variant) found.push_back(cell);
+  std::vector<CellRow> cells(const std::string& variant) const {
+    std::vector<CellRow> found;
+    for (const CellRow& cell : record().cells)
+      if (cell.variant == variant) found.push_back(cell);
     return found;
   }
 };
@@ -67,18 +65,18 @@ TEST_F(DeclaredEffect, IsPlannedWithReasons) {
 TEST_F(DeclaredEffect, IsCompared) {
   const Outcome outcome = lamina_program("compare " + scene() + small + " --out " + out().string());
   std::map<std::string, std::set<std::string>> read;
-  for (const Json& cell : record().cells) {
-    ASSERT_EQ(cell.at("status"), "ok") << cell.at("reason");
-    EXPECT_EQ(cell.at("effect"), "lantern");
-    EXPECT_EQ(cell.at("params").at("objects.sphere.lantern.glow"), 0.5);
-    EXPECT_EQ(cell.at("params").at("effects.lantern.level"), 0);
-    EXPECT_EQ(cell.at("words").at("objects.sphere.lantern.tint"), "warm");
-    EXPECT_GT(cell.at("covered_pixels"), 100);
-    for (const Json& pass : cell.at("passes"))
-      if (pass.at("name") == "light")
-        for (const Json& texture : pass.at("by_texture")) read[cell.at("variant")].insert(texture.at("texture"));
-    if (cell.at("variant") != "lantern_full") {
-      EXPECT_LT(cell.at("error").at("baseline").at("ssim"), 0.9999);
+  for (const CellRow& cell : record().cells) {
+    ASSERT_FALSE(cell.failed) << cell.reason;
+    EXPECT_EQ(cell.effect, "lantern");
+    EXPECT_EQ(cell.params.at("objects.sphere.lantern.glow"), 0.5);
+    EXPECT_EQ(cell.params.at("effects.lantern.level"), 0);
+    EXPECT_EQ(cell.words.at("objects.sphere.lantern.tint"), "warm");
+    EXPECT_GT(*cell.covered_pixels, 100u);
+    for (const PassRow& pass : cell.passes)
+      if (pass.name == "light")
+        for (const TextureFetches& fetched : pass.by_texture) read[cell.variant].insert(fetched.texture);
+    if (cell.variant != "lantern_full") {
+      EXPECT_LT(cell.error_covered->ssim, 0.9999);
     }
   }
   EXPECT_EQ(read.at("lantern_full"), (std::set<std::string>{"shade", "grain", "falloff", "shadow_0", "mirrored"}));
@@ -101,21 +99,21 @@ TEST_F(DeclaredEffect, IsCulled) {
 TEST_F(DeclaredEffect, IsSwept) {
   ASSERT_EQ(sweep("objects.sphere.lantern.glow=0:2:1").status, 0);
   std::set<std::string> of_glow;
-  for (const Json& cell : cells("lantern_plain")) of_glow.insert(cell.at("image_hash").get<std::string>());
+  for (const CellRow& cell : cells("lantern_plain")) of_glow.insert(cell.image_hash);
   EXPECT_EQ(of_glow.size(), 3u);
   const Outcome word = sweep("objects.sphere.lantern.tint=warm,cold", "word");
   ASSERT_EQ(word.status, 0) << word.output;
   std::map<std::string, std::string> picture;
-  for (const Json& cell : read_record(folder_ / "word/record.jsonl").cells)
-    if (cell.at("variant") == "lantern_plain")
-      picture[cell.at("words").at("objects.sphere.lantern.tint")] = cell.at("image_hash");
+  for (const CellRow& cell : read_record(folder_ / "word/record.jsonl").cells)
+    if (cell.variant == "lantern_plain")
+      picture[cell.words.at("objects.sphere.lantern.tint")] = cell.image_hash;
   EXPECT_EQ(picture.size(), 2u);
   EXPECT_NE(picture["warm"], picture["cold"]);
   const Outcome own = sweep("lantern_full.shadow_texels=16,256", "own");
   ASSERT_EQ(own.status, 0) << own.output;
   std::set<std::string> pictures;
-  for (const Json& cell : read_record(folder_ / "own/record.jsonl").cells)
-    if (cell.at("variant") == "lantern_full") pictures.insert(cell.at("image_hash").get<std::string>());
+  for (const CellRow& cell : read_record(folder_ / "own/record.jsonl").cells)
+    if (cell.variant == "lantern_full") pictures.insert(cell.image_hash);
   EXPECT_EQ(pictures.size(), 2u) << "a coarse shadow is another picture";
 }
 

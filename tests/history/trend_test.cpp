@@ -144,7 +144,7 @@ TEST(History, TakesNoTimesOfOtherBuildsOrWithoutACertificateOrOfFailedCells) {
   HistoryRecord debug = record_named("debug"), uncertified = record_named("uncertified"), failed = record_named("failed");
   debug.record.run["build"] = "dev";
   uncertified.record.timers.clear();
-  failed.record.cells[1]["status"] = "failed";
+  failed.record.cells[1].failed = true;
   const History history = make_history({record_named("a"), debug, uncertified, failed, record_named("b")});
   EXPECT_EQ(trend_of(history, "vertex_normal", "frame")->points.size(), 2u);
   EXPECT_EQ(trend_of(history, "vertex_normal", "ratio to baseline")->points.size(), 2u);
@@ -156,7 +156,7 @@ TEST(History, TakesNoTimesOfOtherBuildsOrWithoutACertificateOrOfFailedCells) {
 TEST(History, SaysWhatIsCutShortAndWhatDiffers) {
   HistoryRecord cut = record_named("cut"), other = record_named("other");
   cut.record.run["truncated"] = "line 9 is cut short";
-  for (auto& cell : other.record.cells) cell["width"] = 128;
+  for (CellRow& cell : other.record.cells) cell.width = 128;
   const History history = make_history({record_named("a"), cut, other});
   EXPECT_TRUE(has(notes_of(history), "cut is used as far as it goes: line 9 is cut short"));
   EXPECT_TRUE(has(notes_of(history), "heart at 128x32 in 1 of 3 records"));
@@ -167,8 +167,8 @@ TEST(History, SaysWhatIsCutShortAndWhatDiffers) {
 TEST(History, ParametersMakeCellsOfTheirOwn) {
   std::vector<HistoryRecord> records = {record_named("a"), record_named("b")};
   for (HistoryRecord& one : records) {
-    nlohmann::json thick = one.record.cells[1];
-    thick["params"]["objects.heart.thickness"] = 9.0;
+    CellRow thick = one.record.cells[1];
+    thick.params["objects.heart.thickness"] = 9;
     one.record.cells.push_back(thick);
     one.record.cells.push_back(thick);
   }
@@ -179,9 +179,7 @@ TEST(History, ParametersMakeCellsOfTheirOwn) {
 
 TEST(History, IdenticalPicturesHaveInfinitePsnr) {
   std::vector<HistoryRecord> records = {record_named("a"), record_named("b"), record_named("c")};
-  auto& error = records[2].record.cells[1]["error"]["baseline"];
-  error["psnr_db"] = nullptr;
-  error["identical"] = true;
+  records[2].record.cells[1].error_covered->psnr_db = std::numeric_limits<double>::infinity();
   const History history = make_history(records);
   const Trend* psnr = trend_of(history, "vertex_normal", "PSNR");
   ASSERT_EQ(psnr->steps.size(), 1u);
@@ -193,10 +191,10 @@ TEST(History, IdenticalPicturesHaveInfinitePsnr) {
 TEST(History, RefusesWhatHasNoTrend) {
   EXPECT_TRUE(has(refusal({record_named("a")}), "two records or more"));
   HistoryRecord other = record_named("other");
-  for (auto& cell : other.record.cells) cell["scene"] = "terrain";
+  for (CellRow& cell : other.record.cells) cell.scene = "terrain";
   EXPECT_TRUE(has(refusal({record_named("a"), other}), "no cell in common"));
   HistoryRecord failed = record_named("failed");
-  for (auto& cell : failed.record.cells) cell["status"] = "failed";
+  for (CellRow& cell : failed.record.cells) cell.failed = true;
   EXPECT_TRUE(has(refusal({record_named("a"), failed}), "no figure in common"));
 }
 

@@ -99,9 +99,9 @@ TEST(Bakes, AreListedUnderWhatIsDoneOnce) {
   Record record = example_record(example_cells());
   BakeRow bake = {
       .effect = "aperture_lighting", .object = "<ground>", .what = "apertures", .points = 10, .rays = 3000000, .seconds = 2};
-  record.bakes.push_back(to_json(bake));
+  record.bakes.push_back(read_back(bake));
   bake.from_cache = true, bake.seconds = 0.25;
-  record.bakes.push_back(to_json(bake));
+  record.bakes.push_back(read_back(bake));
   const std::string page = page_of(record), markdown = markdown_summary(record);
   for (const std::string& text : {page, markdown}) {
     EXPECT_TRUE(has(text, "What is done once"));
