@@ -13,6 +13,7 @@
 #include "harness/cli/commands.h"
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
+#include "harness/gate/verdict.h"
 #include "harness/record/record.h"
 #include "reports/gate/gate.h"
 #include "reports/reports.h"
