@@ -27,9 +27,9 @@ double sum_ms(const PairsRow& row, size_t frame, Part part) {
   return sum;
 }
 
-struct Key {
+struct ViewKey {
   std::string backend, effect, variant, view;
-  auto operator<=>(const Key&) const = default;
+  auto operator<=>(const ViewKey&) const = default;
 };
 
 // The passes that are judged: those in both frames that take enough of the frame and may differ.
@@ -123,7 +123,7 @@ size_t rounds_in(const std::vector<PairsRow>& pairs) {
 }
 
 TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& limits, double family_error) {
-  std::map<Key, std::vector<const PairsRow*>> by_cell;
+  std::map<ViewKey, std::vector<const PairsRow*>> by_cell;
   TimeReport report;
   report.rounds = rounds_in(pairs);
   for (const PairsRow& row : pairs) by_cell[{row.backend, row.effect, row.variant, row.view}].push_back(&row);

@@ -15,11 +15,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-struct Key {
+struct VariantKey {
   std::string backend, effect, variant;
-  auto operator<=>(const Key&) const = default;
+  auto operator<=>(const VariantKey&) const = default;
 };
-Key key_of(const CellRow& cell) { return {cell.backend, cell.effect, cell.variant}; }
+VariantKey key_of(const CellRow& cell) { return {cell.backend, cell.effect, cell.variant}; }
 
 bool has_times(const CellRow& cell) { return cell.timed && !frame_samples_ms(cell.passes).empty(); }
 
@@ -37,19 +37,19 @@ std::string text_of(const Json& object, const char* first, const char* second = 
 }
 
 // The cells of both, by variant and backend, views in the order of the record and then of the run.
-std::map<Key, CellPair> pairs_of(const Record& stored, const Record& run) {
-  std::map<Key, std::vector<std::string>> views;
+std::map<VariantKey, CellPair> pairs_of(const Record& stored, const Record& run) {
+  std::map<VariantKey, std::vector<std::string>> views;
   for (const Record* record : {&stored, &run})
     for (const CellRow& cell : record->cells) {
       std::vector<std::string>& of_key = views[key_of(cell)];
       if (std::find(of_key.begin(), of_key.end(), cell.view) == of_key.end()) of_key.push_back(cell.view);
     }
-  const auto find = [](const Record& record, const Key& key, const std::string& view) -> std::optional<CellRow> {
+  const auto find = [](const Record& record, const VariantKey& key, const std::string& view) -> std::optional<CellRow> {
     for (const CellRow& cell : record.cells)
       if (key_of(cell) == key && cell.view == view) return cell;
     return std::nullopt;
   };
-  std::map<Key, CellPair> pairs;
+  std::map<VariantKey, CellPair> pairs;
   for (const auto& [key, names] : views)
     for (const std::string& view : names) {
       pairs[key].before.push_back(find(stored, key, view));
@@ -79,7 +79,7 @@ struct Judge {
 
   VerdictRow& add(const CellRow& cell, const char* what, const std::string& pass) {
     VerdictRow& row = rows.emplace_back();
-    const Key key = key_of(cell);
+    const VariantKey key = key_of(cell);
     row.backend = key.backend, row.effect = key.effect, row.variant = key.variant;
     row.view = cell.view, row.what = what, row.pass = pass;
     return row;
@@ -160,14 +160,14 @@ void check_comparable(const Record& stored, const Record& run, const std::filesy
   differ("moment", text_of(stored.run, "time_s"), text_of(run.run, "time_s"));
   differ("width", text_of(stored.run, "settings", "width"), text_of(run.run, "settings", "width"));
   differ("height", text_of(stored.run, "settings", "height"), text_of(run.run, "settings", "height"));
-  std::set<Key> known;
+  std::set<VariantKey> known;
   for (const CellRow& cell : stored.cells) known.insert(key_of(cell));
   if (std::none_of(run.cells.begin(), run.cells.end(), [&](const CellRow& cell) { return known.contains(key_of(cell)); }))
     refuse("has no cell in common with this run: no variant on the same backend");
 }
 
 std::vector<VerdictRow> judge_stored(const Record& stored, const Record& run, const LimitsFile& limits, double family_error) {
-  std::map<Key, CellPair> pairs = pairs_of(stored, run);
+  std::map<VariantKey, CellPair> pairs = pairs_of(stored, run);
   std::vector<VerdictRow> rows;
   // Two intervals a comparison, at most two comparisons a pair. Bonferroni, since a stored interval's confidence is fixed.
   Judge judge{1 - family_error / (4 * static_cast<double>(std::max<size_t>(pairs.size(), 1))), rows};

@@ -8,8 +8,6 @@
 namespace lamina {
 namespace {
 
-constexpr float pi_f = std::numbers::pi_v<float>;
-
 Aperture aperture(const Scene& scene, ApertureKind kind = {}, size_t point = 0) {
   Bakes bakes(scene, effect_code(), DiskCache(""));
   return vertex_apertures(bakes, 0, kind)[point * kind.count];

@@ -9,8 +9,6 @@
 namespace lamina {
 namespace {
 
-constexpr float pi_f = std::numbers::pi_v<float>;
-
 // One white point at the origin that faces up, with one open aperture unless another is given.
 ShadingPoints point(Aperture aperture = {0, 1, 0, pi_f / 2}) {
   ShadingPoints points{1, 1, {}, {}, {aperture}};

@@ -11,8 +11,6 @@
 namespace lamina {
 namespace {
 
-constexpr float pi_f = std::numbers::pi_v<float>;
-
 Image two_pixels(glm::vec4 left, glm::vec4 right) {
   return {2, 1, {left.x, left.y, left.z, left.w, right.x, right.y, right.z, right.w}};
 }
