@@ -120,8 +120,7 @@ Mask count_cell(CellRow& row, Frame& counting, const std::vector<PassCounts>& on
   row.fetches = fetches;
   Mask covered = counting.coverage(variant.effect);
   row.covered_pixels = static_cast<uint64_t>(std::count(covered.on.begin(), covered.on.end(), 1));
-  if (row.covered_pixels > 0)
-    row.fetches_per_pixel = static_cast<double>(fetches) / static_cast<double>(*row.covered_pixels);
+  if (row.covered_pixels > 0) row.fetches_per_pixel = static_cast<double>(fetches) / static_cast<double>(*row.covered_pixels);
   return covered;
 }
 

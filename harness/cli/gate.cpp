@@ -11,6 +11,7 @@
 
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
+#include "harness/gate/verdict.h"
 #include "harness/record/record.h"
 #include "reports/gate/gate.h"
 #include "reports/reports.h"
@@ -49,8 +50,7 @@ int run_against(GateOptions options, const Stopwatch& watch) {
   const GateResult result = judge_trees(trees, measured, options, limits);
   const GateOutcome outcome = outcome_of(result.rows);
   for (const TimerRow& timer : measured.timers) record.append(to_json(timer));
-  for (const CellRow& cell : measured.cells_after)
-    record.append(to_json(with_picture_before(cell, measured.cells_before)));
+  for (const CellRow& cell : measured.cells_after) record.append(to_json(with_picture_before(cell, measured.cells_before)));
   for (const PairsRow& row : measured.pairs) record.append(to_json(row));
   for (const SameArmRow& row : result.times.same_arms) record.append(to_json(row));
   for (const VerdictRow& row : result.rows) record.append(to_json(row));

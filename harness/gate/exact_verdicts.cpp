@@ -85,11 +85,12 @@ struct Figure {
   double ErrorTolerance::*tolerance;
   std::optional<double> ErrorLimits::*bound;
 };
-constexpr Figure figures[] = {{"psnr_db", &ErrorFigures::psnr_db, true, &ErrorTolerance::psnr_db, &ErrorLimits::min_psnr_db},
-                              {"ssim", &ErrorFigures::ssim, true, &ErrorTolerance::ssim, &ErrorLimits::min_ssim},
-                              {"flip", &ErrorFigures::flip, false, &ErrorTolerance::flip, &ErrorLimits::max_flip},
-                              {"rmse_linear", &ErrorFigures::rmse_linear, false, &ErrorTolerance::rmse_linear, &ErrorLimits::max_rmse_linear},
-                              {"max_linear", &ErrorFigures::max_linear, false, &ErrorTolerance::max_linear, &ErrorLimits::max_max_linear}};
+constexpr Figure figures[] = {
+    {"psnr_db", &ErrorFigures::psnr_db, true, &ErrorTolerance::psnr_db, &ErrorLimits::min_psnr_db},
+    {"ssim", &ErrorFigures::ssim, true, &ErrorTolerance::ssim, &ErrorLimits::min_ssim},
+    {"flip", &ErrorFigures::flip, false, &ErrorTolerance::flip, &ErrorLimits::max_flip},
+    {"rmse_linear", &ErrorFigures::rmse_linear, false, &ErrorTolerance::rmse_linear, &ErrorLimits::max_rmse_linear},
+    {"max_linear", &ErrorFigures::max_linear, false, &ErrorTolerance::max_linear, &ErrorLimits::max_max_linear}};
 
 // What errors are measured against.
 struct Reference {
@@ -247,8 +248,8 @@ std::vector<VerdictRow> judge_cells(const CellPair& pair, const Limits& limits) 
   for (size_t i = 0; i < pair.after.size(); ++i) {
     const std::optional<CellRow>&before = pair.before[i], &after = pair.after[i];
     if (!after) {
-      add(subject, "cell", Verdict::failed,
-          fmt::format("{} is gone: it was there before", name_of_cell(subject, before->view)), before->view);
+      add(subject, "cell", Verdict::failed, fmt::format("{} is gone: it was there before", name_of_cell(subject, before->view)),
+          before->view);
     } else if (after->failed) {
       add(subject, "cell", Verdict::failed,
           fmt::format("{} cannot be measured: {}", name_of_cell(subject, after->view), after->reason), after->view);
