@@ -137,7 +137,8 @@ std::vector<Headline> function_headlines(const FunctionReport& report) {
                                   : fmt::format(" ({:.1f} times slower than {})", *row.ratio, report.baseline);
         words.times.emplace_back(backend.backend, time);
       }
-      if (const uint64_t negative = sum_of(row, &FunctionRow::negative), nonfinite = sum_of(row, &FunctionRow::nonfinite); negative + nonfinite > 0)
+      if (const uint64_t negative = sum_of(row, &FunctionRow::negative), nonfinite = sum_of(row, &FunctionRow::nonfinite);
+          negative + nonfinite > 0)
         words.faults.emplace_back(backend.backend, fmt::format("{} negative and {} non-finite values", negative, nonfinite));
     }
   std::vector<Headline> all;

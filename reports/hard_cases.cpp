@@ -82,7 +82,8 @@ std::vector<const FunctionRow*> rows_by_set(const FunctionBackend& backend) {
       place.try_emplace(row->set, place.size());
       rows.push_back(row);
     }
-  std::ranges::stable_sort(rows, [&](const FunctionRow* a, const FunctionRow* b) { return place.at(a->set) < place.at(b->set); });
+  std::ranges::stable_sort(rows,
+                           [&](const FunctionRow* a, const FunctionRow* b) { return place.at(a->set) < place.at(b->set); });
   return rows;
 }
 

@@ -76,10 +76,10 @@ std::vector<Certificate> certificates(const Record& record) {
                    .words = fmt::format("the record holds no timer certificate of {}, so no times are shown", cell.backend)});
   }
   for (const auto& [timer, function] : record.function_timers)
-    all.push_back({.backend = timer.backend,
-                   .ok = timer.ok,
-                   .words = words_of(timer, fmt::format("on {} for calls of {}", timer.backend, function),
-                                     "times of calls there")});
+    all.push_back(
+        {.backend = timer.backend,
+         .ok = timer.ok,
+         .words = words_of(timer, fmt::format("on {} for calls of {}", timer.backend, function), "times of calls there")});
   return all;
 }
 
@@ -94,8 +94,7 @@ std::vector<std::string> plan_lines(const Record& record) {
       for (const PlanRow::Variant& variant : effect.variants)
         for (const PlanRow::Pass& pass : variant.passes)
           if (!pass.runs)
-            lines.push_back(
-                fmt::format("{}: {} without its pass {}: {}", name, variant.variant, pass.pass, pass.reason));
+            lines.push_back(fmt::format("{}: {} without its pass {}: {}", name, variant.variant, pass.pass, pass.reason));
     }
   return lines;
 }

@@ -118,8 +118,7 @@ Mask count_cell(CellRow& row, Frame& counting, const std::vector<PassCounts>& on
   row.fetches = fetches;
   Mask covered = counting.coverage(variant.effect);
   row.covered_pixels = count_on(covered);
-  if (row.covered_pixels > 0)
-    row.fetches_per_pixel = static_cast<double>(fetches) / static_cast<double>(*row.covered_pixels);
+  if (row.covered_pixels > 0) row.fetches_per_pixel = static_cast<double>(fetches) / static_cast<double>(*row.covered_pixels);
   return covered;
 }
 

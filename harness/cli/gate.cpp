@@ -52,8 +52,7 @@ int run_against(GateOptions options, const Stopwatch& watch) {
   const GateResult result = judge_trees(trees, measured, options, limits);
   const GateOutcome outcome = outcome_of(result.rows);
   for (const TimerRow& timer : measured.timers) record.append(to_json(timer));
-  for (const CellRow& cell : measured.cells_after)
-    record.append(to_json(with_picture_before(cell, measured.cells_before)));
+  for (const CellRow& cell : measured.cells_after) record.append(to_json(with_picture_before(cell, measured.cells_before)));
   for (const PairsRow& row : measured.pairs) record.append(to_json(row));
   for (const SameArmRow& row : result.times.same_arms) record.append(to_json(row));
   for (const VerdictRow& row : result.rows) record.append(to_json(row));

@@ -108,10 +108,10 @@ VerdictRow judge_timer(const TimerRow& timer) {
   row.backend = timer.backend, row.what = "timer";
   row.verdict = timer.ok ? Verdict::same : Verdict::ambiguous;
   row.sentence = timer.ok ? fmt::format("{}: the timer's certificate holds", row.backend)
-                                : fmt::format(
-                                      "{}: the timer's certificate failed ({}), so no time is judged; run again on a "
-                                      "quieter machine",
-                                      row.backend, timer.reason);
+                          : fmt::format(
+                                "{}: the timer's certificate failed ({}), so no time is judged; run again on a "
+                                "quieter machine",
+                                row.backend, timer.reason);
   return row;
 }
 

@@ -16,7 +16,8 @@ namespace lamina {
 // Error(failed) for pictures of two sizes.
 double most_change(const Image& picture, const Image& before);
 
-// One variant on one backend: the cells of all its views, in one order before and after; absent where there is none. `changes` is beside `after`, or empty where no pictures were compared.
+// One variant on one backend: the cells of all its views, in one order before and after; absent where there is none. `changes`
+// is beside `after`, or empty where no pictures were compared.
 struct CellPair {
   std::vector<std::optional<CellRow>> before, after;
   std::vector<std::optional<double>> changes;  // most_change()

@@ -28,8 +28,8 @@ struct PieceOptions {
 };
 
 struct PairedFrame {
-  Frame* frame = nullptr;  // must outlive its pairs and have run once
-  size_t same_passes = 0;  // from its first on, that are known to be the same as those of the first frame
+  Frame* frame = nullptr;       // must outlive its pairs and have run once
+  size_t same_passes = 0;       // from its first on, that are known to be the same as those of the first frame
   std::vector<double> pass_ms;  // what its passes lasted when it ran, beside its frame_names()
 };
 
@@ -56,7 +56,7 @@ class PairedFrames {
   };
   size_t pass_named(const std::string& name, size_t occurrence);
   std::vector<size_t> passes_of(size_t frame);  // beside its frame_names()
-  bool runs(size_t pass, size_t frame) const;  // in the next round
+  bool runs(size_t pass, size_t frame) const;   // in the next round
   struct Timed {
     double ms = 0;
     size_t turn = 0;  // among the frames of its strip

@@ -54,7 +54,7 @@ inline constexpr int worst_tile_px = 32;
 struct WorstTile {
   int x = 0, y = 0;  // of its upper left pixel
   int size = worst_tile_px;
-  double flip = 0;   // mean over the tile's pixels
+  double flip = 0;  // mean over the tile's pixels
 };
 WorstTile worst_tile(const std::vector<float>& map, int width, int height);
 

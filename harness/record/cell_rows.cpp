@@ -53,52 +53,55 @@ std::optional<double> once_ms(const std::vector<PassRow>& passes) {
 }  // namespace
 
 constexpr auto fields(const TextureFetches*) {
-  return std::tuple(field("texture", &TextureFetches::texture), field("format", &TextureFetches::format),
-                    field("filter", &TextureFetches::filter), field("fetches", &TextureFetches::fetches));
+  using Row = TextureFetches;
+  return std::tuple(field("texture", &Row::texture), field("format", &Row::format), field("filter", &Row::filter),
+                    field("fetches", &Row::fetches));
 }
 
 constexpr auto fields(const PassRow*) {
-  return std::tuple(field("name", &PassRow::name), field("once", &PassRow::once), field("ms", &PassRow::ms),
-                    field("median_ms", &PassRow::median_ms), field("fragments", &PassRow::fragments),
-                    field("vertices", &PassRow::vertices), field("fetches", &PassRow::fetches),
-                    field("early_tests", &PassRow::early_tests), field("by_texture", &PassRow::by_texture));
+  using Row = PassRow;
+  return std::tuple(field("name", &Row::name), field("once", &Row::once), field("ms", &Row::ms),
+                    field("median_ms", &Row::median_ms), field("fragments", &Row::fragments), field("vertices", &Row::vertices),
+                    field("fetches", &Row::fetches), field("early_tests", &Row::early_tests),
+                    field("by_texture", &Row::by_texture));
 }
 
 constexpr auto fields(const ErrorFigures*) {
-  return std::tuple(field<Psnr>("psnr_db", &ErrorFigures::psnr_db),
+  using Row = ErrorFigures;
+  return std::tuple(field<Psnr>("psnr_db", &Row::psnr_db),
                     derived("identical", are_identical, "'{}psnr_db' must be null for identical pictures and for no others"),
-                    field("ssim", &ErrorFigures::ssim), field("flip", &ErrorFigures::flip),
-                    field("rmse_linear", &ErrorFigures::rmse_linear), field("max_linear", &ErrorFigures::max_linear));
+                    field("ssim", &Row::ssim), field("flip", &Row::flip), field("rmse_linear", &Row::rmse_linear),
+                    field("max_linear", &Row::max_linear));
 }
 
 constexpr auto fields(const WorstTile*) {
-  return std::tuple(field("x", &WorstTile::x), field("y", &WorstTile::y), field("size", &WorstTile::size),
-                    field("flip", &WorstTile::flip));
+  using Row = WorstTile;
+  return std::tuple(field("x", &Row::x), field("y", &Row::y), field("size", &Row::size), field("flip", &Row::flip));
 }
 
 constexpr auto fields(const AssumptionRow*) {
-  return std::tuple(field("name", &AssumptionRow::name), field("title", &AssumptionRow::title),
-                    field("error", &AssumptionRow::error), field("image", &AssumptionRow::image));
+  using Row = AssumptionRow;
+  return std::tuple(field("name", &Row::name), field("title", &Row::title), field("error", &Row::error),
+                    field("image", &Row::image));
 }
 
 constexpr auto fields(const CellRow*) {
+  using Row = CellRow;
   return std::tuple(
-      field("scene", &CellRow::scene), field("effect", &CellRow::effect), field("variant", &CellRow::variant),
-      field("baseline", &CellRow::baseline), field("backend", &CellRow::backend), field("device", &CellRow::device),
-      field("width", &CellRow::width), field("height", &CellRow::height), field("view", &CellRow::view),
-      field("params", &CellRow::params), left_out("words", &CellRow::words), field<Status>("status", &CellRow::failed),
-      field("reason", &CellRow::reason), field("timed", &CellRow::timed), field("passes", &CellRow::passes),
-      field("median_ms", &CellRow::median_ms), field("once_ms", &CellRow::once_ms), field("cold_ms", &CellRow::cold_ms),
-      field("ratio_to_baseline", &CellRow::ratio_to_baseline), field("fetches", &CellRow::fetches),
-      field("fetches_per_pixel", &CellRow::fetches_per_pixel),
-      group("error", field("baseline", &CellRow::error_covered), field("frame", &CellRow::error_frame),
-            field("truth", &CellRow::error_truth)),
-      field("nonfinite_pixels", &CellRow::nonfinite_pixels), field("covered_pixels", &CellRow::covered_pixels),
-      left_out("range_linear", &CellRow::range_linear), field("image", &CellRow::image),
-      field("difference", &CellRow::difference), field("flip", &CellRow::flip), left_out("truth_image", &CellRow::truth_image),
-      left_out("worst_tile", &CellRow::worst_tile), left_out("assumptions", &CellRow::assumptions),
-      field("image_hash", &CellRow::image_hash), field("shader_hashes", &CellRow::shader_hashes),
-      left_out("before_image", &CellRow::before_image));
+      field("scene", &Row::scene), field("effect", &Row::effect), field("variant", &Row::variant),
+      field("baseline", &Row::baseline), field("backend", &Row::backend), field("device", &Row::device),
+      field("width", &Row::width), field("height", &Row::height), field("view", &Row::view), field("params", &Row::params),
+      left_out("words", &Row::words), field<Status>("status", &Row::failed), field("reason", &Row::reason),
+      field("timed", &Row::timed), field("passes", &Row::passes), field("median_ms", &Row::median_ms),
+      field("once_ms", &Row::once_ms), field("cold_ms", &Row::cold_ms), field("ratio_to_baseline", &Row::ratio_to_baseline),
+      field("fetches", &Row::fetches), field("fetches_per_pixel", &Row::fetches_per_pixel),
+      group("error", field("baseline", &Row::error_covered), field("frame", &Row::error_frame),
+            field("truth", &Row::error_truth)),
+      field("nonfinite_pixels", &Row::nonfinite_pixels), field("covered_pixels", &Row::covered_pixels),
+      left_out("range_linear", &Row::range_linear), field("image", &Row::image), field("difference", &Row::difference),
+      field("flip", &Row::flip), left_out("truth_image", &Row::truth_image), left_out("worst_tile", &Row::worst_tile),
+      left_out("assumptions", &Row::assumptions), field("image_hash", &Row::image_hash),
+      field("shader_hashes", &Row::shader_hashes), left_out("before_image", &Row::before_image));
 }
 
 void check(const CellRow& row, const At& at) {
@@ -111,25 +114,28 @@ void check(const CellRow& row, const At& at) {
 }
 
 constexpr auto fields(const BakeRow*) {
-  return std::tuple(field("effect", &BakeRow::effect), field("object", &BakeRow::object), field("what", &BakeRow::what),
-                    field("points", &BakeRow::points), field("rays", &BakeRow::rays), field("seconds", &BakeRow::seconds),
-                    field("rays_per_second", &BakeRow::rays_per_second), field("from_cache", &BakeRow::from_cache));
+  using Row = BakeRow;
+  return std::tuple(field("effect", &Row::effect), field("object", &Row::object), field("what", &Row::what),
+                    field("points", &Row::points), field("rays", &Row::rays), field("seconds", &Row::seconds),
+                    field("rays_per_second", &Row::rays_per_second), field("from_cache", &Row::from_cache));
 }
 
 constexpr auto fields(const PhaseRow*) {
-  return std::tuple(field("backend", &PhaseRow::backend), field("effect", &PhaseRow::effect),
-                    field("rounds", &PhaseRow::rounds), field("wall_ms", &PhaseRow::wall_ms),
-                    field("device_ms", &PhaseRow::device_ms));
+  using Row = PhaseRow;
+  return std::tuple(field("backend", &Row::backend), field("effect", &Row::effect), field("rounds", &Row::rounds),
+                    field("wall_ms", &Row::wall_ms), field("device_ms", &Row::device_ms));
 }
 
 constexpr auto fields(const TimerRow*) {
-  return std::tuple(field("backend", &TimerRow::backend), field("ok", &TimerRow::ok), field("linearity", &TimerRow::linearity),
-                    field("one_ms", &TimerRow::one_ms), field("additivity", &TimerRow::additivity),
-                    field("attribution", &TimerRow::attribution), field("reason", &TimerRow::reason));
+  using Row = TimerRow;
+  return std::tuple(field("backend", &Row::backend), field("ok", &Row::ok), field("linearity", &Row::linearity),
+                    field("one_ms", &Row::one_ms), field("additivity", &Row::additivity),
+                    field("attribution", &Row::attribution), field("reason", &Row::reason));
 }
 
 constexpr auto fields(const FunctionTimerRow*) {
-  return std::tuple(part(&FunctionTimerRow::timer), field("function", &FunctionTimerRow::function));
+  using Row = FunctionTimerRow;
+  return std::tuple(part(&Row::timer), field("function", &Row::function));
 }
 
 std::vector<double> frame_samples_ms(std::span<const PassRow> passes) {

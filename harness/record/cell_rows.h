@@ -20,8 +20,8 @@ struct PassRow {
   bool once = false;                            // done once, apart from the frame: its time is not in the cell's median_ms
   std::vector<double> ms;                       // one sample a round (once: one a repetition)
   std::optional<double> median_ms;              // of ms, made when the line is written
-  std::optional<uint64_t> fragments, vertices;  // invocations: of the fragment (or compute) stage, hidden fragments excluded; of
-                                                // the vertex stage
+  std::optional<uint64_t> fragments, vertices;  // invocations: of the fragment (or compute) stage, hidden fragments excluded;
+                                                // of the vertex stage
   std::optional<uint64_t> fetches;
   bool early_tests = true;  // false: fragments hidden later are counted too, since the shader discards or writes depth
   std::vector<TextureFetches> by_texture;

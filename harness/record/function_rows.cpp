@@ -21,33 +21,32 @@ std::string name_of(const FunctionSubject& subject) {
 }
 
 constexpr std::array errors_of_functions = {
-    std::pair("max_over", &FunctionRow::max_over), std::pair("max_under", &FunctionRow::max_under),
+    std::pair("max_over", &FunctionRow::max_over),           std::pair("max_under", &FunctionRow::max_under),
     std::pair("mean_absolute", &FunctionRow::mean_absolute), std::pair("rms", &FunctionRow::rms),
-    std::pair("most_eps", &FunctionRow::most_eps), std::pair("most_eps_kappa", &FunctionRow::most_eps_kappa)};
+    std::pair("most_eps", &FunctionRow::most_eps),           std::pair("most_eps_kappa", &FunctionRow::most_eps_kappa)};
 
 }  // namespace
 
 constexpr auto fields(const FunctionSubject*) {
-  return std::tuple(field("function", &FunctionSubject::function), field("title", &FunctionSubject::title),
-                    field("variant", &FunctionSubject::variant), field("baseline", &FunctionSubject::baseline),
-                    field("backend", &FunctionSubject::backend), field("device", &FunctionSubject::device));
+  using Row = FunctionSubject;
+  return std::tuple(field("function", &Row::function), field("title", &Row::title), field("variant", &Row::variant),
+                    field("baseline", &Row::baseline), field("backend", &Row::backend), field("device", &Row::device));
 }
 
 constexpr auto fields(const FunctionBounds*) {
-  return std::tuple(field("over", &FunctionBounds::over), field("under", &FunctionBounds::under),
-                    field("eps_kappa", &FunctionBounds::eps_kappa));
+  using Row = FunctionBounds;
+  return std::tuple(field("over", &Row::over), field("under", &Row::under), field("eps_kappa", &Row::eps_kappa));
 }
 
 constexpr auto fields(const FunctionRow*) {
-  return std::tuple(
-      part(&FunctionRow::subject), field("scale", &FunctionRow::scale), field("set", &FunctionRow::set),
-      field("what", &FunctionRow::what), field("points", &FunctionRow::points), field("max_over", &FunctionRow::max_over),
-      field("max_under", &FunctionRow::max_under), field("mean_absolute", &FunctionRow::mean_absolute),
-      field("rms", &FunctionRow::rms), field("most_eps", &FunctionRow::most_eps),
-      field("most_eps_kappa", &FunctionRow::most_eps_kappa), field("negative", &FunctionRow::negative),
-      field("nonfinite", &FunctionRow::nonfinite), field("not_zero", &FunctionRow::not_zero),
-      field<Point>("worst_over", &FunctionRow::worst_over), field<Point>("worst_under", &FunctionRow::worst_under),
-      left_out<Point>("first_fault", &FunctionRow::first_fault), left_out("bounds", &FunctionRow::bounds));
+  using Row = FunctionRow;
+  return std::tuple(part(&Row::subject), field("scale", &Row::scale), field("set", &Row::set), field("what", &Row::what),
+                    field("points", &Row::points), field("max_over", &Row::max_over), field("max_under", &Row::max_under),
+                    field("mean_absolute", &Row::mean_absolute), field("rms", &Row::rms), field("most_eps", &Row::most_eps),
+                    field("most_eps_kappa", &Row::most_eps_kappa), field("negative", &Row::negative),
+                    field("nonfinite", &Row::nonfinite), field("not_zero", &Row::not_zero),
+                    field<Point>("worst_over", &Row::worst_over), field<Point>("worst_under", &Row::worst_under),
+                    left_out<Point>("first_fault", &Row::first_fault), left_out("bounds", &Row::bounds));
 }
 
 void check(const FunctionRow& row, const At& at) {
@@ -57,10 +56,10 @@ void check(const FunctionRow& row, const At& at) {
 }
 
 constexpr auto fields(const FunctionTimeRow*) {
-  return std::tuple(part(&FunctionTimeRow::subject), field("ns_per_call", &FunctionTimeRow::ns_per_call),
-                    left_out("ns", &FunctionTimeRow::ns),  // records had none before
-                    field("reason", &FunctionTimeRow::reason), field("commit", &FunctionTimeRow::commit),
-                    field("build", &FunctionTimeRow::build));
+  using Row = FunctionTimeRow;
+  return std::tuple(part(&Row::subject), field("ns_per_call", &Row::ns_per_call),
+                    left_out("ns", &Row::ns),  // records had none before
+                    field("reason", &Row::reason), field("commit", &Row::commit), field("build", &Row::build));
 }
 
 void check(const FunctionTimeRow& row, const At& at) {
@@ -69,9 +68,9 @@ void check(const FunctionTimeRow& row, const At& at) {
 }
 
 constexpr auto fields(const FunctionPictureRow*) {
-  return std::tuple(part(&FunctionPictureRow::subject), field("slice", &FunctionPictureRow::slice),
-                    field("axes", &FunctionPictureRow::axes), field("image", &FunctionPictureRow::image),
-                    field("full_error", &FunctionPictureRow::full_error));
+  using Row = FunctionPictureRow;
+  return std::tuple(part(&Row::subject), field("slice", &Row::slice), field("axes", &Row::axes), field("image", &Row::image),
+                    field("full_error", &Row::full_error));
 }
 
 Line to_json(const FunctionRow& judged) {

@@ -36,8 +36,8 @@ struct FunctionRow {
   std::optional<double> mean_absolute, rms;
   std::optional<double> most_eps;        // greatest |error| in units of 2^-23
   std::optional<double> most_eps_kappa;  // greatest |value - truth| / truth in units of 2^-23 max(1, condition number)
-  uint64_t negative = 0, nonfinite = 0;         // of the points; negative where the truth is not
-  uint64_t not_zero = 0;                        // points whose truth is 0, but whose value is not
+  uint64_t negative = 0, nonfinite = 0;  // of the points; negative where the truth is not
+  uint64_t not_zero = 0;                 // points whose truth is 0, but whose value is not
   // The inputs of max_over and max_under, in the function's order; empty where no value errs that way.
   std::vector<double> worst_over, worst_under;
   // The first inputs whose value is not finite, is negative, or is not 0 where 0 is right; empty where there are none.

@@ -63,27 +63,27 @@ struct lines::Kind<StripPair> {
 };
 
 constexpr auto fields(const VerdictRow*) {
-  return std::tuple(field("backend", &VerdictRow::backend), field("effect", &VerdictRow::effect),
-                    field("variant", &VerdictRow::variant), field("view", &VerdictRow::view), field("what", &VerdictRow::what),
-                    field("pass", &VerdictRow::pass), field("texture", &VerdictRow::texture),
-                    field<OneOf<verdicts_on_figures>>("verdict", &VerdictRow::verdict),
-                    field<FiniteOrNull>("before", &VerdictRow::before), field<FiniteOrNull>("after", &VerdictRow::after),
-                    field("ratio", &VerdictRow::ratio), field<FiniteOrNull>("limit", &VerdictRow::limit),
-                    field("sentence", &VerdictRow::sentence));
+  using Row = VerdictRow;
+  return std::tuple(field("backend", &Row::backend), field("effect", &Row::effect), field("variant", &Row::variant),
+                    field("view", &Row::view), field("what", &Row::what), field("pass", &Row::pass),
+                    field("texture", &Row::texture), field<OneOf<verdicts_on_figures>>("verdict", &Row::verdict),
+                    field<FiniteOrNull>("before", &Row::before), field<FiniteOrNull>("after", &Row::after),
+                    field("ratio", &Row::ratio), field<FiniteOrNull>("limit", &Row::limit), field("sentence", &Row::sentence));
 }
 
 constexpr auto fields(const SameArmRow*) {
-  return std::tuple(field("backend", &SameArmRow::backend), field("effect", &SameArmRow::effect),
-                    field("variant", &SameArmRow::variant), field("ratio", &SameArmRow::ratio),
-                    field<OneOf<verdicts_on_times>>("verdict", &SameArmRow::verdict));
+  using Row = SameArmRow;
+  return std::tuple(field("backend", &Row::backend), field("effect", &Row::effect), field("variant", &Row::variant),
+                    field("ratio", &Row::ratio), field<OneOf<verdicts_on_times>>("verdict", &Row::verdict));
 }
 
 constexpr auto fields(const GateRow*) {
-  return std::tuple(field("mode", &GateRow::mode), field("against", &GateRow::against),
-                    field<OneOf<verdicts_of_gates>>("verdict", &GateRow::verdict),
-                    field<ExitStatus>("status", &GateRow::status), field("processes", &GateRow::processes),
-                    field("rounds", &GateRow::rounds), field("wall_s", &GateRow::wall_s), field("margin", &GateRow::margin),
-                    field("confidence", &GateRow::confidence), field("comparisons", &GateRow::comparisons));
+  using Row = GateRow;
+  return std::tuple(field("mode", &Row::mode), field("against", &Row::against),
+                    field<OneOf<verdicts_of_gates>>("verdict", &Row::verdict), field<ExitStatus>("status", &Row::status),
+                    field("processes", &Row::processes), field("rounds", &Row::rounds), field("wall_s", &Row::wall_s),
+                    field("margin", &Row::margin), field("confidence", &Row::confidence),
+                    field("comparisons", &Row::comparisons));
 }
 
 void check(const GateRow& row, const At& at) {
@@ -91,14 +91,16 @@ void check(const GateRow& row, const At& at) {
 }
 
 constexpr auto fields(const PairedPass*) {
-  return std::tuple(field("name", &PairedPass::name), field("cut", &PairedPass::cut), field("same", &PairedPass::same),
-                    field("ms", &PairedPass::ms), field("strips", &PairedPass::strips));
+  using Row = PairedPass;
+  return std::tuple(field("name", &Row::name), field("cut", &Row::cut), field("same", &Row::same), field("ms", &Row::ms),
+                    field("strips", &Row::strips));
 }
 
 constexpr auto fields(const PairsRow*) {
-  return std::tuple(field("process", &PairsRow::process), field("backend", &PairsRow::backend),
-                    field("effect", &PairsRow::effect), field("variant", &PairsRow::variant), field("view", &PairsRow::view),
-                    field("frames", &PairsRow::frames), field("passes", &PairsRow::passes));
+  using Row = PairsRow;
+  return std::tuple(field("process", &Row::process), field("backend", &Row::backend), field("effect", &Row::effect),
+                    field("variant", &Row::variant), field("view", &Row::view), field("frames", &Row::frames),
+                    field("passes", &Row::passes));
 }
 
 void check(const PairsRow& row, const At& at) {

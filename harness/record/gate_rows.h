@@ -45,9 +45,9 @@ struct SameArmRow {
 };
 
 struct GateRow {
-  std::string mode, against;         // "against" or "baseline"; in words
-  Verdict verdict = Verdict::same;   // same, faster, slower, ambiguous or failed
-  int status = 0;                    // of the command: 0 to 4
+  std::string mode, against;        // "against" or "baseline"; in words
+  Verdict verdict = Verdict::same;  // same, faster, slower, ambiguous or failed
+  int status = 0;                   // of the command: 0 to 4
   size_t processes = 0, rounds = 0, comparisons = 0;
   double wall_s = 0, margin = 0, confidence = 0;
 };

@@ -83,7 +83,9 @@ struct Kind<std::optional<T>> {
 };
 
 template <class T>
-constexpr bool is_scalar = requires { Kind<T>::many; };
+constexpr bool is_scalar = requires {
+  Kind<T>::many;
+};
 
 template <class T>
 struct Kind<std::vector<T>> {
@@ -108,8 +110,9 @@ struct Kind<std::vector<T>> {
     values.reserve(array.size());
     for (const Json& value : array) {
       if (!Kind<T>::fits(value))
-        refuse(at, Kind<T>::fits(Json::object()) ? at.path + ". is not an object"
-                                                 : fmt::format("the field '{}' holds what is not {}", at.path, Kind<T>::words()));
+        refuse(at, Kind<T>::fits(Json::object())
+                       ? at.path + ". is not an object"
+                       : fmt::format("the field '{}' holds what is not {}", at.path, Kind<T>::words()));
       values.push_back(Kind<T>::read(value, at));
     }
     return values;
@@ -136,9 +139,7 @@ struct Kind<std::map<std::string, T>> {
 // A point in a function's inputs; null where it has none.
 struct Point {
   static std::string words() { return "an array of numbers or null"; }
-  static bool fits(const Json& value) {
-    return value.is_null() || (!value.empty() && Kind<std::vector<double>>::fits(value));
-  }
+  static bool fits(const Json& value) { return value.is_null() || (!value.empty() && Kind<std::vector<double>>::fits(value)); }
   static Line write(const std::vector<double>& point, const At& at) {
     return point.empty() ? Line(nullptr) : Kind<std::vector<double>>::write(point, at);
   }

@@ -10,26 +10,28 @@ using lines::left_out;
 using lines::may_lack;
 
 constexpr auto fields(const PlanRow::Pass*) {
-  return std::tuple(may_lack("pass", &PlanRow::Pass::pass), may_lack("effect", &PlanRow::Pass::effect),
-                    may_lack("runs", &PlanRow::Pass::runs), may_lack("once", &PlanRow::Pass::once),
-                    may_lack("reason", &PlanRow::Pass::reason), may_lack("objects", &PlanRow::Pass::objects),
-                    may_lack("reads", &PlanRow::Pass::reads), may_lack("writes", &PlanRow::Pass::writes));
+  using Row = PlanRow::Pass;
+  return std::tuple(may_lack("pass", &Row::pass), may_lack("effect", &Row::effect), may_lack("runs", &Row::runs),
+                    may_lack("once", &Row::once), may_lack("reason", &Row::reason), may_lack("objects", &Row::objects),
+                    may_lack("reads", &Row::reads), may_lack("writes", &Row::writes));
 }
 
 constexpr auto fields(const PlanRow::Variant*) {
-  return std::tuple(may_lack("variant", &PlanRow::Variant::variant), may_lack("baseline", &PlanRow::Variant::baseline),
-                    left_out("passes", &PlanRow::Variant::passes), left_out("error", &PlanRow::Variant::error));
+  using Row = PlanRow::Variant;
+  return std::tuple(may_lack("variant", &Row::variant), may_lack("baseline", &Row::baseline), left_out("passes", &Row::passes),
+                    left_out("error", &Row::error));
 }
 
 constexpr auto fields(const PlanRow::Feature*) {
-  return std::tuple(may_lack("feature", &PlanRow::Feature::feature), may_lack("on", &PlanRow::Feature::on),
-                    may_lack("reason", &PlanRow::Feature::reason));
+  using Row = PlanRow::Feature;
+  return std::tuple(may_lack("feature", &Row::feature), may_lack("on", &Row::on), may_lack("reason", &Row::reason));
 }
 
 constexpr auto fields(const PlanRow::Effect*) {
-  return std::tuple(field("effect", &PlanRow::Effect::effect), field("called_for", &PlanRow::Effect::called_for),
-                    field("reason", &PlanRow::Effect::reason), may_lack("objects", &PlanRow::Effect::objects),
-                    may_lack("features", &PlanRow::Effect::features), may_lack("variants", &PlanRow::Effect::variants));
+  using Row = PlanRow::Effect;
+  return std::tuple(field("effect", &Row::effect), field("called_for", &Row::called_for), field("reason", &Row::reason),
+                    may_lack("objects", &Row::objects), may_lack("features", &Row::features),
+                    may_lack("variants", &Row::variants));
 }
 
 constexpr auto fields(const PlanRow*) { return std::tuple(field("effects", &PlanRow::effects)); }

@@ -110,13 +110,11 @@ Record read_record(const std::filesystem::path& file, std::vector<Json>* all_lin
       add_line(record, line, at);
       continue;
     }
-    if (kind_of(line, at) != "run")
-      refuse(at, "the first line is not of kind 'run'; this is no record, or its start is lost");
+    if (kind_of(line, at) != "run") refuse(at, "the first line is not of kind 'run'; this is no record, or its start is lost");
     check_run(line, at);
     record.run = std::move(line);
   }
-  if (number_of_line == 0)
-    refuse({file.string() + ":1", ""}, "the file is empty; a record begins with a line of kind 'run'");
+  if (number_of_line == 0) refuse({file.string() + ":1", ""}, "the file is empty; a record begins with a line of kind 'run'");
   return record;
 }
 

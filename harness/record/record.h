@@ -57,9 +57,9 @@ struct Record {
   std::vector<CrossoverRow> crossovers;
 };
 // Throws Error(bad_input, "record", "FILE:LINE", ...) for a line that is not JSON, another schema, no first line of kind "run",
-// an unknown kind, or a field missing or of the wrong type. A last line cut short by a crash (it has no newline) is dropped, and
-// said so in `run["truncated"]`, a sentence.
-// `all_lines` gets all lines as they are, the run line first, for what copies them.
+// an unknown kind, or a field missing or of the wrong type. A last line cut short by a crash (it has no newline) is dropped,
+// and said so in `run["truncated"]`, a sentence. `all_lines` gets all lines as they are, the run line first, for what copies
+// them.
 Record read_record(const std::filesystem::path& file, std::vector<nlohmann::json>* all_lines = nullptr);
 
 // The value at a JSON pointer as text ("/machine/cpu"); "" where there is none. For the run line.

@@ -8,27 +8,28 @@ namespace lamina {
 using lines::field;
 
 constexpr auto fields(const SweepRow::Parameter*) {
-  return std::tuple(field("path", &SweepRow::Parameter::path), field("unit", &SweepRow::Parameter::unit),
-                    field("values", &SweepRow::Parameter::values));
+  using Row = SweepRow::Parameter;
+  return std::tuple(field("path", &Row::path), field("unit", &Row::unit), field("values", &Row::values));
 }
 
 constexpr auto fields(const SweepRow::Limit*) {
-  return std::tuple(field("metric", &SweepRow::Limit::metric), field("limit", &SweepRow::Limit::value));
+  using Row = SweepRow::Limit;
+  return std::tuple(field("metric", &Row::metric), field("limit", &Row::value));
 }
 
 constexpr auto fields(const SweepRow*) {
-  return std::tuple(
-      field("parameters", &SweepRow::parameters), field("zip", &SweepRow::zip), field("points", &SweepRow::points),
-      lines::group("shard", field("index", &SweepRow::shard_index), field("count", &SweepRow::shard_count)),
-      field("limits", &SweepRow::limits));
+  using Row = SweepRow;
+  return std::tuple(field("parameters", &Row::parameters), field("zip", &Row::zip), field("points", &Row::points),
+                    lines::group("shard", field("index", &Row::shard_index), field("count", &Row::shard_count)),
+                    field("limits", &Row::limits));
 }
 
 constexpr auto fields(const CrossoverRow*) {
-  return std::tuple(field("parameter", &CrossoverRow::parameter), field("backend", &CrossoverRow::backend),
-                    field("effect", &CrossoverRow::effect), field("variant", &CrossoverRow::variant),
-                    field("other", &CrossoverRow::other), field("metric", &CrossoverRow::metric),
-                    field("limit", &CrossoverRow::limit), field("at", &CrossoverRow::at),
-                    field("tolerance", &CrossoverRow::tolerance), field("sentence", &CrossoverRow::sentence));
+  using Row = CrossoverRow;
+  return std::tuple(field("parameter", &Row::parameter), field("backend", &Row::backend), field("effect", &Row::effect),
+                    field("variant", &Row::variant), field("other", &Row::other), field("metric", &Row::metric),
+                    field("limit", &Row::limit), field("at", &Row::at), field("tolerance", &Row::tolerance),
+                    field("sentence", &Row::sentence));
 }
 
 lines::Line to_json(const SweepRow& row) { return lines::line_of("sweep", row, "sweep"); }

@@ -15,7 +15,6 @@ const Metric* metric_named(std::string_view name) {
 
 namespace {
 
-
 // Figures of a cell by the names of curves.h; NaN where it has none.
 double figure(const CellRow& cell, std::string_view name) {
   if (cell.failed) return nan;
@@ -60,8 +59,7 @@ std::vector<Curve> curves_of(const Record& record) {
       std::vector<double> held;
       for (size_t other = 0; !zip && other < swept.size(); ++other)
         if (other != along) held.push_back(cell.params.at(swept[other].path));
-      const auto [entry, is_new] =
-          known.try_emplace(Key(along, cell.backend, cell.effect, held, cell.variant), found.size());
+      const auto [entry, is_new] = known.try_emplace(Key(along, cell.backend, cell.effect, held, cell.variant), found.size());
       if (is_new) {
         Curve& curve = found.emplace_back();
         curve.backend = cell.backend, curve.effect = cell.effect, curve.variant = cell.variant;

@@ -79,8 +79,7 @@ CellKey PointIndex::key_of(const CellRow& cell, const std::string& where) const 
   for (const std::string& path : paths_)
     if (const auto value = cell.params.find(path); value != cell.params.end()) values.push_back(value->second);
   const auto found = points_.find(values);
-  if (found == points_.end())
-    refuse(where, "is a cell of no point of this sweep; the file is damaged or of another sweep");
+  if (found == points_.end()) refuse(where, "is a cell of no point of this sweep; the file is damaged or of another sweep");
   return {cell.backend, cell.effect, cell.variant, cell.view, found->second};
 }
 

@@ -57,8 +57,8 @@ class FolderLock {
 // last: they are computed again by the limits of `sweep`, which are written into the file. Does nothing where there is no file,
 // or fewer than two whole lines in it. `run` and `sweep` are the lines that the present run would begin with. Throws
 // Error(bad_input) where the lines in the file show other inputs, settings, devices or another program.
-std::optional<Earlier> continue_record(const std::filesystem::path& file, const nlohmann::json& run,
-                                       const SweepRow& sweep, const SweepPoints& points);
+std::optional<Earlier> continue_record(const std::filesystem::path& file, const nlohmann::json& run, const SweepRow& sweep,
+                                       const SweepPoints& points);
 
 // Records of shards of one sweep, or of parts of it, joined as one run would have left them, without answers.
 struct Joined {

@@ -4,8 +4,8 @@
 
 #include "reports/gate/gate.h"
 #include "reports/gate/reading.h"
-#include "reports/words.h"
 #include "reports/gate/xml.h"
+#include "reports/words.h"
 
 namespace lamina {
 namespace {
@@ -56,9 +56,8 @@ std::string test_case(const VerdictRow& row) {
   std::string classname;  // a backend's own row, as of its timer, has no effect and no variant
   for (const std::string* part : {&row.backend, &row.effect, &row.variant})
     if (!part->empty()) classname += (classname.empty() ? "" : ".") + *part;
-  return test_case(
-      classname.empty() ? "gate" : classname, row.what + (place.empty() ? "" : ", " + place),
-      element ? outcome_element(element, std::string(name_of(row.verdict)), row.sentence, facts_of(row)) : "");
+  return test_case(classname.empty() ? "gate" : classname, row.what + (place.empty() ? "" : ", " + place),
+                   element ? outcome_element(element, std::string(name_of(row.verdict)), row.sentence, facts_of(row)) : "");
 }
 
 std::string properties(const Record& record) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The gate's answer for a comment on a pull request.
+#include "reports/markdown.h"
+
 #include "reports/gate/gate.h"
 #include "reports/gate/reading.h"
-#include "reports/markdown.h"
 #include "reports/words.h"
 
 namespace lamina {

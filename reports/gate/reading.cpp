@@ -98,9 +98,9 @@ GateReading reading_of(const Record& record) {
   }
   const GateRow& gate = record.gates.back();
   reading.well = gate.status == 0 && reading.trouble.empty();
-  reading.word = reading.well                                                        ? "passed"
+  reading.word = reading.well                                                      ? "passed"
                  : gate.verdict == Verdict::ambiguous && reading.regressed.empty() ? "AMBIGUOUS"
-                                                                                     : "FAILED";
+                                                                                   : "FAILED";
   reading.conditions = conditions_of(gate);
   if (std::ranges::any_of(reading.ambiguous, [](const VerdictRow* row) { return row->what == "time"; }))
     reading.conditions += "; ambiguous times want more --budget, a quieter machine or a wider max_slowdown";
@@ -161,8 +161,16 @@ std::string certainty_of(const VerdictRow& row) {
 std::string limit_of(const VerdictRow& row) { return row.limit ? words_for_number(*row.limit) : ""; }
 
 std::array<std::string, gate_columns.size()> gate_cells(const VerdictRow& row) {
-  return {std::string(name_of(row.verdict)), row.what,       row.effect,            row.variant,   row.backend,
-          place_of(row),                     before_and_after(row), change_of(row), certainty_of(row), limit_of(row)};
+  return {std::string(name_of(row.verdict)),
+          row.what,
+          row.effect,
+          row.variant,
+          row.backend,
+          place_of(row),
+          before_and_after(row),
+          change_of(row),
+          certainty_of(row),
+          limit_of(row)};
 }
 
 std::string words_for_aa(const SameArmRow& aa) {

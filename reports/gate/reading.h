@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A gate's lines sorted into the order in which a person reads them, and in words: shared by the reports of reports/gate/gate.h. All
-// strings are plain text, not yet escaped for where they go.
+// A gate's lines sorted into the order in which a person reads them, and in words: shared by the reports of
+// reports/gate/gate.h. All strings are plain text, not yet escaped for where they go.
 #pragma once
 
 #include <array>
@@ -16,14 +16,14 @@ inline constexpr std::array<const char*, 10> gate_columns = {
     "verdict", "what", "effect", "variant", "backend", "where", "before -> after", "change", "how sure", "limit"};
 
 struct GateReading {
-  using Rows = std::vector<const VerdictRow*>;    // into the record, which must outlive this
+  using Rows = std::vector<const VerdictRow*>;   // into the record, which must outlive this
   Rows regressed;                                // slower, worse, failed
   Rows ambiguous, not_compared, improved, same;  // improved: faster, better
   std::vector<const SameArmRow*> unequal_aas;    // A/A arms that differ from themselves
   bool well = false;                             // the gate says so and its figures bear it out
   std::string word;                              // "passed", "FAILED", "AMBIGUOUS" or "NO VERDICT"
   std::string counts;                            // "2 of 36 checks regressed, 1 is ambiguous"
-  std::string conditions;  // "against main, 60 rounds in 3 processes, 41.2 s, ..."; "" without an answer
+  std::string conditions;                        // "against main, 60 rounds in 3 processes, 41.2 s, ..."; "" without an answer
   // Why the answer cannot be believed: it is missing, its figures contradict it, nothing was compared. "" for most.
   std::string trouble;
 
@@ -35,8 +35,8 @@ GateReading reading_of(const Record& record);
 std::vector<std::string> gate_lines(const Record& record);
 
 // Of a verdict line.
-std::string place_of(const VerdictRow& row);  // "view front, pass composite, texture light_map"; "" for the whole frame
-std::string subject_of(const VerdictRow& row);  // "vertex_normal on vulkan, view front, pass composite", or "vulkan"
+std::string place_of(const VerdictRow& row);          // "view front, pass composite, texture light_map"; "" for the whole frame
+std::string subject_of(const VerdictRow& row);        // "vertex_normal on vulkan, view front, pass composite", or "vulkan"
 std::string before_and_after(const VerdictRow& row);  // "12.31 -> 13.54 ms", "now 0.052", "" where neither is known
 std::string change_of(const VerdictRow& row);         // "+10.1% [+8.2%, +11.9%]", "-0.0123"; "" where not known
 std::string certainty_of(const VerdictRow& row);      // "95.9% interval, 60 rounds", or "exact"

@@ -12,7 +12,7 @@ namespace lamina {
 
 struct GateStrips {
   std::string effect, variant, backend, view, pass;
-  bool same_arm = false;                    // A/A: the old tree against itself, else the new tree against the old
+  bool same_arm = false;                // A/A: the old tree against itself, else the new tree against the old
   const VerdictRow* verdict = nullptr;  // the record's line on it, which must outlive this; null where none is
   struct Process {
     size_t number = 0;  // 0, 1, ..., as in the record

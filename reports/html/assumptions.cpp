@@ -15,12 +15,12 @@ std::string assumption_cards(const CellRow& cell, const std::string& difference,
     const auto figures = assumption_cells(assumption);
     html += fmt::format("<article class=\"shot\"><h4>{}</h4>\n", escaped_html(figures[0]));
     if (!assumption.image.empty())
-      html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
-                          picture_tag(assumption.image,
-                                      fmt::format("difference by {}, {} on {}, view {}", figures[0], cell.variant,
-                                                  cell.backend, cell.view),
-                                      url, std::to_string(cell.width), std::to_string(cell.height)),
-                          escaped_html(difference));
+      html += fmt::format(
+          "<figure>{}<figcaption>{}</figcaption></figure>\n",
+          picture_tag(assumption.image,
+                      fmt::format("difference by {}, {} on {}, view {}", figures[0], cell.variant, cell.backend, cell.view),
+                      url, std::to_string(cell.width), std::to_string(cell.height)),
+          escaped_html(difference));
     html += "<table class=\"figures\"><tbody>";
     for (size_t i = 1; i < figures.size(); ++i)
       html += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"num\">{}</td></tr>", assumption_columns[i], figures[i]);

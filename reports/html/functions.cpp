@@ -68,11 +68,11 @@ std::string slices(const FunctionBackend& backend, bool open, const PictureUrl& 
     for (const FunctionPictureRow* picture : variant.pictures) {
       axes = picture->axes;
       full_error = fmt::format("{:g}", picture->full_error);
-      html += fmt::format(
-          "<figure>{}<figcaption>{}</figcaption></figure>",
-          picture_tag(picture->image,
-                      fmt::format("error of {} on {}, {}", variant.variant, backend.backend, picture->slice), url),
-          escaped_html(picture->slice));
+      html +=
+          fmt::format("<figure>{}<figcaption>{}</figcaption></figure>",
+                      picture_tag(picture->image,
+                                  fmt::format("error of {} on {}, {}", variant.variant, backend.backend, picture->slice), url),
+                      escaped_html(picture->slice));
     }
     html += "</div>\n";
   }

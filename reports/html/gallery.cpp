@@ -21,8 +21,7 @@ std::vector<std::vector<const CellRow*>> group_shots(const Record& record) {
     if (added) groups.emplace_back();
     groups[known->second].push_back(&cell);
   }
-  for (auto& group : groups)
-    std::ranges::stable_sort(group, std::greater(), &CellRow::baseline);
+  for (auto& group : groups) std::ranges::stable_sort(group, std::greater(), &CellRow::baseline);
   return groups;
 }
 
@@ -30,7 +29,8 @@ std::string picture(const CellRow& cell, const std::string& path, const std::str
                     const PictureUrl& url) {
   if (path.empty()) return "";
   return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
-                     picture_tag(path, alt, url, std::to_string(cell.width), std::to_string(cell.height)), escaped_html(caption));
+                     picture_tag(path, alt, url, std::to_string(cell.width), std::to_string(cell.height)),
+                     escaped_html(caption));
 }
 
 // The truth is shared by the cells of a view.
@@ -75,17 +75,16 @@ constexpr std::array<const char*, 14> gallery_columns = {"variant",
 std::string cell_row(const Record& record, const CellRow& cell, bool with_truth) {
   if (cell.failed)
     return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"bad wrap\" colspan=\"{}\">Failed: {}</td></tr>\n",
-                       escaped_html(cell.variant), gallery_columns.size() - (with_truth ? 1 : 2),
-                       escaped_html(cell.reason));
+                       escaped_html(cell.variant), gallery_columns.size() - (with_truth ? 1 : 2), escaped_html(cell.reason));
   const std::vector<double> samples_ms = shown_samples_ms(record, cell);
   const bool shown = times_shown(record, cell.backend);
   const std::optional<ErrorFigures>&error = cell.error_covered, &truth = cell.error_truth;
   const std::optional<Interval>& ratio = cell.ratio_to_baseline;
   const auto count = [](const std::optional<uint64_t>& value) { return value ? std::to_string(*value) : "-"; };
   std::vector<std::string> cells = {samples_ms.empty() ? "not timed" : words_for_ms(interval_or_range(samples_ms)),
-                                    cell.baseline           ? "baseline"
-                                    : ratio && shown                ? words_for_ratio(*ratio)
-                                                                    : "-",
+                                    cell.baseline    ? "baseline"
+                                    : ratio && shown ? words_for_ratio(*ratio)
+                                                     : "-",
                                     cell.once_ms && shown ? words_for_ms(*cell.once_ms) : "-",
                                     cell.fetches_per_pixel ? fmt::format("{:.1f}", *cell.fetches_per_pixel) : "-"};
   if (error)
@@ -121,9 +120,9 @@ std::string html_gallery(const Record& record, const PictureUrl& url) {
       "interval. FLIP's map: <span class=\"legend\" role=\"img\" aria-label=\"black is 0, pale yellow is 1\">0<span "
       "class=\"magma\">"
       "</span>1</span></p>\n";
-  const bool with_truth =
-      std::ranges::any_of(record.cells, [](const CellRow& cell) { return cell.error_truth.has_value(); });
-  const auto head = header_row(std::span(gallery_columns).first(gallery_columns.size() - (with_truth ? 0 : 1)), gallery_columns.size());
+  const bool with_truth = std::ranges::any_of(record.cells, [](const CellRow& cell) { return cell.error_truth.has_value(); });
+  const auto head =
+      header_row(std::span(gallery_columns).first(gallery_columns.size() - (with_truth ? 0 : 1)), gallery_columns.size());
   size_t place = 0;
   for (const auto& cells : group_shots(record)) {
     const CellRow& sample = *cells.front();
@@ -132,8 +131,8 @@ std::string html_gallery(const Record& record, const PictureUrl& url) {
     html += fmt::format(
         "<details class=\"group\"{}><summary>{} <small>{}</small></summary>\n<div class=\"scroll\" tabindex=\"0\" "
         "role=\"region\" aria-label=\"{}\"><table class=\"wide cells\">{}<tbody>\n",
-        place++ < most_groups_open ? " open" : "", escaped_html(what), escaped_html(params),
-        escaped_html(what + ", " + params), head);
+        place++ < most_groups_open ? " open" : "", escaped_html(what), escaped_html(params), escaped_html(what + ", " + params),
+        head);
     for (const CellRow* cell : cells) html += cell_row(record, *cell, with_truth);
     html += "</tbody></table></div>\n" + html_samples(record, cells) + pictures(cells, difference, url) + "</details>\n";
   }

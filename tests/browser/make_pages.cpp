@@ -116,9 +116,8 @@ Record sweep_record(size_t points, size_t views, bool pictures) {
   sweep.parameters = {{"objects.heart.thickness", "texels", values}};
   sweep.points = points;
   const double at = static_cast<double>(points) * 0.4;
-  record.crossovers.push_back(
-      {"objects.heart.thickness", "vulkan", "layered_material", "normal_map_taps", "", "ssim", 0.98, at, 0.1,
-       fmt::format("normal_map_taps keeps SSIM at least 0.98 up to thickness {:.3g} texels", at)});
+  record.crossovers.push_back({"objects.heart.thickness", "vulkan", "layered_material", "normal_map_taps", "", "ssim", 0.98, at,
+                               0.1, fmt::format("normal_map_taps keeps SSIM at least 0.98 up to thickness {:.3g} texels", at)});
   // No cell has a truth: no chart is of this.
   CrossoverRow to_truth = record.crossovers[0];
   to_truth.metric = "truth.ssim", to_truth.at = 3;

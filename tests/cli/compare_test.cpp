@@ -30,8 +30,7 @@ class Compare : public ProgramTest {
   }
   // A machine that is busy with other tests can fail the timer's certificate; then times are refused and the status says so.
   static int expected_status(const Record& record, bool cell_failed) {
-    const bool certified =
-        std::ranges::all_of(record.timers, &TimerRow::ok);
+    const bool certified = std::ranges::all_of(record.timers, &TimerRow::ok);
     return cell_failed || !certified ? 1 : 0;
   }
 };
@@ -61,8 +60,8 @@ TEST_F(Compare, HeartOnEveryDefaultBackend) {
   }
   for (const CellRow& vulkan : record.cells)
     for (const CellRow& opengl : record.cells) {
-      if (vulkan.backend != "vulkan" || opengl.backend != "osmesa" ||
-          vulkan.variant != opengl.variant || vulkan.view != opengl.view)
+      if (vulkan.backend != "vulkan" || opengl.backend != "osmesa" || vulkan.variant != opengl.variant ||
+          vulkan.view != opengl.view)
         continue;
       EXPECT_GE(psnr_db(picture(opengl), picture(vulkan)), 45) << vulkan.image;
       EXPECT_EQ(opengl.fetches, vulkan.fetches) << vulkan.image;
@@ -155,8 +154,7 @@ TEST_F(Compare, HelmetRendersWhereItIsThere) {
   EXPECT_EQ(outcome.status, expected_status(record, false)) << outcome.output;
   for (const CellRow& cell : record.cells) EXPECT_FALSE(cell.failed) << cell.reason;
   for (const CellRow& cell : cells(record, "light_map"))
-    for (const PassRow& pass : cell.passes)
-      EXPECT_EQ(pass.once, pass.name != "composite") << "nothing moves: one light map";
+    for (const PassRow& pass : cell.passes) EXPECT_EQ(pass.once, pass.name != "composite") << "nothing moves: one light map";
 }
 
 // On an open plane the aperture is right and so is its intersection; what costs is the cosine at the middle: the sun stands 50

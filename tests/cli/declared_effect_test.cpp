@@ -105,8 +105,7 @@ TEST_F(DeclaredEffect, IsSwept) {
   ASSERT_EQ(word.status, 0) << word.output;
   std::map<std::string, std::string> picture;
   for (const CellRow& cell : read_record(folder_ / "word/record.jsonl").cells)
-    if (cell.variant == "lantern_plain")
-      picture[cell.words.at("objects.sphere.lantern.tint")] = cell.image_hash;
+    if (cell.variant == "lantern_plain") picture[cell.words.at("objects.sphere.lantern.tint")] = cell.image_hash;
   EXPECT_EQ(picture.size(), 2u);
   EXPECT_NE(picture["warm"], picture["cold"]);
   const Outcome own = sweep("lantern_full.shadow_texels=16,256", "own");

@@ -108,8 +108,7 @@ TEST_F(Gate, OtherCodeForTheSamePicturePasses) {
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   const Record record = this->record();
   EXPECT_GE(record.cells.size(), 9u) << "three variants in three views";
-  for (const CellRow& cell : record.cells)
-    EXPECT_TRUE(std::filesystem::is_regular_file(out() / cell.image)) << cell.image;
+  for (const CellRow& cell : record.cells) EXPECT_TRUE(std::filesystem::is_regular_file(out() / cell.image)) << cell.image;
 }
 
 TEST_F(Gate, AVariantThatVanishedIsNoPass) {

@@ -82,8 +82,7 @@ TEST_F(SweepTest, ErrorsFollowTheParameter) {
   std::map<std::string, double> greatest;  // by backend and view, at amount 0.5
   const auto shot = [](const CellRow& cell) { return cell.backend + cell.view; };
   for (const CellRow& cell : record.cells)
-    if (cell.params.at("darker.amount") == 0.5 && !cell.baseline)
-      greatest[shot(cell)] = 2 * cell.error_covered->max_linear;
+    if (cell.params.at("darker.amount") == 0.5 && !cell.baseline) greatest[shot(cell)] = 2 * cell.error_covered->max_linear;
   for (const CellRow& cell : record.cells) {
     EXPECT_FALSE(cell.failed) << cell.reason;
     const double amount = cell.params.at("darker.amount");
@@ -117,8 +116,7 @@ TEST_F(SweepTest, UnderEvenLightNoThicknessTellsVariantsApart) {
   ASSERT_EQ(record.cells.size(), 3u * 3 * 2);
   for (const CellRow& cell : record.cells) {
     if (cell.baseline) continue;
-    EXPECT_LE(cell.error_covered->max_linear, 2e-3)
-        << cell.variant << " at " << cell.params.at("objects.square.thickness");
+    EXPECT_LE(cell.error_covered->max_linear, 2e-3) << cell.variant << " at " << cell.params.at("objects.square.thickness");
   }
   // Thicker layers are another picture all the same.
   EXPECT_NE(record.cells[0].image_hash, record.cells[3].image_hash);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "harness/gate/verdict.h"
 #include "tests/reports/example_record.h"
 
 namespace lamina {

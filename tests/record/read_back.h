@@ -10,7 +10,8 @@ namespace lamina {
 
 template <class Row>
 Row read_back(const Row& row) {
-  return row_of<Row>(to_json(row), "example");
+  return row_of<Row>(nlohmann::json::parse(to_json(row).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)),
+                     "example");
 }
 template <class Row>
 std::vector<Row> read_back(const std::vector<Row>& rows) {

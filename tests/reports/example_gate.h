@@ -54,11 +54,14 @@ inline Record example_gate(Verdict verdict, int status, std::vector<VerdictRow> 
   return record;
 }
 inline Record example_failed_gate() {
-  return example_gate(Verdict::slower, 1,
-                      {example_verdict(Verdict::same, "ssim", "unchanged"), example_slower(), example_fetches(),
-                       example_verdict(Verdict::ambiguous, "time", "the interval reaches over the margin"),
-                       example_verdict(Verdict::not_compared, "time", "another machine"), example_verdict(Verdict::better, "flip", "lower")});
+  return example_gate(
+      Verdict::slower, 1,
+      {example_verdict(Verdict::same, "ssim", "unchanged"), example_slower(), example_fetches(),
+       example_verdict(Verdict::ambiguous, "time", "the interval reaches over the margin"),
+       example_verdict(Verdict::not_compared, "time", "another machine"), example_verdict(Verdict::better, "flip", "lower")});
 }
-inline Record example_passed_gate() { return example_gate(Verdict::same, 0, {example_verdict(Verdict::same, "ssim", "unchanged")}); }
+inline Record example_passed_gate() {
+  return example_gate(Verdict::same, 0, {example_verdict(Verdict::same, "ssim", "unchanged")});
+}
 
 }  // namespace lamina

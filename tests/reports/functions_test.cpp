@@ -287,8 +287,7 @@ TEST(Functions, EveryStringIsEscaped) {
   const auto make_evil = [&](FunctionSubject& subject) { subject.function = subject.title = subject.device = evil; };
   for (FunctionRow& each : record.functions) make_evil(each.subject), each.scale = each.set = each.what = evil;
   for (FunctionTimeRow& each : record.function_times) make_evil(each.subject), each.build = each.commit = evil;
-  for (FunctionPictureRow& each : record.function_pictures)
-    make_evil(each.subject), each.slice = each.axes = each.image = evil;
+  for (FunctionPictureRow& each : record.function_pictures) make_evil(each.subject), each.slice = each.axes = each.image = evil;
   const std::string page = page_of(record);
   EXPECT_FALSE(has(page, "alert(\"1"));
   EXPECT_TRUE(has(page, "&lt;script&gt;alert"));

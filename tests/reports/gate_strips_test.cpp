@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The strips behind a gate's times: what belongs together, what each process says, and what tells nothing.
-#include "reports/gate/strips.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "reports/gate/strips.h"
 #include "reports/html/html.h"
 #include "tests/reports/example_gate.h"
 
@@ -54,7 +53,7 @@ TEST(GateStrips, AreGroupedByWhatWasComparedAndHoldEveryProcess) {
 
 TEST(GateStrips, HaveTheVerdictOnTheirPassAndNoOther) {
   const std::vector<PairsRow> pairs = {pairs_of(0, strips_of(1.1), strips_of(1)),
-                                   pairs_of(0, strips_of(1.2), strips_of(1), "osmesa")};
+                                       pairs_of(0, strips_of(1.2), strips_of(1), "osmesa")};
   const Record record = gate_with(pairs);
   const std::vector<GateStrips> all = gate_strips(record);
   ASSERT_EQ(all.size(), 4u);

@@ -17,18 +17,19 @@ TEST(GateTable, AnswersInItsFirstLine) {
   EXPECT_EQ(first_line(gate_table(example_failed_gate(), false)),
             "gate FAILED: 6 checks: 2 regressed, 1 ambiguous, 1 not compared, 1 better, 1 the same");
   EXPECT_EQ(first_line(gate_table(example_passed_gate(), false)), "gate passed: 1 check: 1 the same");
-  EXPECT_EQ(first_line(gate_table(example_gate(Verdict::ambiguous, 3, {example_verdict(Verdict::ambiguous, "time", "s")}), false)),
-            "gate AMBIGUOUS: 1 check: 1 ambiguous");
+  EXPECT_EQ(
+      first_line(gate_table(example_gate(Verdict::ambiguous, 3, {example_verdict(Verdict::ambiguous, "time", "s")}), false)),
+      "gate AMBIGUOUS: 1 check: 1 ambiguous");
 }
 
 TEST(GateTable, AnAmbiguousTimeSaysWhatSettlesIt) {
-  const auto says = [](const char* verdict, int status, const char* what) {
+  const auto says = [](Verdict verdict, int status, const char* what) {
     return gate_table(example_gate(verdict, status, {example_verdict(verdict, what, "s")}), false).find("want more --budget") !=
            std::string::npos;
   };
-  EXPECT_TRUE(says("ambiguous", 3, "time"));
-  EXPECT_FALSE(says("ambiguous", 3, "timer"));
-  EXPECT_FALSE(says("slower", 1, "time"));
+  EXPECT_TRUE(says(Verdict::ambiguous, 3, "time"));
+  EXPECT_FALSE(says(Verdict::ambiguous, 3, "timer"));
+  EXPECT_FALSE(says(Verdict::slower, 1, "time"));
 }
 
 TEST(GateTable, SaysWhatRegressedWhereByHowMuchAndHowSure) {
@@ -121,15 +122,16 @@ Record cut_short() {
 
 INSTANTIATE_TEST_SUITE_P(
     Gate, NotAPass,
-    testing::Values(NoPass{"died", without_an_answer(), "did not end"}, NoPass{"cut", cut_short(), "line 9 is cut short"},
-                    NoPass{"nothing", example_gate(Verdict::same, 0, {}), "nothing was compared"},
-                    NoPass{"all_left_out", example_gate(Verdict::same, 0, {example_verdict(Verdict::not_compared, "time", "s")}),
-                           "nothing was compared"},
-                    NoPass{"regressed", example_gate(Verdict::same, 0, {example_slower()}), "yet figures regressed"},
-                    NoPass{"ambiguous", example_gate(Verdict::faster, 0, {example_verdict(Verdict::ambiguous, "time", "s")}),
-                           "yet figures are ambiguous"},
-                    NoPass{"slower", example_gate(Verdict::slower, 0, {example_slower()}), "yet its status is 0"},
-                    NoPass{"status", example_gate(Verdict::failed, 1, {example_verdict(Verdict::same, "ssim", "s")}), "justifies it"}),
+    testing::Values(
+        NoPass{"died", without_an_answer(), "did not end"}, NoPass{"cut", cut_short(), "line 9 is cut short"},
+        NoPass{"nothing", example_gate(Verdict::same, 0, {}), "nothing was compared"},
+        NoPass{"all_left_out", example_gate(Verdict::same, 0, {example_verdict(Verdict::not_compared, "time", "s")}),
+               "nothing was compared"},
+        NoPass{"regressed", example_gate(Verdict::same, 0, {example_slower()}), "yet figures regressed"},
+        NoPass{"ambiguous", example_gate(Verdict::faster, 0, {example_verdict(Verdict::ambiguous, "time", "s")}),
+               "yet figures are ambiguous"},
+        NoPass{"slower", example_gate(Verdict::slower, 0, {example_slower()}), "yet its status is 0"},
+        NoPass{"status", example_gate(Verdict::failed, 1, {example_verdict(Verdict::same, "ssim", "s")}), "justifies it"}),
     [](const auto& test) { return test.param.name; });
 
 TEST(GateMarkdown, FoldsTheWholeMatrixAway) {

@@ -2,6 +2,7 @@
 // The page: safe against what a record may hold, whole, and honest about times.
 #include "reports/html/html.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/reports/example_record.h"
@@ -32,7 +33,7 @@ TEST(HtmlReport, EscapesEveryStringOfTheRecord) {
   record.run["settings"] = {{"difference_gain", evil}};
   record.run["warnings"] = {evil};
   record.run["devices"][0]["device"] = evil;
-  record.plans.push_back({{"kind", "plan"}, {"effects", {{{"effect", evil}, {"called_for", true}, {"reason", evil}}}}});
+  record.plans.push_back({{{.effect = evil, .called_for = true, .reason = evil}}});
 
   const std::string page = page_of(record);
   EXPECT_EQ(count_of(page, "<script>"), 0u);

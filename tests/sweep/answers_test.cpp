@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "harness/core/error.h"
 #include "tests/sweep/sweep_cells.h"
 
 namespace lamina {
