@@ -11,7 +11,7 @@ namespace {
 
 // Two, so that a grid that goes back and forth between layers apart and layers together builds nothing twice; few, so that a
 // long sweep takes no more memory than a short one.
-constexpr size_t most_prepared = 2;
+constexpr size_t max_prepared = 2;
 
 constexpr size_t once_repetitions = 6;  // enough for an interval
 
@@ -126,7 +126,7 @@ void EffectRun::prepare(Variant& variant) {
     Parameters parameters;
     for (const VariantManifest* used : configuration_with(*scene_.plan, *variant.manifest))
       parameters.merge(own_parameters(*used, point_.params));
-    variant.prepared.resize(std::min(variant.prepared.size(), most_prepared - 1));
+    variant.prepared.resize(std::min(variant.prepared.size(), max_prepared - 1));
     double cold_ms = 0;
     {
       const Clock clock(cold_ms);

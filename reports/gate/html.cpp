@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-constexpr size_t most_sentences_open = 20;  // sentences; more of them are folded away
+constexpr size_t max_open_sentences = 20;  // sentences; more of them are folded away
 
 std::string sentences(const char* title, const GateReading::Rows& rows, bool open) {
   if (rows.empty()) return "";
@@ -75,16 +75,16 @@ std::string html_gate(const Record& record) {
   const GateReading reading = reading_of(record);
   std::string html = "<h2>What the gate found</h2>\n";
   html += sentences("Regressed", reading.regressed, true) +
-          sentences("Ambiguous", reading.ambiguous, reading.ambiguous.size() <= most_sentences_open) +
-          sentences("Not compared", reading.not_compared, reading.not_compared.size() <= most_sentences_open) +
-          sentences("Better", reading.improved, reading.improved.size() <= most_sentences_open);
+          sentences("Ambiguous", reading.ambiguous, reading.ambiguous.size() <= max_open_sentences) +
+          sentences("Not compared", reading.not_compared, reading.not_compared.size() <= max_open_sentences) +
+          sentences("Better", reading.improved, reading.improved.size() <= max_open_sentences);
   if (record.verdicts.empty()) return html;
   html += fmt::format(
       "<details class=\"printed\"{2}><summary>All {0} checks</summary>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
       "aria-label=\"All {0} "
       "checks\"><table class=\"wide\"><caption>Change: of a time the ratio to before with its interval, of fetches the "
       "share, of other figures the difference. Limit: what was allowed; of a time the margin.</caption>{1}<tbody>\n",
-      record.verdicts.size(), header_row(gate_columns, 6), record.verdicts.size() <= most_sentences_open ? " open" : "");
+      record.verdicts.size(), header_row(gate_columns, 6), record.verdicts.size() <= max_open_sentences ? " open" : "");
   for (size_t i = 0; const VerdictRow* row : reading.all()) html += verdict_row(*row, i++ < reading.regressed.size());
   return html + "</tbody></table></div></details>\n" + processes_table(gate_strips(record));
 }

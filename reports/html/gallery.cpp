@@ -11,7 +11,7 @@
 namespace lamina {
 namespace {
 
-constexpr size_t most_groups_open = 1;  // groups that stand open; the others unfold
+constexpr size_t max_open_groups = 1;  // groups that stand open; the others unfold
 
 std::vector<std::vector<const CellRow*>> group_shots(const Record& record) {
   std::map<ShotKey, size_t> places;
@@ -131,7 +131,7 @@ std::string html_gallery(const Record& record, const PictureUrl& url) {
     html += fmt::format(
         "<details class=\"group\"{}><summary>{} <small>{}</small></summary>\n<div class=\"scroll\" tabindex=\"0\" "
         "role=\"region\" aria-label=\"{}\"><table class=\"wide cells\">{}<tbody>\n",
-        place++ < most_groups_open ? " open" : "", escaped_html(what), escaped_html(params), escaped_html(what + ", " + params),
+        place++ < max_open_groups ? " open" : "", escaped_html(what), escaped_html(params), escaped_html(what + ", " + params),
         head);
     for (const CellRow* cell : cells) html += cell_row(record, *cell, with_truth);
     html += "</tbody></table></div>\n" + html_samples(record, cells) + pictures(cells, difference, url) + "</details>\n";

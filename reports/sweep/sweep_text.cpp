@@ -20,7 +20,7 @@ bool is_timed(const Curve& curve) {
   return std::any_of(ratios.begin(), ratios.end(), [](double value) { return !std::isnan(value); });
 }
 
-CurveTable table_of(std::span<const Curve> group, size_t most_rows) {
+CurveTable table_of(std::span<const Curve> group, size_t max_rows) {
   const Curve& first = group.front();
   CurveTable table;
   table.title = fmt::format("{} on {}, over {}{}", first.effect, first.backend, first.parameter,
@@ -42,7 +42,7 @@ CurveTable table_of(std::span<const Curve> group, size_t most_rows) {
     add("ssim", "SSIM", "{:.4f}"), add("flip", "FLIP", "{:.4f}");
     if (is_timed(curve)) add("ratio", "ratio", "{:.3f}");
   }
-  const size_t count = first.x.size(), shown = std::min(count, most_rows);
+  const size_t count = first.x.size(), shown = std::min(count, max_rows);
   for (size_t row = 0; row < shown; ++row) {
     const size_t i = shown < 2 ? 0 : (row * (count - 1) + (shown - 1) / 2) / (shown - 1);
     std::vector<std::string> cells = {fmt::format("{:.6g}", first.x[i])};
@@ -59,7 +59,7 @@ CurveTable table_of(std::span<const Curve> group, size_t most_rows) {
 
 }  // namespace
 
-std::vector<CurveTable> curve_tables(const std::vector<Curve>& curves, size_t most_rows) {
+std::vector<CurveTable> curve_tables(const std::vector<Curve>& curves, size_t max_rows) {
   std::vector<CurveTable> tables;
   for (size_t begin = 0, end = 0; begin < curves.size(); begin = end) {
     const auto in_group = [&](const Curve& curve) {
@@ -67,16 +67,16 @@ std::vector<CurveTable> curve_tables(const std::vector<Curve>& curves, size_t mo
              curve.parameter == curves[begin].parameter && curve.held == curves[begin].held;
     };
     while (end < curves.size() && in_group(curves[end])) ++end;
-    tables.push_back(table_of(std::span(curves).subspan(begin, end - begin), most_rows));
+    tables.push_back(table_of(std::span(curves).subspan(begin, end - begin), max_rows));
   }
   return tables;
 }
 
 std::string sweep_terminal(const std::vector<Curve>& curves) {
-  constexpr size_t rows_of_a_screen = 17, most_tables = 8;
+  constexpr size_t rows_of_a_screen = 17, max_tables = 8;
   std::string text;
   const std::vector<CurveTable> tables = curve_tables(curves, rows_of_a_screen);
-  for (size_t i = 0; i < std::min(tables.size(), most_tables); ++i) {
+  for (size_t i = 0; i < std::min(tables.size(), max_tables); ++i) {
     const CurveTable& table = tables[i];
     text += "\n" + one_line(table.title) + "\n";
     std::vector<size_t> widths;
@@ -89,15 +89,15 @@ std::string sweep_terminal(const std::vector<Curve>& curves) {
     add(table.columns);
     for (const std::vector<std::string>& row : table.rows) add(row);
   }
-  if (tables.size() > most_tables) text += fmt::format("\n{} more tables are in summary.md\n", tables.size() - most_tables);
+  if (tables.size() > max_tables) text += fmt::format("\n{} more tables are in summary.md\n", tables.size() - max_tables);
   return text;
 }
 
 std::string answers_terminal(const Record& record, const std::filesystem::path& summary) {
-  constexpr size_t most_lines = 40;
+  constexpr size_t max_lines = 40;
   std::vector<Headline> all = crossover_headlines(record, Told::about_limits);
   for (const Headline& answer : crossover_headlines(record, Told::of_pairs)) all.push_back(answer);
-  const size_t shown = all.size() <= most_lines ? all.size() : most_lines - 1;
+  const size_t shown = all.size() <= max_lines ? all.size() : max_lines - 1;
   std::string text;
   for (size_t i = 0; i < shown; ++i)
     text += fmt::format("{}{}{}\n", one_line(all[i].variant), all[i].variant.empty() ? "" : ": ", one_line(all[i].words));

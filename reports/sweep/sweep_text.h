@@ -14,8 +14,8 @@ struct CurveTable {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
 };
-// `most_rows`: evenly spread where there are more points.
-std::vector<CurveTable> curve_tables(const std::vector<Curve>& curves, size_t most_rows);
+// `max_rows`: evenly spread where there are more points.
+std::vector<CurveTable> curve_tables(const std::vector<Curve>& curves, size_t max_rows);
 
 std::string sweep_terminal(const std::vector<Curve>& curves);
 // The record's answers, those about limits first, in as many lines as can be read; a last one says how many more are in

@@ -50,9 +50,9 @@ void check_texture(const TextureDesc& desc, std::span<const std::vector<std::byt
     refuse(desc.name, fmt::format("{}x{} is not a size that the device can make; each side must be 1 to {}", desc.width,
                                   desc.height, most));
   if (desc.depth != 1) check_3d(desc, most_3d);
-  const uint32_t most_levels = full_mip_levels(desc.width, desc.height);
-  if (desc.levels == 0 || desc.levels > most_levels)
-    refuse(desc.name, fmt::format("{}x{} has 1 to {} mip levels, not {}", desc.width, desc.height, most_levels, desc.levels));
+  const uint32_t max_levels = full_mip_levels(desc.width, desc.height);
+  if (desc.levels == 0 || desc.levels > max_levels)
+    refuse(desc.name, fmt::format("{}x{} has 1 to {} mip levels, not {}", desc.width, desc.height, max_levels, desc.levels));
   if (levels.size() > desc.levels)
     refuse(desc.name, fmt::format("texels of {} levels for a texture of {}", levels.size(), desc.levels));
   for (uint32_t level = 0; level < levels.size(); ++level)
