@@ -16,7 +16,7 @@ namespace {
 
 using namespace lamina;
 
-constexpr size_t rays = 1024, most_points = 1024, rounds = 15, grain = 16;
+constexpr size_t rays = 1024, max_points = 1024, rounds = 15, grain = 16;
 constexpr uint64_t seed = 1;
 
 template <class Work>
@@ -66,8 +66,8 @@ int main(int argc, char** argv) {
   std::vector<SurfacePoint> points = vertex_points(scene.objects.front()).points;
   // Points from all over the object.
   std::vector<SurfacePoint> some;
-  for (size_t i = 0; i < std::min(most_points, points.size()); ++i)
-    some.push_back(points[i * points.size() / std::min(most_points, points.size())]);
+  for (size_t i = 0; i < std::min(max_points, points.size()); ++i)
+    some.push_back(points[i * points.size() / std::min(max_points, points.size())]);
   Visibility visibility(some, rays, seed);
   std::vector<RTCRay8> packets = packets_of(visibility, occluders.default_bias_m());
   std::vector<double> ratios, ours_per_s;

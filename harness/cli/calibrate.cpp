@@ -28,8 +28,8 @@ namespace fs = std::filesystem;
 
 constexpr std::array<double, 5> slow_downs = {0.01, 0.02, 0.03, 0.05, 0.10};
 constexpr std::array<uint32_t, 6> tried_taps = {4, 8, 16, 32, 64, 128};
-constexpr size_t whole_rounds = 24;     // to measure what taps cost
-constexpr double most_dear_tap = 0.01;  // a tap must cost less of the pass than this, or the smallest slow-down cannot be made
+constexpr size_t whole_rounds = 24;    // to measure what taps cost
+constexpr double max_tap_cost = 0.01;  // a tap must cost less of the pass than this, or the smallest slow-down cannot be made
 
 const EffectManifest& effect_with_variants(const Plan& plan, const Scene& scene) {
   for (const EffectPlan& entry : plan.effects)
@@ -166,7 +166,7 @@ double mean(const std::vector<double>& values) {
 // How much slower the whole pass is in each of the slower trees, over all backends: 0.25 is 25%. Not cut into strips, which
 // would make it look smaller than it is.
 std::vector<double> costs_of_slower(Bench& bench, const std::string& pass) {
-  const PieceOptions whole{.piece_ms = 1e9, .most_repeats = 1};
+  const PieceOptions whole{.piece_ms = 1e9, .max_repeats = 1};
   const auto lines = run_processes(
       bench, bench.options.compare.backends, 0, [&](GateProcess& process, BenchFrames& frames, const EmitLine& emit) {
         std::vector<TimedFrames> all;
@@ -195,7 +195,7 @@ std::vector<uint32_t> find_taps(Bench& bench, const std::string& pass) {
   fmt::print("pass {} of {}: extra taps in each pixel", pass, bench.effect.baseline().name);
   for (size_t i = 0; i < tried_taps.size(); ++i) fmt::print(", {} cost {:+.1f}%", tried_taps[i], costs[i] * 100);
   fmt::print("\n");
-  if (costs[0] / tried_taps[0] > most_dear_tap) return {};
+  if (costs[0] / tried_taps[0] > max_tap_cost) return {};
   std::vector<uint32_t> taps;
   for (const double wanted : slow_downs) {
     size_t above = 0;

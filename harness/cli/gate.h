@@ -57,7 +57,7 @@ void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOpt
 struct GateMeasurements {
   std::vector<TimerRow> timers;
   std::vector<CellRow> cells_before, cells_after;
-  std::map<std::array<std::string, 4>, double> changes;  // most_change(), by backend, effect, variant and view
+  std::map<std::array<std::string, 4>, double> changes;  // max_change(), by backend, effect, variant and view
   std::vector<PairsRow> pairs;
   std::vector<VerdictRow> failures;  // of backends and processes
   size_t processes = 0;

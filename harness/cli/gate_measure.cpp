@@ -38,8 +38,8 @@ void compare_exactly(GateProcess& process, TreePair& trees, const std::string& e
   run_tree(trees.after, "after", [&](const BackendRun::Scored& scored) -> const CellRow* {
     const std::string &variant = scored.variant.name, &view = trees.after.scene->views[scored.view].name;
     if (const Image* was = drawn.of(variant, scored.view))
-      emit({{"change",
-             {{"effect", effect}, {"variant", variant}, {"view", view}, {"most", most_change(scored.picture, *was)}}}});
+      emit(
+          {{"change", {{"effect", effect}, {"variant", variant}, {"view", view}, {"most", max_change(scored.picture, *was)}}}});
     if (!drawn.same_errors(variant, scored.variant.baseline, scored.view, scored.picture, scored.covered)) return nullptr;
     const auto row = std::ranges::find_if(
         rows_before, [&](const CellRow& each) { return each.variant == variant && each.view == view && !each.failed; });

@@ -116,11 +116,11 @@ GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatc
     }
   };
   if (options.exact) run_on(options.compare.backends, true, 1);
-  double least_process_s = std::numeric_limits<double>::infinity();  // on all backends
+  double min_process_s = std::numeric_limits<double>::infinity();  // on all backends
   for (; options.times && measured.processes < options.processes; ++measured.processes) {
     const double begin_s = watch.elapsed_s();
     run_on(options.compare.backends, false, options.processes - measured.processes);
-    least_process_s = std::min(least_process_s, watch.elapsed_s() - begin_s);
+    min_process_s = std::min(min_process_s, watch.elapsed_s() - begin_s);
   }
   while (options.times && undecided && !measured.pairs.empty()) {
     std::vector<std::string> backends;
@@ -128,7 +128,7 @@ GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatc
       if (!broken.contains(backend)) backends.push_back(backend);
     const double share =
         options.side_by_side ? 1 : static_cast<double>(backends.size()) / static_cast<double>(options.compare.backends.size());
-    if (backends.empty() || options.budget_s - watch.elapsed_s() < least_process_s * share) break;
+    if (backends.empty() || options.budget_s - watch.elapsed_s() < min_process_s * share) break;
     run_on(backends, false, 1);
     ++measured.processes;
   }

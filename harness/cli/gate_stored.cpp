@@ -42,10 +42,10 @@ void measure_state(Tree& tree, const std::vector<const EffectManifest*>& effects
     if (!timed.frames.empty()) all.push_back(std::move(timed));
   }
   // However short the budget, as many whole frames from all processes as give an interval.
-  const size_t least_rounds = rounds_a_frame * ((min_rounds_for_95 + options.processes - 1) / options.processes);
+  const size_t min_rounds = rounds_a_frame * ((min_rounds_for_95 + options.processes - 1) / options.processes);
   if (!all.empty())
     time_rounds(process, all, [&](const TimedFrames& timed, double further_s) {
-      return process.watch.elapsed_s() + further_s > task.until_s && timed.paired->rounds() >= least_rounds;
+      return process.watch.elapsed_s() + further_s > task.until_s && timed.paired->rounds() >= min_rounds;
     });
   for (const PairsRow& row : rows_of(all, process)) emit({{"pairs", to_json(row)}});
   process.end(emit);

@@ -12,7 +12,7 @@ namespace {
 
 // Two, so that a grid that goes back and forth between layers apart and layers together builds nothing twice; few, so that a
 // long sweep takes no more memory than a short one.
-constexpr size_t most_prepared = 2;
+constexpr size_t max_prepared = 2;
 
 class Clock {
  public:
@@ -106,7 +106,7 @@ void PointRun::prepare(Variant& variant, size_t point) {
     variant.prepared.splice(variant.prepared.begin(), variant.prepared, known);
   } else {
     const Configuration configuration = configuration_with(plan_, *variant.manifest);
-    variant.prepared.resize(std::min(variant.prepared.size(), most_prepared - 1));
+    variant.prepared.resize(std::min(variant.prepared.size(), max_prepared - 1));
     Prepared& made = variant.prepared.emplace_front();
     Parameters parameters;
     for (const VariantManifest* used : configuration) parameters.merge(scenes_.parameters_of_variant(*used, point));

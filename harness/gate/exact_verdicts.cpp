@@ -222,7 +222,7 @@ void judge_staleness(const Subject& subject, const CellPair& pair, std::set<std:
 
 }  // namespace
 
-double most_change(const Image& picture, const Image& before) {
+double max_change(const Image& picture, const Image& before) {
   if (before.width != picture.width || before.height != picture.height)
     throw Error(ErrorKind::failed, "gate", "picture", "the pictures before and after are of different sizes");
   double most = 0;

@@ -14,13 +14,13 @@ namespace lamina {
 
 // The greatest difference of colours between two pictures, linear light; one that is no number counts as none. Throws
 // Error(failed) for pictures of two sizes.
-double most_change(const Image& picture, const Image& before);
+double max_change(const Image& picture, const Image& before);
 
 // One variant on one backend: the cells of all its views, in one order before and after; absent where there is none. `changes`
 // is beside `after`, or empty where no pictures were compared.
 struct CellPair {
   std::vector<std::optional<CellRow>> before, after;
-  std::vector<std::optional<double>> changes;  // most_change()
+  std::vector<std::optional<double>> changes;  // max_change()
   // One machine and driver drew both: then a hash that changed is a picture that changed, however little.
   bool hashes_tell = false;
 };

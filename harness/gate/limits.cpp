@@ -11,7 +11,7 @@
 namespace lamina {
 namespace {
 
-constexpr double largest_psnr_db = 1000, largest_linear = 65504, most_pixels = 1e9;
+constexpr double largest_psnr_db = 1000, largest_linear = 65504, max_pixels = 1e9;
 
 enum class Form : uint8_t { number, share, flag };  // share: "3%", or 0.03
 
@@ -38,7 +38,7 @@ const std::vector<Key>& known_keys() {
       {"max_ratio_drift", Form::share, 1e-4, 10, [](Limits& l, double v) { l.max_ratio_drift = v; }},
       {"max_extra_fetches", Form::share, 0, 1000, [](Limits& l, double v) { l.max_extra_fetches = v; }},
       {"max_picture_change", Form::number, 0, largest_linear, [](Limits& l, double v) { l.max_picture_change = v; }},
-      {"max_nonfinite_pixels", Form::number, 0, most_pixels,
+      {"max_nonfinite_pixels", Form::number, 0, max_pixels,
        [](Limits& l, double v) { l.max_nonfinite_pixels = static_cast<uint64_t>(v); }},
       {"same_image", Form::flag, 0, 1, [](Limits& l, double v) { l.same_image = v != 0; }},
       {"min_psnr_db", Form::number, 0, largest_psnr_db, in(&Limits::baseline, &ErrorLimits::min_psnr_db)},

@@ -22,9 +22,9 @@ namespace lamina {
 inline constexpr size_t rounds_a_frame = 4;
 
 struct PieceOptions {
-  double piece_ms = 5;        // what a strip should last, at least
-  uint32_t most_strips = 16;  // of a pass
-  uint32_t most_repeats = 4;  // of the strips of a short pass, in each round
+  double piece_ms = 5;       // what a strip should last, at least
+  uint32_t max_strips = 16;  // of a pass
+  uint32_t max_repeats = 4;  // of the strips of a short pass, in each round
 };
 
 struct PairedFrame {

@@ -16,12 +16,12 @@ namespace {
 
 using namespace terminal;
 
-constexpr size_t most_bars = 48;
+constexpr size_t max_bars = 48;
 
 std::string chart(const Trend& trend, size_t records) {
   constexpr std::array<const char*, 8> bars = {"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
   const TrendAxis axis(trend);
-  const size_t first = records > most_bars ? records - most_bars : 0;
+  const size_t first = records > max_bars ? records - max_bars : 0;
   std::vector<std::string> cells(records - first, " ");
   for (const auto& [record, value] : trend.points) {
     if (record < first) continue;

@@ -46,9 +46,9 @@ RoundsResult run_rounds(const std::vector<Arm>& arms, const RoundOptions& option
   std::vector<size_t> order(arms.size());
   std::iota(order.begin(), order.end(), size_t{0});
   std::mt19937_64 random(options.seed);
-  const size_t least = std::max(options.least_rounds, min_rounds_for_95);
+  const size_t least = std::max(options.min_rounds, min_rounds_for_95);
   const auto start = Clock::now();
-  while (result.rounds < options.most_rounds) {
+  while (result.rounds < options.max_rounds) {
     const double elapsed_s = since_ms(start) / 1000;
     if (result.rounds >= least && (elapsed_s > options.budget_s || precise_enough(arms, result.arms, options.precision))) break;
     if (progress) progress(std::max(elapsed_s / options.budget_s, 0.0));

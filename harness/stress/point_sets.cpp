@@ -93,7 +93,7 @@ PointSet make_grid(const Family& family, size_t steps) {
   const size_t inputs = family.inputs.size();
   if (steps < 2) refuse("a grid has 2 steps or more");
   const double power = std::pow(static_cast<double>(steps), static_cast<double>(inputs));
-  if (power > most_grid_points) refuse(fmt::format("{}^{} points are more than {}", steps, inputs, most_grid_points));
+  if (power > max_grid_points) refuse(fmt::format("{}^{} points are more than {}", steps, inputs, max_grid_points));
   PointSet set{"grid", grid_words(family, steps), Points(inputs)};
   const auto points = static_cast<size_t>(power);
   std::vector<float> point(inputs);

@@ -77,15 +77,15 @@ std::vector<std::string> texts(const Json& settings, const char* name) {
 // "effect/variant on vulkan: 2 of 33 points are missing: objects.heart.thickness 1; ...".
 std::string words_of_missing(const std::string& backend, const std::string& variant, const std::vector<size_t>& points,
                              const SweepPoints& all) {
-  constexpr size_t most_named = 8;
+  constexpr size_t max_named = 8;
   std::string text = fmt::format("{} on {}: {} of {} points are missing:", variant, backend, points.size(), all.count());
-  for (size_t i = 0; i < std::min(points.size(), most_named); ++i) {
+  for (size_t i = 0; i < std::min(points.size(), max_named); ++i) {
     text += i == 0 ? " " : "; ";
     const std::vector<double> values = all.at(points[i]);
     for (size_t k = 0; k < values.size(); ++k)
       text += fmt::format("{}{} {:.6g}", k == 0 ? "" : ", ", all.parameters[k].path, values[k]);
   }
-  return points.size() > most_named ? text + "; ..." : text;
+  return points.size() > max_named ? text + "; ..." : text;
 }
 
 }  // namespace

@@ -17,15 +17,15 @@ struct SweptParameter {
 
 // VALUES: "FROM:TO:STEP" (both ends included; TO only where a step meets it), "FROM:TO:xFACTOR" (geometric), or "A,B,C".
 // Computed values are rounded to 12 digits, so that 0:1:0.1 has a 0.3. Without a unit. Throws Error(bad_input) for what is none
-// of these, a step that leads nowhere, a value twice, or more than most_values.
-inline constexpr size_t most_values = 100000;
+// of these, a step that leads nowhere, a value twice, or more than max_values.
+inline constexpr size_t max_values = 100000;
 SweptParameter parse_swept(const std::string& text);
 
 struct SweepPoints {
   std::vector<SweptParameter> parameters;
   bool zip = false;  // the first values together, then the second ones, ...; else every combination, the last parameter fastest
 
-  // Throws Error(bad_input) where zipped lists differ in length, a path comes twice, or there are more than most_values points.
+  // Throws Error(bad_input) where zipped lists differ in length, a path comes twice, or there are more than max_values points.
   void check() const;
   size_t count() const;
   // One value a parameter.

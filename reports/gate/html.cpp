@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-constexpr size_t most_sentences_open = 20;  // sentences; more of them are folded away
+constexpr size_t max_open_sentences = 20;  // sentences; more of them are folded away
 
 std::string sentences(const char* title, const GateReading::Rows& rows, bool open) {
   if (rows.empty()) return "";
@@ -65,9 +65,9 @@ std::string html_gate(const Record& record) {
   const GateReading reading = reading_of(record);
   std::string html = "<h2>What the gate found</h2>\n";
   html += sentences("Regressed", reading.regressed, true) +
-          sentences("Ambiguous", reading.ambiguous, reading.ambiguous.size() <= most_sentences_open) +
-          sentences("Not compared", reading.not_compared, reading.not_compared.size() <= most_sentences_open) +
-          sentences("Better", reading.improved, reading.improved.size() <= most_sentences_open);
+          sentences("Ambiguous", reading.ambiguous, reading.ambiguous.size() <= max_open_sentences) +
+          sentences("Not compared", reading.not_compared, reading.not_compared.size() <= max_open_sentences) +
+          sentences("Better", reading.improved, reading.improved.size() <= max_open_sentences);
   if (record.verdicts.empty()) return html;
   Table table = verdicts_table(reading);
   table.caption =
@@ -75,7 +75,7 @@ std::string html_gate(const Record& record) {
       "what was allowed; of a time the margin.";
   table.label = fmt::format("All {} checks", record.verdicts.size());
   html += fmt::format("<details class=\"printed\"{}><summary>{}</summary>\n{}</details>\n",
-                      record.verdicts.size() <= most_sentences_open ? " open" : "", table.label, html_table(table));
+                      record.verdicts.size() <= max_open_sentences ? " open" : "", table.label, html_table(table));
   return html + processes_table(gate_strips(record));
 }
 

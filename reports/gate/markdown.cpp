@@ -9,7 +9,7 @@
 namespace lamina {
 namespace {
 
-constexpr size_t most_bytes = 60000;  // a comment on GitHub takes 65,536 characters
+constexpr size_t max_bytes = 60000;  // a comment on GitHub takes 65,536 characters
 
 // Adds lines while they fit; says how many did not.
 void add_while_they_fit(std::string& text, const std::vector<std::string>& lines, size_t room, const char* what) {
@@ -29,7 +29,7 @@ void add_section(std::string& text, const char* title, const GateReading::Rows& 
   for (const VerdictRow* row : rows)
     lines.push_back(fmt::format("- **{}** ({}) {}\n", escaped_markdown(std::string(name_of(row->verdict))),
                                 escaped_markdown(row->what), escaped_markdown(row->sentence)));
-  add_while_they_fit(text, lines, most_bytes / 2, "of these");
+  add_while_they_fit(text, lines, max_bytes / 2, "of these");
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ std::string gate_markdown(const Record& record) {
   std::vector<std::string> rows = markdown_lines(verdicts_table(reading));
   text += fmt::format("\n<details><summary>All {} checks</summary>\n\n{}", record.verdicts.size(), rows.front());
   rows.erase(rows.begin());
-  add_while_they_fit(text, rows, most_bytes, "rows");
+  add_while_they_fit(text, rows, max_bytes, "rows");
   return text + "\n</details>\n";
 }
 

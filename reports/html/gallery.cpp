@@ -11,7 +11,7 @@
 namespace lamina {
 namespace {
 
-constexpr size_t most_groups_open = 1;  // groups that stand open; the others unfold
+constexpr size_t max_open_groups = 1;  // groups that stand open; the others unfold
 
 std::vector<std::vector<const CellRow*>> group_shots(const Record& record) {
   std::map<ShotKey, size_t> places;
@@ -123,7 +123,7 @@ std::string html_gallery(const Record& record, const PictureUrl& url) {
     Table table = {.columns = figures_columns(with_truth), .label = what + ", " + params, .html_class = "wide cells"};
     for (const CellRow* cell : cells) table.rows.push_back(figures_row(record, *cell, with_truth));
     html += fmt::format("<details class=\"group\"{}><summary>{} <small>{}</small></summary>\n{}\n{}{}</details>\n",
-                        place++ < most_groups_open ? " open" : "", escaped_html(what), escaped_html(params), html_table(table),
+                        place++ < max_open_groups ? " open" : "", escaped_html(what), escaped_html(params), html_table(table),
                         html_samples(record, cells), pictures(cells, difference, url));
   }
   return html;

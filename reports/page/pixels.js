@@ -7,11 +7,11 @@ const pixel_callers = new Map();
 window.lamina_pixels = (path, url) => pixel_callers.get(path)?.(url);
 
 const known_pixels = new Map();
-const most_known = 24;
+const max_known = 24;
 // The picture's ImageData, 8-bit sRGB; null where it cannot be read.
 function pixels_of(path) {
   if (known_pixels.has(path)) return known_pixels.get(path);
-  if (known_pixels.size >= most_known) known_pixels.delete(known_pixels.keys().next().value);
+  if (known_pixels.size >= max_known) known_pixels.delete(known_pixels.keys().next().value);
   const url = picture_urls.get(path) ?? '';
   const data_url = url.startsWith('data:') ? Promise.resolve(url) : new Promise((resolve, reject) => {
     pixel_callers.set(path, resolve);

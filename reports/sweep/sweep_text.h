@@ -9,8 +9,8 @@
 namespace lamina {
 
 // A table of the curves of one backend, effect and parameter: a row a point; for each variant but the baseline SSIM, FLIP and,
-// where it was timed, the ratio. Figures that are not known are "-". `most_rows`: evenly spread where there are more points.
-std::vector<Table> curve_tables(const std::vector<Curve>& curves, size_t most_rows);
+// where it was timed, the ratio. Figures that are not known are "-". `max_rows`: evenly spread where there are more points.
+std::vector<Table> curve_tables(const std::vector<Curve>& curves, size_t max_rows);
 
 std::string sweep_terminal(const std::vector<Curve>& curves);
 // The record's answers, those about limits first, in as many lines as can be read; a last one says how many more are in

@@ -17,7 +17,7 @@ struct Column {
   bool right = false;           // aligned to the right in Markdown and in a terminal
   const char* html_class = "";  // of its cells; its heading is "num" where they are
   bool whole = false;           // in HTML a cell breaks before its brackets and nowhere else
-  size_t least_width = 0;       // in a terminal
+  size_t min_width = 0;         // in a terminal
 };
 inline Column words_column(std::string heading, const char* html_class = "") { return {std::move(heading), false, html_class}; }
 inline Column number_column(std::string heading) { return {std::move(heading), true, "num"}; }

@@ -34,7 +34,7 @@ void Lines::add(const Table& table, std::string_view indent) {
   for (const Row& row : table.rows)
     for (lines.emplace_back(); const Cell& cell : row.cells) lines.back().push_back(one_line(cell.text));
   std::vector<size_t> widths;
-  for (const Column& column : table.columns) widths.push_back(column.least_width);
+  for (const Column& column : table.columns) widths.push_back(column.min_width);
   for (const auto& cells : lines)
     for (size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], columns_of(cells[i]));
 

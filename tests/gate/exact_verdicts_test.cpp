@@ -217,11 +217,11 @@ TEST(ExactVerdicts, WhatVanishedOrFailedIsNeverAPass) {
 
 TEST(MostChange, IsOverColoursAlone) {
   Image before{2, 1, {0.1f, 0.2f, 0.3f, 0, 0.1f, 0.2f, 0.3f, 1}}, after = before;
-  EXPECT_EQ(most_change(after, before), 0);
+  EXPECT_EQ(max_change(after, before), 0);
   after.rgba[4] = 0.6f, after.rgba[7] = 9;
-  EXPECT_NEAR(most_change(after, before), 0.5, 1e-6);
+  EXPECT_NEAR(max_change(after, before), 0.5, 1e-6);
   const Image larger{2, 2, std::vector<float>(16, 0.0f)};
-  EXPECT_THROW(most_change(larger, before), Error);
+  EXPECT_THROW(max_change(larger, before), Error);
 }
 
 TEST(GateOutcome_, ComesFromTheWorstRow) {

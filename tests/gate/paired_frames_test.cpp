@@ -103,7 +103,7 @@ TEST_P(Pieces, AnAreaOutsideTheTargetsIsRefused) {
 
 TEST_P(Pieces, RoundsHoldASampleOfEveryPassOfEveryFrame) {
   Frame &a = ready("light_map"), &b = ready("light_map");
-  PairedFrames paired(*backend_, {timed(a), timed(b)}, 0, {.piece_ms = 1e-4, .most_strips = 8, .most_repeats = 1});
+  PairedFrames paired(*backend_, {timed(a), timed(b)}, 0, {.piece_ms = 1e-4, .max_strips = 8, .max_repeats = 1});
   std::mt19937_64 random(1);
   for (int round = 0; round < 8; ++round) paired.run_round(random);
   EXPECT_EQ(paired.rounds(), 8u);
@@ -140,7 +140,7 @@ TEST_P(Pieces, RoundsHoldASampleOfEveryPassOfEveryFrame) {
 TEST_P(Pieces, APassIsCutByTheFrameInWhichItLastedLeast) {
   Frame &a = ready("vertex_normal"), &b = ready("vertex_normal");
   for (const auto& [of_a, of_b] : {std::pair(100.0, 12.0), std::pair(12.0, 100.0)}) {
-    PairedFrames paired(*backend_, {{&a, 0, {of_a}}, {&b, 0, {of_b}}}, 0, {.most_repeats = 1});
+    PairedFrames paired(*backend_, {{&a, 0, {of_a}}, {&b, 0, {of_b}}}, 0, {.max_repeats = 1});
     std::mt19937_64 random(1);
     for (size_t round = 0; round < rounds_a_frame; ++round) paired.run_round(random);
     EXPECT_EQ(paired.passes().front().strips[1].size(), 4u) << of_a;
@@ -176,7 +176,7 @@ TEST_P(Pieces, PassesThatAreTheSameAreNotRunAgain) {
   Frame &a = ready("light_map"), &b = ready("light_map"), &c = ready("light_map");
   const size_t passes = a.frame_names().size();
   ASSERT_GE(passes, 3u);
-  const PieceOptions pieces{.piece_ms = 1e-4, .most_strips = 8, .most_repeats = 1};
+  const PieceOptions pieces{.piece_ms = 1e-4, .max_strips = 8, .max_repeats = 1};
   PairedFrames two(*backend_, {timed(a), timed(b, passes - 1)}, 0, pieces),
       three(*backend_, {timed(a), timed(b, passes - 1), timed(c)}, 0, pieces);
   std::mt19937_64 random(1);

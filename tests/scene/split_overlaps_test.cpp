@@ -57,7 +57,7 @@ TEST(SplitOverlaps, KeepsTogetherWhatIsBeyondTheMostParts) {
   Mesh mesh;
   for (int i = 0; i < 12; ++i) add_square(mesh, {0, 0}, 0.5f, float(i));
   const std::vector<Mesh> parts = split_overlaps(mesh);
-  ASSERT_EQ(parts.size(), most_parts);
+  ASSERT_EQ(parts.size(), max_parts);
   EXPECT_EQ(parts.back().vertices.size(), 4u * 5);
 }
 

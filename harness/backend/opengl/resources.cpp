@@ -101,10 +101,10 @@ void write(const Buffer& buffer, std::span<const std::byte> data) {
 std::vector<std::byte> read(const Texture& texture, uint32_t level) {
   const TextureDesc& desc = texture.desc;
   if (level >= desc.levels) throw_bad_input(desc.name, fmt::format("level {} of a texture of {} levels", level, desc.levels));
-  constexpr size_t most_bytes = 0x7fffffff;  // glGetTextureImage counts bytes in a signed 32-bit integer
-  if (level_bytes(desc, level) > most_bytes)
+  constexpr size_t max_bytes = 0x7fffffff;  // glGetTextureImage counts bytes in a signed 32-bit integer
+  if (level_bytes(desc, level) > max_bytes)
     throw_failed(desc.name, fmt::format("level {} has {} bytes, over the {} that OpenGL reads back at once", level,
-                                        level_bytes(desc, level), most_bytes));
+                                        level_bytes(desc, level), max_bytes));
   const GlFormat format = gl_format(desc.format);
   std::vector<std::byte> texels(level_bytes(desc, level));
   glMemoryBarrier(GL_ALL_BARRIER_BITS);

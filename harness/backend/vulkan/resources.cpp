@@ -97,15 +97,15 @@ void check_desc(const Device& device, const TextureDesc& desc, std::span<const s
                                         desc.storage  ? "a storage image"
                                         : desc.target ? "a target"
                                                       : "a texture"));
-  VkImageFormatProperties most_of_format{};
+  VkImageFormatProperties format_limits{};
   check(vkGetPhysicalDeviceImageFormatProperties(device.physical(), vk_format(desc.format), image_type(desc),
-                                                 VK_IMAGE_TILING_OPTIMAL, usage_of(desc), 0, &most_of_format),
+                                                 VK_IMAGE_TILING_OPTIMAL, usage_of(desc), 0, &format_limits),
         desc.name, "vkGetPhysicalDeviceImageFormatProperties");
   size_t size_bytes = 0;
   for (uint32_t level = 0; level < desc.levels; ++level) size_bytes += level_bytes(desc, level);
-  if (size_bytes > most_of_format.maxResourceSize)
+  if (size_bytes > format_limits.maxResourceSize)
     throw_failed(desc.name, fmt::format("it takes {} bytes and {} makes textures of at most {}; use a smaller size", size_bytes,
-                                        device.info().device, most_of_format.maxResourceSize));
+                                        device.info().device, format_limits.maxResourceSize));
 }
 
 }  // namespace

@@ -119,8 +119,8 @@ std::string problem(const BakeOptions& options) {
   for (const auto& [name, value] : options)
     if (name != known[0] && name != known[1]) return unknown_name("key of [bake]", name, known);
   const double count = option(options, "count", 1), anti = option(options, "anti", 0);
-  if (count != std::floor(count) || count < 1 || count > double(most_apertures))
-    return fmt::format("'count' of [bake] must be a whole number from 1 to {}", most_apertures);
+  if (count != std::floor(count) || count < 1 || count > double(max_apertures))
+    return fmt::format("'count' of [bake] must be a whole number from 1 to {}", max_apertures);
   if (anti != 0 && anti != 1) return "'anti' of [bake] must be 0 or 1";
   return anti == 1 && count > 1 ? "an anti-aperture is one cap a point; leave out 'count' of [bake]" : "";
 }

@@ -17,7 +17,7 @@ namespace lamina {
 namespace {
 
 // A region of fewer rays than this share is noise of a boundary.
-constexpr double least_share = 0.004;
+constexpr double min_share = 0.004;
 
 struct Region {
   size_t rays = 0;
@@ -50,7 +50,7 @@ std::vector<Region> regions_of(const Visibility& visibility, size_t point, size_
   std::copy_if(by_root.begin(), by_root.end(), std::back_inserter(regions),
                [](const Region& region) { return region.rays > 0; });
   std::stable_sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) { return a.rays > b.rays; });
-  const auto is_noise = [&](const Region& region) { return static_cast<double>(region.rays) < least_share * rays; };
+  const auto is_noise = [&](const Region& region) { return static_cast<double>(region.rays) < min_share * rays; };
   while (regions.size() > 1 && (regions.size() > count || is_noise(regions.back()))) {
     const Region last = regions.back();
     regions.pop_back();
@@ -65,7 +65,7 @@ std::vector<Region> regions_of(const Visibility& visibility, size_t point, size_
   return regions;
 }
 
-using Order = std::array<size_t, most_apertures>;
+using Order = std::array<size_t, max_apertures>;
 struct Match {
   Order order{};      // which of the apertures goes to each place
   double margin = 0;  // how much better than the next best order

@@ -210,8 +210,8 @@ std::vector<double> read_accessor(const tinygltf::Model& model, int accessor, in
     values = read_elements(bytes, from.count, width, from.componentType, from.normalized, stride, subject);
   } else {
     // All zeros by definition; only sparse accessors have a use for that, and only memory bounds their count.
-    constexpr size_t most_zeros = size_t{1} << 24;
-    if (from.count > most_zeros) refuse_gltf(subject, fmt::format("has {} elements but no buffer view", from.count));
+    constexpr size_t max_zeros = size_t{1} << 24;
+    if (from.count > max_zeros) refuse_gltf(subject, fmt::format("has {} elements but no buffer view", from.count));
     values.assign(from.count * width, 0.0);
   }
   if (!from.sparse.isSparse) return values;

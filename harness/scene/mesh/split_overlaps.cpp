@@ -74,7 +74,7 @@ std::vector<Mesh> split_overlaps(const Mesh& mesh) {
       return static_cast<double>(shared) <= shared_border * static_cast<double>(texels.size());
     };
     auto part = std::find_if(parts.begin(), parts.end(), fits);
-    if (part == parts.end()) part = parts.size() < most_parts ? parts.emplace(parts.end()) : parts.end() - 1;
+    if (part == parts.end()) part = parts.size() < max_parts ? parts.emplace(parts.end()) : parts.end() - 1;
     for (const uint32_t texel : texels) part->taken[texel] = true;
     part->triangles.insert(part->triangles.end(), chart.begin(), chart.end());
   }

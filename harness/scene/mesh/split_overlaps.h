@@ -11,7 +11,7 @@
 namespace lamina {
 
 // Maximum number of meshes that one is taken apart into; parts that still overlap stay together in the last one.
-inline constexpr size_t most_parts = 8;
+inline constexpr size_t max_parts = 8;
 
 // Charts (triangles joined by vertices) are put, in order, into the first part in which they cover hardly any texel again. The
 // mesh itself where its charts share none. Triangles keep their order within a part; vertices that no part uses are dropped.

@@ -9,9 +9,9 @@ namespace {
 
 // Twice the area in texture space below which a triangle has no direction there: a ten-thousandth of a texel of an 8192
 // texture.
-constexpr double least_uv_area = 1e-12;
+constexpr double min_uv_area = 1e-12;
 // Share of a summed tangent that must lie in the tangent plane; below it, what is left is rounding.
-constexpr double least_in_plane = 1e-4;
+constexpr double min_in_plane = 1e-4;
 
 // What the triangles of one handedness add up to at a vertex.
 struct Sums {
@@ -23,7 +23,7 @@ glm::vec4 frame(glm::vec3 normal, const Sums& sums) {
   const glm::dvec3 n(normal);
   const glm::dvec3 in_plane = sums.along_u - n * glm::dot(n, sums.along_u);
   const double length = glm::length(in_plane);
-  if (!(length > least_in_plane * glm::length(sums.along_u))) return {any_orthogonal(normal), 1.0f};
+  if (!(length > min_in_plane * glm::length(sums.along_u))) return {any_orthogonal(normal), 1.0f};
   const glm::dvec3 tangent = in_plane / length;
   return {glm::vec3(tangent), glm::dot(glm::cross(n, tangent), sums.along_v) < 0 ? -1.0f : 1.0f};
 }
@@ -50,7 +50,7 @@ void compute_tangents(Mesh& mesh) {
                      edge_2 = glm::dvec3(c.position) - glm::dvec3(a.position);
     const glm::dvec2 uv_1 = glm::dvec2(b.uv) - glm::dvec2(a.uv), uv_2 = glm::dvec2(c.uv) - glm::dvec2(a.uv);
     const double determinant = uv_1.x * uv_2.y - uv_2.x * uv_1.y;
-    if (!(std::abs(determinant) > least_uv_area)) continue;
+    if (!(std::abs(determinant) > min_uv_area)) continue;
     const Handedness handedness = determinant > 0 ? positive : negative;
     handedness_of[triangle] = handedness;
     // dP/du and dP/dv times |determinant|, the weight.
