@@ -18,10 +18,4 @@ std::string costliest_assumption(const CellRow& cell) {
   return words + ".";
 }
 
-std::array<std::string, assumption_columns.size()> assumption_cells(const AssumptionRow& assumption) {
-  const ErrorFigures& error = assumption.error;
-  return {assumption.title, fmt::format("{:.3g}", error.rmse_linear), words_for_psnr(error.psnr_db),
-          fmt::format("{:.4f}", error.ssim), fmt::format("{:.4f}", error.flip)};
-}
-
 }  // namespace lamina

@@ -31,12 +31,12 @@ std::string in_cell(const CellRow& cell) {
 }
 
 // Whether a column is a time of the device, which only a good certificate lets out.
-struct Column {
+struct CsvColumn {
   const char* name;
   std::string (*words)(const CellRow&);
   bool device_time = false;
 };
-constexpr Column csv_columns[] = {
+constexpr CsvColumn csv_columns[] = {
     {"scene", of_cell<&CellRow::scene>},
     {"effect", of_cell<&CellRow::effect>},
     {"variant", of_cell<&CellRow::variant>},
@@ -101,13 +101,14 @@ std::string cells_csv(const Record& record) {
     for (const auto& [path, value] : cell.params) params.insert(path);
 
   std::string csv = "build";
-  for (const Column& column : csv_columns) csv += fmt::format(",{}", column.name);
+  for (const CsvColumn& column : csv_columns) csv += fmt::format(",{}", column.name);
   for (const std::string& path : params) csv += "," + csv_field("params." + path);
   csv += "\r\n";
   for (const CellRow& cell : record.cells) {
     const bool shown = times_shown(record, cell.backend);
     csv += csv_field(text_at(record.run, "/build"));
-    for (const Column& column : csv_columns) csv += "," + (column.device_time && !shown ? "" : csv_field(column.words(cell)));
+    for (const CsvColumn& column : csv_columns)
+      csv += "," + (column.device_time && !shown ? "" : csv_field(column.words(cell)));
     for (const std::string& path : params) {
       const auto value = cell.params.find(path);
       csv += "," + (value == cell.params.end() ? "" : csv_words(value->second));

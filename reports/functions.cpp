@@ -156,25 +156,31 @@ std::vector<Headline> function_headlines(const FunctionReport& report) {
   return all;
 }
 
-std::array<std::string, function_columns.size()> function_cells(const FunctionSummary& row) {
-  std::array<std::string, function_columns.size()> cells;
-  cells.fill("-");
-  cells[0] = row.variant;
-  cells[1] = row.ns ? words_for_ns(*row.ns) : "not timed";
-  cells[2] = row.baseline ? "baseline" : row.ratio ? fmt::format("{:.3f}", *row.ratio) : "-";
-  if (!row.main_set) return cells;
-  const FunctionRow& set = *row.main_set;
-  cells[3] = words_for_error(set.max_over, 3), cells[4] = words_for_error(set.max_under, 3);
-  cells[5] = words_for_error(set.mean_absolute, 2), cells[6] = words_for_error(set.rms, 2);
-  cells[7] = std::to_string(set.negative), cells[8] = std::to_string(set.nonfinite);
+std::vector<std::string> function_cells(const FunctionSummary& row) {
+  std::vector<std::string> cells = {row.variant, row.ns ? words_for_ns(*row.ns) : "not timed",
+                                    row.baseline ? "baseline"
+                                    : row.ratio  ? fmt::format("{:.3f}", *row.ratio)
+                                                 : "-"};
+  if (const FunctionRow* set = row.main_set)
+    cells.insert(cells.end(),
+                 {words_for_error(set->max_over, 3), words_for_error(set->max_under, 3), words_for_error(set->mean_absolute, 2),
+                  words_for_error(set->rms, 2), std::to_string(set->negative), std::to_string(set->nonfinite)});
+  else
+    cells.insert(cells.end(), 6, "-");
   return cells;
 }
 
-std::string function_caption(const FunctionReport& report, const FunctionBackend& backend) {
+Table function_table(const FunctionReport& report, const FunctionBackend& backend) {
   const auto with_set = std::ranges::find_if(backend.variants, [](const auto& row) { return row.main_set != nullptr; });
   const std::string points = with_set == backend.variants.end() ? "no" : std::to_string(with_set->main_set->points);
-  return fmt::format("{}, {}: {} points of '{}', {}", backend.backend, backend.device, points, report.main_set,
-                     report.main_what);
+  Table table = {.caption = fmt::format("{}, {}: {} points of '{}', {}", backend.backend, backend.device, points,
+                                        report.main_set, report.main_what),
+                 .columns = {words_column("variant")}};
+  for (const char* figure : {"ns a call [95%]", "ratio", "max over", "max under", "mean", "rms", "negative", "non-finite"})
+    table.columns.push_back(number_column(figure));
+  for (const FunctionSummary& row : backend.variants)
+    table.rows.push_back(row_of(function_cells(row), row.baseline ? Mark::baseline : Mark::none));
+  return table;
 }
 
 std::vector<std::string> function_notes(const FunctionReport& report) {

@@ -45,27 +45,18 @@ std::vector<FunctionReport> summarize_functions(const Record& record);
 // One paragraph a variant: whether it is worth having, by what it costs and errs by on each backend; else what beats it.
 std::vector<Headline> function_headlines(const FunctionReport& report);
 
-// Columns of the table over the main set: the first is a name, the rest figures.
-inline constexpr std::array<const char*, 9> function_columns = {
-    "variant", "ns a call [95%]", "ratio", "max over", "max under", "mean", "rms", "negative", "non-finite"};
-std::array<std::string, function_columns.size()> function_cells(const FunctionSummary& row);
-// "100000 points of 'overlaps': ...", and what the columns are of.
-std::string function_caption(const FunctionReport& report, const FunctionBackend& backend);
+// The table over the main set, a row a variant.
+Table function_table(const FunctionReport& report, const FunctionBackend& backend);
+std::vector<std::string> function_cells(const FunctionSummary& row);
 // Nanoseconds of a call, no unit.
 std::string words_for_ns(double ns);
 std::string words_for_ns(const Interval& ns);  // with a * where it covers less than 95%
 // A figure of a function's row, to so many digits; "-" where it is absent.
 std::string words_for_error(const std::optional<double>& figure, int digits);
 
-// Columns of the table of one set: three of words, figures, and two inputs.
-inline constexpr std::array<const char*, 14> function_set_columns = {
-    "variant", "bounds",    "claims",   "max over",   "max under", "mean",     "rms",
-    "eps",     "eps kappa", "negative", "non-finite", "not 0",     "worst at", "first fault at"};
-std::array<std::string, function_set_columns.size()> function_set_cells(const FunctionRow& row);
-// How to read that table.
-extern const char* const function_set_note;
-// A backend's rows of every set, set by set, so that the variants stand under each other.
-std::vector<const FunctionRow*> rows_by_set(const FunctionBackend& backend);
+// The table of a backend's rows of every set, set by set, so that the variants stand under each other.
+Table function_sets_table(const FunctionBackend& backend);
+std::vector<std::string> function_set_cells(const FunctionRow& row);
 
 // Whether a row keeps what its variant claims: every value finite, none negative, 0 where 0 is right, and the errors within its
 // bounds where it claims any.

@@ -59,20 +59,11 @@ std::string failure_words(const FunctionRow& row) {
   return fmt::format("{} ({})", row.set, fmt::join(parts, "; "));
 }
 
-}  // namespace
-
-const char* const function_set_note =
+constexpr const char* function_set_note =
     "Bounds hold where every value is finite, none is negative where the exact value is not, the value is 0 where 0 is exact, "
     "and no error is beyond what the function claims on that set; - means that the function claims nothing there. eps: the "
     "greatest error in units of 2^-23; eps kappa: the greatest error of the value itself, in units of 2^-23 times its "
     "condition number where that is above 1; not 0: values that should be exactly 0.";
-
-Keeps keeps_bounds(const FunctionRow& row) {
-  for (const auto& [count, unused] : kinds_of_faults)
-    if (row.*count > 0) return Keeps::no;
-  if (!within_bounds(row)) return Keeps::no;
-  return row.bounds ? Keeps::yes : Keeps::claims_none;
-}
 
 std::vector<const FunctionRow*> rows_by_set(const FunctionBackend& backend) {
   std::vector<const FunctionRow*> rows;
@@ -85,6 +76,15 @@ std::vector<const FunctionRow*> rows_by_set(const FunctionBackend& backend) {
   std::ranges::stable_sort(rows,
                            [&](const FunctionRow* a, const FunctionRow* b) { return place.at(a->set) < place.at(b->set); });
   return rows;
+}
+
+}  // namespace
+
+Keeps keeps_bounds(const FunctionRow& row) {
+  for (const auto& [count, unused] : kinds_of_faults)
+    if (row.*count > 0) return Keeps::no;
+  if (!within_bounds(row)) return Keeps::no;
+  return row.bounds ? Keeps::yes : Keeps::claims_none;
 }
 
 std::vector<Headline> hard_case_headlines(const FunctionBackend& backend) {
@@ -108,7 +108,7 @@ std::vector<Headline> hard_case_headlines(const FunctionBackend& backend) {
   return all;
 }
 
-std::array<std::string, function_set_columns.size()> function_set_cells(const FunctionRow& row) {
+std::vector<std::string> function_set_cells(const FunctionRow& row) {
   const Keeps keeps = keeps_bounds(row);
   return {row.subject.variant,
           keeps == Keeps::yes  ? "hold"
@@ -126,6 +126,24 @@ std::array<std::string, function_set_columns.size()> function_set_cells(const Fu
           std::to_string(row.not_zero),
           input_words(worst_input(row)),
           input_words(row.first_fault)};
+}
+
+Table function_sets_table(const FunctionBackend& backend) {
+  Table table = {.caption = function_set_note,
+                 .columns = {words_column("variant"), words_column("bounds"), words_column("claims")},
+                 .label = "every function and set on " + backend.backend,
+                 .html_class = "wide",
+                 .grouped_by = "set"};
+  for (const char* figure : {"max over", "max under", "mean", "rms", "eps", "eps kappa", "negative", "non-finite", "not 0"})
+    table.columns.push_back(number_column(figure));
+  for (const char* input : {"worst at", "first fault at"}) table.columns.push_back(words_column(input));
+  for (const FunctionRow* row : rows_by_set(backend)) {
+    Row& added =
+        table.rows.emplace_back(row_of(function_set_cells(*row), keeps_bounds(*row) == Keeps::no ? Mark::bad : Mark::none));
+    added.group = row->set;
+    added.group_words = fmt::format("{}: {} ({} points)", row->set, row->what, row->points);
+  }
+  return table;
 }
 
 }  // namespace lamina

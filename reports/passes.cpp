@@ -78,22 +78,28 @@ std::string words_for_fragments(const PassSummary& pass) {
   return fmt::format("{:.0f}{}", pass.fragments, pass.early_tests ? "" : ", hidden ones too");
 }
 
-std::array<std::string, pass_columns.size() - 1> pass_cells(const PassSummary& pass) {
+std::string words_for_share(const PassSummary::Share& share) {
+  return fmt::format("{} ({}, {}) {:.1f}/px", share.texture, share.format, share.filter, share.per_pixel);
+}
+
+Table passes_table(const std::vector<PassSummary>& passes) {
+  Table table = {
+      .caption =
+          "Means over views; fetches per pixel that the effect covers; ns per fetch: the pass's whole time over its fetches",
+      .columns = {words_column("variant"), words_column("backend"), words_column("pass"), words_column("done"),
+                  figures_column("ms"), figures_column("fragments"), figures_column("fetches/px"), figures_column("ns/fetch"),
+                  words_column("by texture, format and filter")},
+      .html_class = "wide"};
   const auto figure = [](const std::optional<double>& value, int digits) {
     return value ? fmt::format("{:.{}f}", *value, digits) : std::string("-");
   };
-  return {pass.variant,
-          pass.backend,
-          pass.name,
-          pass.once ? "once" : "each frame",
-          pass.ms ? words_for_ms(*pass.ms) : "-",
-          words_for_fragments(pass),
-          figure(pass.fetches_per_pixel, 1),
-          figure(pass.ns_per_fetch, 2)};
-}
-
-std::string words_for_share(const PassSummary::Share& share) {
-  return fmt::format("{} ({}, {}) {:.1f}/px", share.texture, share.format, share.filter, share.per_pixel);
+  for (const PassSummary& pass : passes) {
+    Row& row = table.rows.emplace_back(row_of({pass.variant, pass.backend, pass.name, pass.once ? "once" : "each frame",
+                                               pass.ms ? words_for_ms(*pass.ms) : "-", words_for_fragments(pass),
+                                               figure(pass.fetches_per_pixel, 1), figure(pass.ns_per_fetch, 2), ""}));
+    for (const PassSummary::Share& share : pass.shares) row.cells.back().items.push_back(words_for_share(share));
+  }
+  return table;
 }
 
 }  // namespace lamina

@@ -3,7 +3,6 @@
 // are plain text, not yet escaped for where they go.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +11,7 @@
 
 #include "reports/frontier.h"
 #include "reports/reports.h"
+#include "reports/tables/table.h"
 
 namespace lamina {
 
@@ -51,11 +51,9 @@ std::vector<std::string> sweep_lines(const Record& record);
 enum class Told { all, about_limits, of_pairs };
 std::vector<Headline> crossover_headlines(const Record& record, Told told = Told::all);
 
-// The columns of the summary table; the first two and the last are names, the rest figures. `truth`: with those against the
-// truth, for effects of which some row has any.
-std::vector<std::string> summary_columns(bool truth);
-std::vector<std::string> summary_cells(const SummaryRow& row, bool truth);
-bool has_truth(const std::vector<SummaryRow>& rows, const std::string& effect);
+// The summary, a table an effect; a row's note is its trouble. `truth`: with columns against the truth, for effects of which
+// some row has any.
+std::vector<Table> summary_tables(const std::vector<SummaryRow>& rows, bool truth);
 // What a row cannot show in figures: failed views with the first reason, non-finite pixels. "" for most.
 std::string trouble_of(const SummaryRow& row);
 // How to read the table, one sentence each.
@@ -63,9 +61,6 @@ std::vector<std::string> summary_notes(const std::vector<SummaryRow>& rows);
 
 // Which of a cell's assumptions costs the most, by RMSE in linear light, as a sentence.
 std::string costliest_assumption(const CellRow& cell);
-// Columns of a table of assumptions: one name, figures.
-inline constexpr std::array<const char*, 5> assumption_columns = {"assumption", "RMSE, linear", "PSNR dB", "SSIM", "FLIP"};
-std::array<std::string, assumption_columns.size()> assumption_cells(const AssumptionRow& assumption);
 
 // A pass of a variant on a backend, over the views that have it.
 struct PassSummary {
@@ -85,10 +80,7 @@ struct PassSummary {
   std::vector<Share> shares;
 };
 std::vector<PassSummary> summarize_passes(const Record& record);
-// Columns of a table of passes: four names, figures, and fetches by texture, which pass_cells() leaves to words_for_share().
-inline constexpr std::array<const char*, 9> pass_columns = {
-    "variant", "backend", "pass", "done", "ms", "fragments", "fetches/px", "ns/fetch", "by texture, format and filter"};
-std::array<std::string, pass_columns.size() - 1> pass_cells(const PassSummary& pass);
+Table passes_table(const std::vector<PassSummary>& passes);
 std::string words_for_fragments(const PassSummary& pass);      // "5210", or "5210, hidden ones too"
 std::string words_for_share(const PassSummary::Share& share);  // "light_map (rgba16_float, linear) 13.0/px"
 

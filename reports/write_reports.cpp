@@ -21,6 +21,22 @@ std::string subfolder(size_t index, size_t count) {
 
 }  // namespace
 
+std::string gate_json(const Record& record) {
+  using Json = nlohmann::ordered_json;
+  const auto line = [](const auto& row) { return Json(nlohmann::json(to_json(row))); };  // fields in the order of their names
+  Json whole = {{"gate", nullptr}, {"aas", Json::array()}, {"verdicts", Json::array()}};
+  if (!record.gates.empty()) whole["gate"] = line(record.gates.back());
+  for (const SameArmRow& aa : record.aas) whole["aas"].push_back(line(aa));
+  for (const VerdictRow& row : record.verdicts) whole["verdicts"].push_back(line(row));
+  return whole.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_gate_reports(const Record& record, const std::filesystem::path& folder) {
+  write_file_atomically(folder / "gate.md", gate_markdown(record));
+  write_file_atomically(folder / "junit.xml", gate_junit(record));
+  write_file_atomically(folder / "gate.json", gate_json(record));
+}
+
 fs::path write_reports(const std::vector<fs::path>& run_folders, const ReportOptions& options) {
   const bool own_folder = options.out.empty();
   if (own_folder && run_folders.size() != 1)

@@ -99,9 +99,14 @@ struct Reference {
 };
 constexpr Reference to_baseline = {"baseline", &CellRow::error_covered}, to_truth = {"truth", &CellRow::error_truth};
 
+// What the errors of a view came to.
+struct ErrorsFound {
+  bool better = false, worse = false;  // some of them
+};
+
 // `before` may be null, here and below: then only what holds for every picture is judged.
 void judge_errors(const Subject& subject, const CellRow* before, const CellRow& after, const Reference& against,
-                  const ErrorLimits& bounds, std::set<std::string>& changed) {
+                  const ErrorLimits& bounds, std::set<std::string>& changed, ErrorsFound& found) {
   const std::optional<ErrorFigures> old_error = before ? before->*against.error : std::nullopt;
   const std::optional<ErrorFigures>& new_error = after.*against.error;
   const std::string& view = after.view;
@@ -120,6 +125,7 @@ void judge_errors(const Subject& subject, const CellRow* before, const CellRow& 
     const auto report = [&](Verdict verdict, std::optional<double> old_value, std::optional<double> limit,
                             std::string sentence) {
       changed.insert("errors");
+      (verdict == Verdict::better ? found.better : found.worse) = true;
       VerdictRow& row = add(subject, what, verdict, std::move(sentence), view);
       row.before = old_value, row.after = now, row.limit = limit;
     };
@@ -169,7 +175,7 @@ void judge_content(const Subject& subject, const CellRow* before, const CellRow&
 
 // Whether it is the picture that was there before.
 void judge_change(const Subject& subject, const CellRow& before, const CellRow& after, const std::optional<double>& change,
-                  bool hashes_tell, std::set<std::string>& changed) {
+                  bool hashes_tell, const ErrorsFound& errors, std::set<std::string>& changed) {
   const std::string& view = after.view;
   const bool same_hash = before.image_hash == after.image_hash;
   if (subject.limits.same_image && !same_hash) {
@@ -180,16 +186,7 @@ void judge_change(const Subject& subject, const CellRow& before, const CellRow& 
   }
   const double most = subject.limits.max_picture_change;
   if (same_hash || after.nonfinite_pixels.value_or(0) > 0 || (change ? *change <= most : !hashes_tell)) return;
-  // Its errors have been judged before: rows of this view.
-  bool better = false, worse = false;
-  for (const VerdictRow& row : subject.rows) {
-    const bool is_error = std::any_of(std::begin(figures), std::end(figures),
-                                      [&](const Figure& figure) { return row.what.starts_with(figure.name); });
-    if (row.view != view || !is_error) continue;
-    better = better || row.verdict == Verdict::better;
-    worse = worse || row.verdict != Verdict::better;
-  }
-  if (better && !worse) return;
+  if (errors.better && !errors.worse) return;
   changed.insert("picture");
   const std::string by = change ? fmt::format(" by up to {:.4g} in linear light", *change) : ", as its hash did";
   const char* why = after.baseline ? "it is what other variants are held to" : "no error got better by it";
@@ -264,11 +261,12 @@ std::vector<VerdictRow> judge_cells(const CellPair& pair, const Limits& limits) 
                         before ? "could not be measured before" : "is new"),
             after->view);
       }
-      judge_errors(subject, was, *after, to_baseline, limits.baseline, changed);
-      judge_errors(subject, was, *after, to_truth, limits.truth, changed);
+      ErrorsFound errors;
+      judge_errors(subject, was, *after, to_baseline, limits.baseline, changed, errors);
+      judge_errors(subject, was, *after, to_truth, limits.truth, changed, errors);
       judge_content(subject, was, *after, changed);
       const std::optional<double> change = i < pair.changes.size() ? pair.changes[i] : std::nullopt;
-      if (was) judge_change(subject, *was, *after, change, pair.hashes_tell, changed);
+      if (was) judge_change(subject, *was, *after, change, pair.hashes_tell, errors, changed);
     }
   }
   if (all_new) judge_presence(subject, pair);

@@ -29,7 +29,8 @@ constexpr auto fields(const CrossoverRow*) {
   return std::tuple(field("parameter", &Row::parameter), field("backend", &Row::backend), field("effect", &Row::effect),
                     field("variant", &Row::variant), field("other", &Row::other), field("metric", &Row::metric),
                     field("limit", &Row::limit), field("at", &Row::at), field("tolerance", &Row::tolerance),
-                    field("sentence", &Row::sentence));
+                    field("sentence", &Row::sentence), lines::left_out("held", &Row::held),
+                    lines::left_out("claim", &Row::claim), lines::left_out("remark", &Row::remark));
 }
 
 lines::Line to_json(const SweepRow& row) { return lines::line_of("sweep", row, "sweep"); }

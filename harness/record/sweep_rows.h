@@ -2,6 +2,7 @@
 // Lines of the record that a sweep adds to its cells: what was swept, and what the curves answer.
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -32,6 +33,9 @@ struct CrossoverRow {
   std::optional<double> limit, at;  // at: the parameter's value; none where nothing is crossed
   double tolerance = 0;             // of at
   std::string sentence;             // without its full stop
+  // Empty in records of before they were kept.
+  std::map<std::string, double> held;  // values of the other swept parameters, by path
+  std::string claim, remark;           // the sentence's parts before and after " on BACKEND"
 };
 
 // One line of the record each. Throws Error(failed) for a number that is not finite.

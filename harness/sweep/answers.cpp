@@ -47,7 +47,7 @@ std::string words(double value) { return fmt::format("{:.4g}", value); }
 
 class Sentence {
  public:
-  explicit Sentence(const Curve& curve) : x_(named(curve.parameter, curve.unit, curve)), tail_(place_words(curve)) {}
+  explicit Sentence(const Curve& curve) : x_(named(curve.parameter, curve.unit, curve)) {}
   std::string at(const Crossing& crossing) const {
     return fmt::format("{} {}{} (within {:.2g})", x_.name, words(crossing.at), x_.unit, crossing.tolerance);
   }
@@ -55,18 +55,23 @@ class Sentence {
     return from == to ? fmt::format("{} {}{}", x_.name, words(from), x_.unit)
                       : fmt::format("{} {} to {}{}", x_.name, words(from), words(to), x_.unit);
   }
-  const std::string& tail() const { return tail_; }
 
  private:
   Named x_;
-  std::string tail_;
 };
 
 CrossoverRow start(const Curve& curve, const std::string& other, const std::string& metric) {
   CrossoverRow row;
   row.parameter = curve.parameter, row.backend = curve.backend, row.effect = curve.effect, row.variant = curve.variant;
   row.other = other, row.metric = metric;
+  for (const Held& held : curve.held) row.held[held.path] = held.value;
   return row;
+}
+
+void tell(CrossoverRow& row, const Curve& curve, const std::string& claim, const std::string& remark) {
+  row.claim = claim + place_words(curve);
+  row.remark = remark;
+  row.sentence = fmt::format("{} on {}{}", row.claim, row.backend, row.remark);
 }
 
 // A curve without the samples that are not known.
@@ -90,13 +95,12 @@ void add_limit(const Curve& curve, const Limit& limit, std::vector<CrossoverRow>
   const Sentence sentence(curve);
   const std::string bound =
       fmt::format("{} at {} {}", metric.words, metric.more_is_better ? "least" : "most", words(limit.value));
-  std::string tail = sentence.tail();
-  if (missing > 0) tail += fmt::format("; {} of {} points are missing", missing, y.size());
+  const std::string remark = missing > 0 ? fmt::format("; {} of {} points are missing", missing, y.size()) : "";
   const auto add = [&](const std::string& text, const Crossing* crossing) {
     CrossoverRow row = start(curve, "", limit.metric);
     row.limit = limit.value;
     if (crossing) row.at = crossing->at, row.tolerance = crossing->tolerance;
-    row.sentence = fmt::format("{} {}{}", curve.variant, text, tail);
+    tell(row, curve, curve.variant + " " + text, remark);
     rows.push_back(row);
   };
   const std::vector<Crossing> found = crossings(curve.x, y, sign * limit.value);
@@ -255,14 +259,14 @@ class Pairs {
   }
 
   void add_stretches(const Curve& one, const Curve& other, const std::string& metric, const std::string& what,
-                     const std::vector<Stretch>& stretches, bool everywhere, bool in_order, const std::string& tail) {
+                     const std::vector<Stretch>& stretches, bool everywhere, bool in_order, const std::string& remark) {
     for (const Stretch& stretch : stretches) {
       PairAnswer& answer = answers_.emplace_back();
       answer.row = start(one, other.variant, metric);
       if (const std::optional<Crossing>& told = stretch.begin ? stretch.begin : stretch.end)
         answer.row.at = told->at, answer.row.tolerance = told->tolerance;
-      answer.row.sentence = fmt::format("{} is {} than {} {}{}{}", one.variant, what, other.variant,
-                                        words_of(stretch, one, everywhere), Sentence(one).tail(), tail);
+      tell(answer.row, one,
+           fmt::format("{} is {} than {} {}", one.variant, what, other.variant, words_of(stretch, one, everywhere)), remark);
       answer.in_order = in_order && !stretch.begin && !stretch.end && !one.baseline && !other.baseline;
       if (answer.in_order) ahead_.insert({metric, one.variant, other.variant});
     }
@@ -301,7 +305,7 @@ std::string place_words(const Curve& curve) {
     const Named other = named(held.path, held.unit, curve);
     place += fmt::format(", at {} {}{}", other.name, words(held.value), other.unit);
   }
-  return place + " on " + curve.backend;
+  return place;
 }
 
 std::vector<CrossoverRow> answers(const std::vector<Curve>& curves, const std::vector<Limit>& limits) {
@@ -314,6 +318,23 @@ std::vector<CrossoverRow> answers(const std::vector<Curve>& curves, const std::v
     if (limits.empty()) continue;
     const Pairs pairs(std::span<const Curve>(curves).subspan(begin, end - begin), *metric_named(limits.front().metric));
     for (CrossoverRow& row : pairs.rows()) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<CrossoverRow> crossovers_of(const Record& record) {
+  std::vector<CrossoverRow> rows = record.crossovers;
+  if (record.sweeps.empty() || std::ranges::none_of(rows, [](const CrossoverRow& row) { return row.claim.empty(); }))
+    return rows;
+  std::vector<Limit> limits = record.sweeps.front().limits;
+  std::erase_if(limits, [](const Limit& limit) { return limit.metric == "ratio" || !metric_named(limit.metric); });
+  const std::vector<CrossoverRow> again = answers(curves_of(record), limits);
+  for (CrossoverRow& row : rows) {
+    const auto same = std::ranges::find_if(again, [&](const CrossoverRow& found) {
+      return std::tie(found.parameter, found.backend, found.effect, found.sentence) ==
+             std::tie(row.parameter, row.backend, row.effect, row.sentence);
+    });
+    if (row.claim.empty() && same != again.end()) row.held = same->held, row.claim = same->claim, row.remark = same->remark;
   }
   return rows;
 }

@@ -17,7 +17,6 @@ std::string gate_table(const Record& record, bool colours);
 // For a comment on a pull request, GitHub's Markdown: the same, with the whole matrix folded away and cut where the comment
 // would pass 60,000 bytes (GitHub takes 65,536 characters).
 std::string gate_markdown(const Record& record);
-std::string gate_table_head();  // of the Markdown tables whose rows are gate_cells()
 // JUnit XML as Jenkins, GitLab and Surefire's readers take it: one suite, one test case a verdict line. Slower, worse and
 // failed are <failure>; ambiguous is <error>, for a test that came to no answer is neither passed nor failed, and must not
 // pass; not compared is <skipped>. An answer that is missing or not borne out is an <error> of its own. Characters that XML 1.0

@@ -24,14 +24,6 @@ std::string sentences(const char* title, const GateReading::Rows& rows, bool ope
   return html + "</ul></details>\n";
 }
 
-std::string verdict_row(const VerdictRow& verdict, bool bad) {
-  const auto cells = gate_cells(verdict);
-  std::string html = fmt::format("<tr{}><th scope=\"row\">{}</th>", bad ? " class=\"bad\"" : "", escaped_html(cells[0]));
-  for (size_t i = 1; i < cells.size(); ++i)
-    html += fmt::format("<td{}>{}</td>", i == 5 ? " class=\"wrap\"" : i > 5 ? " class=\"num\"" : "", escaped_html(cells[i]));
-  return html + "</tr>\n";
-}
-
 // Of the ratio less 1; never -0.
 double hundredths_of_percent(const RatioEstimate& estimate) {
   return std::round(1e4 * std::expm1(estimate.log_ratio)) / 100 + 0.0;
@@ -40,33 +32,31 @@ double hundredths_of_percent(const RatioEstimate& estimate) {
 // What each process measured of every ratio that was judged, and of the A/A arms.
 std::string processes_table(const std::vector<GateStrips>& all) {
   if (all.empty()) return "";
-  constexpr std::array<const char*, 3> columns = {"comparison", "all processes", "each, with its standard error"};
-  std::string html = fmt::format(
-      "<details class=\"printed\"><summary>What each process measured</summary>\n<div class=\"scroll\" tabindex=\"0\" "
-      "role=\"region\" aria-label=\"What each process measured\"><table><caption>Change of the time, by the strips of one "
-      "process at a time. Processes that differ by more than their errors widen the interval of all.</caption>{}<tbody>\n",
-      header_row(columns, 3));
+  Table table = {.caption =
+                     "Change of the time, by the strips of one process at a time. Processes that differ by more than their "
+                     "errors widen the interval of all.",
+                 .columns = {words_column("comparison"), words_column("all processes"),
+                             words_column("each, with its standard error", "wrap")},
+                 .label = "What each process measured"};
   for (const GateStrips& strips : all) {
-    std::string each;
-    for (const GateStrips::Process& process : strips.processes)
+    Row& row =
+        table.rows.emplace_back(row_of({words_for_comparison(strips), strips.verdict ? change_of(*strips.verdict) : "", ""}));
+    for (std::string& each = row.cells.back().html; const GateStrips::Process& process : strips.processes)
       each += fmt::format("{}{:+.2f}% &plusmn; {:.2f}%", each.empty() ? "" : ", ", hundredths_of_percent(process.estimate),
                           100 * process.estimate.error);
-    html += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"wrap\">{}</td></tr>\n",
-                        escaped_html(words_for_comparison(strips)),
-                        strips.verdict ? escaped_html(change_of(*strips.verdict)) : "", each);
   }
-  return html + "</tbody></table></div></details>\n";
+  return fmt::format("<details class=\"printed\"><summary>{}</summary>\n{}</details>\n", table.label, html_table(table));
 }
 
 }  // namespace
 
 std::string html_gate_answer(const Record& record) {
-  const std::vector<std::string> lines = gate_lines(record);
-  if (lines.empty()) return "";
+  if (record.gates.empty() && record.verdicts.empty()) return "";
   const GateReading reading = reading_of(record);
-  std::string html = fmt::format("<div class=\"verdict{}\"><p><strong>{}</strong></p>\n", reading.well ? "" : " unwell",
-                                 escaped_html("G" + lines[0].substr(1)));
-  for (size_t i = 1; i < lines.size(); ++i) html += fmt::format("<p class=\"note\">{}</p>\n", escaped_html(lines[i]));
+  std::string html = fmt::format("<div class=\"verdict{}\"><p><strong>Gate {}: {}</strong></p>\n",
+                                 reading.well ? "" : " unwell", reading.word, escaped_html(reading.counts));
+  for (const std::string& line : {reading.trouble, reading.conditions})
+    if (!line.empty()) html += fmt::format("<p class=\"note\">{}</p>\n", escaped_html(line));
   return html + "</div>\n";
 }
 
@@ -79,14 +69,14 @@ std::string html_gate(const Record& record) {
           sentences("Not compared", reading.not_compared, reading.not_compared.size() <= max_open_sentences) +
           sentences("Better", reading.improved, reading.improved.size() <= max_open_sentences);
   if (record.verdicts.empty()) return html;
-  html += fmt::format(
-      "<details class=\"printed\"{2}><summary>All {0} checks</summary>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
-      "aria-label=\"All {0} "
-      "checks\"><table class=\"wide\"><caption>Change: of a time the ratio to before with its interval, of fetches the "
-      "share, of other figures the difference. Limit: what was allowed; of a time the margin.</caption>{1}<tbody>\n",
-      record.verdicts.size(), header_row(gate_columns, 6), record.verdicts.size() <= max_open_sentences ? " open" : "");
-  for (size_t i = 0; const VerdictRow* row : reading.all()) html += verdict_row(*row, i++ < reading.regressed.size());
-  return html + "</tbody></table></div></details>\n" + processes_table(gate_strips(record));
+  Table table = verdicts_table(reading);
+  table.caption =
+      "Change: of a time the ratio to before with its interval, of fetches the share, of other figures the difference. Limit: "
+      "what was allowed; of a time the margin.";
+  table.label = fmt::format("All {} checks", record.verdicts.size());
+  html += fmt::format("<details class=\"printed\"{}><summary>{}</summary>\n{}</details>\n",
+                      record.verdicts.size() <= max_open_sentences ? " open" : "", table.label, html_table(table));
+  return html + processes_table(gate_strips(record));
 }
 
 }  // namespace lamina

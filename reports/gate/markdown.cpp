@@ -34,8 +34,6 @@ void add_section(std::string& text, const char* title, const GateReading::Rows& 
 
 }  // namespace
 
-std::string gate_table_head() { return markdown_row(gate_columns) + "|---|---|---|---|---|---|---:|---:|---|---:|\n"; }
-
 std::string gate_markdown(const Record& record) {
   const GateReading reading = reading_of(record);
   const char* mark = reading.well ? "✅" : reading.word == "AMBIGUOUS" ? "⚠️" : "❌";
@@ -52,9 +50,9 @@ std::string gate_markdown(const Record& record) {
   for (const std::string& warning : warnings_of(record)) text += fmt::format("**Warning:** {}  \n", escaped_markdown(warning));
   if (record.verdicts.empty()) return text;
 
-  text += fmt::format("\n<details><summary>All {} checks</summary>\n\n{}", record.verdicts.size(), gate_table_head());
-  std::vector<std::string> rows;
-  for (const VerdictRow* row : reading.all()) rows.push_back(markdown_row(gate_cells(*row)));
+  std::vector<std::string> rows = markdown_lines(verdicts_table(reading));
+  text += fmt::format("\n<details><summary>All {} checks</summary>\n\n{}", record.verdicts.size(), rows.front());
+  rows.erase(rows.begin());
   add_while_they_fit(text, rows, max_bytes, "rows");
   return text + "\n</details>\n";
 }

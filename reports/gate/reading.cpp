@@ -107,13 +107,6 @@ GateReading reading_of(const Record& record) {
   return reading;
 }
 
-GateReading::Rows GateReading::all() const {
-  Rows rows;
-  for (const Rows* group : {&regressed, &ambiguous, &not_compared, &improved, &same})
-    rows.insert(rows.end(), group->begin(), group->end());
-  return rows;
-}
-
 std::vector<std::string> gate_lines(const Record& record) {
   if (record.gates.empty() && record.verdicts.empty()) return {};
   const GateReading reading = reading_of(record);
@@ -160,17 +153,19 @@ std::string certainty_of(const VerdictRow& row) {
 
 std::string limit_of(const VerdictRow& row) { return row.limit ? words_for_number(*row.limit) : ""; }
 
-std::array<std::string, gate_columns.size()> gate_cells(const VerdictRow& row) {
-  return {std::string(name_of(row.verdict)),
-          row.what,
-          row.effect,
-          row.variant,
-          row.backend,
-          place_of(row),
-          before_and_after(row),
-          change_of(row),
-          certainty_of(row),
-          limit_of(row)};
+Table verdicts_table(const GateReading& reading) {
+  // How sure stands beside the figures on the page, and is words in Markdown.
+  Table table = {.columns = {words_column("verdict"), words_column("what"), words_column("effect"), words_column("variant"),
+                             words_column("backend"), words_column("where", "wrap"), number_column("before -> after"),
+                             number_column("change"), words_column("how sure", "num"), number_column("limit")},
+                 .html_class = "wide"};
+  for (const GateReading::Rows* rows :
+       {&reading.regressed, &reading.ambiguous, &reading.not_compared, &reading.improved, &reading.same})
+    for (const VerdictRow* row : *rows)
+      table.rows.push_back(row_of({std::string(name_of(row->verdict)), row->what, row->effect, row->variant, row->backend,
+                                   place_of(*row), before_and_after(*row), change_of(*row), certainty_of(*row), limit_of(*row)},
+                                  rows == &reading.regressed ? Mark::bad : Mark::none));
+  return table;
 }
 
 std::string words_for_aa(const SameArmRow& aa) {

@@ -3,17 +3,13 @@
 // reports/gate/gate.h. All strings are plain text, not yet escaped for where they go.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
 #include "harness/record/record.h"
+#include "reports/tables/table.h"
 
 namespace lamina {
-
-// Every report's table of verdicts has these columns: six names, figures.
-inline constexpr std::array<const char*, 10> gate_columns = {
-    "verdict", "what", "effect", "variant", "backend", "where", "before -> after", "change", "how sure", "limit"};
 
 struct GateReading {
   using Rows = std::vector<const VerdictRow*>;   // into the record, which must outlive this
@@ -26,8 +22,6 @@ struct GateReading {
   std::string conditions;                        // "against main, 60 rounds in 3 processes, 41.2 s, ..."; "" without an answer
   // Why the answer cannot be believed: it is missing, its figures contradict it, nothing was compared. "" for most.
   std::string trouble;
-
-  Rows all() const;  // in the order in which they are read: regressed first, the same last
 };
 GateReading reading_of(const Record& record);
 // "gate FAILED: 6 checks: 2 regressed, 4 the same", what is wrong with the answer, its conditions. None where the record is not
@@ -41,7 +35,8 @@ std::string before_and_after(const VerdictRow& row);  // "12.31 -> 13.54 ms", "n
 std::string change_of(const VerdictRow& row);         // "+10.1% [+8.2%, +11.9%]", "-0.0123"; "" where not known
 std::string certainty_of(const VerdictRow& row);      // "95.9% interval, 60 rounds", or "exact"
 std::string limit_of(const VerdictRow& row);          // "0.03"; "" where there is none
-std::array<std::string, gate_columns.size()> gate_cells(const VerdictRow& row);
+// Every verdict, in the order in which they are read: what regressed first, marked as bad, what is the same last.
+Table verdicts_table(const GateReading& reading);
 // Of an A/A line: "A/A vertex_normal on vulkan: 1.001 [0.997, 1.004], 60 rounds: same".
 std::string words_for_aa(const SameArmRow& aa);
 inline constexpr const char* aa_note =

@@ -16,35 +16,22 @@ namespace {
 
 using namespace terminal;
 
-Cells cells_of(const VerdictRow& row, bool several_effects) {
-  const std::string limit = limit_of(row);
-  Cells cells = {std::string(name_of(row.verdict)),
-                 row.what,
-                 several_effects ? fmt::format("{}/{}", row.effect, row.variant) : row.variant,
-                 row.backend,
-                 place_of(row),
-                 before_and_after(row),
-                 change_of(row),
-                 certainty_of(row),
-                 limit.empty() ? "" : "limit " + limit};
-  for (std::string& cell : cells) cell = one_line(cell);
-  return cells;
-}
-
-void add_rows(Lines& lines, const char* title, const GateReading::Rows& rows, const char* colour, bool several_effects,
-              bool sentences) {
+void add_rows(Lines& lines, const char* title, const GateReading::Rows& rows, Mark mark, bool several_effects, bool sentences) {
   if (rows.empty()) return;
   lines.add("");
   lines.add(title, bold);
-  std::vector<Cells> table;
-  for (const VerdictRow* row : rows) table.push_back(cells_of(*row, several_effects));
-  const std::vector<size_t> widths = column_widths(table);
-  const std::vector<bool> figures = {false, false, false, false, false, true, true, false, false};
-  for (size_t i = 0; i < rows.size(); ++i) {
-    lines.add("  " + aligned(table[i], widths, figures), colour);
-    const std::string sentence = one_line(rows[i]->sentence);
-    if (sentences && !sentence.empty()) lines.add("    " + sentence);
+  Table table = {.columns = std::vector<Column>(9)};
+  table.columns[5].right = table.columns[6].right = true;  // before and after, and the change
+  for (const VerdictRow* row : rows) {
+    const std::string limit = limit_of(*row);
+    table.rows.push_back(
+        row_of({std::string(name_of(row->verdict)), row->what,
+                several_effects ? fmt::format("{}/{}", row->effect, row->variant) : row->variant, row->backend, place_of(*row),
+                before_and_after(*row), change_of(*row), certainty_of(*row), limit.empty() ? "" : "limit " + limit},
+               mark));
+    if (sentences) table.rows.back().note = row->sentence;
   }
+  lines.add(table, "  ");
 }
 
 // What was not compared is many rows for few reasons.
@@ -68,10 +55,10 @@ std::string gate_table(const Record& record, bool colours) {
   lines.add(fmt::format("gate {}: {}", reading.word, reading.counts), reading.well ? green : unsure ? yellow : red);
   if (!reading.trouble.empty()) lines.add(one_line(reading.trouble), red);
   if (!reading.conditions.empty()) lines.add(one_line(reading.conditions), dim);
-  add_rows(lines, "regressed", reading.regressed, red, several, true);
-  add_rows(lines, "ambiguous", reading.ambiguous, yellow, several, true);
+  add_rows(lines, "regressed", reading.regressed, Mark::bad, several, true);
+  add_rows(lines, "ambiguous", reading.ambiguous, Mark::doubtful, several, true);
   add_not_compared(lines, reading.not_compared);
-  add_rows(lines, "better", reading.improved, green, several, false);
+  add_rows(lines, "better", reading.improved, Mark::good, several, false);
   lines.add("");
   if (!reading.same.empty())
     lines.add(fmt::format("{} check{} the same", reading.same.size(), reading.same.size() == 1 ? " is" : "s are"));

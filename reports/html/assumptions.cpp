@@ -12,19 +12,22 @@ namespace {
 std::string assumption_cards(const CellRow& cell, const std::string& difference, const PictureUrl& url) {
   std::string html = fmt::format("<p>{}</p>\n<div class=\"shots\">\n", escaped_html(costliest_assumption(cell)));
   for (const AssumptionRow& assumption : cell.assumptions) {
-    const auto figures = assumption_cells(assumption);
-    html += fmt::format("<article class=\"shot\"><h4>{}</h4>\n", escaped_html(figures[0]));
+    html += fmt::format("<article class=\"shot\"><h4>{}</h4>\n", escaped_html(assumption.title));
     if (!assumption.image.empty())
-      html += fmt::format(
-          "<figure>{}<figcaption>{}</figcaption></figure>\n",
-          picture_tag(assumption.image,
-                      fmt::format("difference by {}, {} on {}, view {}", figures[0], cell.variant, cell.backend, cell.view),
-                      url, std::to_string(cell.width), std::to_string(cell.height)),
-          escaped_html(difference));
-    html += "<table class=\"figures\"><tbody>";
-    for (size_t i = 1; i < figures.size(); ++i)
-      html += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"num\">{}</td></tr>", assumption_columns[i], figures[i]);
-    html += "</tbody></table></article>\n";
+      html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
+                          picture_tag(assumption.image,
+                                      fmt::format("difference by {}, {} on {}, view {}", assumption.title, cell.variant,
+                                                  cell.backend, cell.view),
+                                      url, std::to_string(cell.width), std::to_string(cell.height)),
+                          escaped_html(difference));
+    const ErrorFigures& error = assumption.error;
+    const Table table = {
+        .columns = {words_column(""), number_column("")},
+        .rows = {row_of({"RMSE, linear", fmt::format("{:.3g}", error.rmse_linear)}),
+                 row_of({"PSNR dB", words_for_psnr(error.psnr_db)}), row_of({"SSIM", fmt::format("{:.4f}", error.ssim)}),
+                 row_of({"FLIP", fmt::format("{:.4f}", error.flip)})},
+        .html_class = "figures"};
+    html += html_table(table) + "</article>\n";
   }
   return html + "</div>\n";
 }

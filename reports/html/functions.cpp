@@ -11,20 +11,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string main_table(const FunctionReport& report, const FunctionBackend& backend) {
-  std::string html = fmt::format(
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table><caption>{}</caption>{}<tbody>\n",
-      escaped_html(function_caption(report, backend)), escaped_html(function_caption(report, backend)),
-      header_row(function_columns, 1));
-  for (const FunctionSummary& row : backend.variants) {
-    const auto cells = function_cells(row);
-    html += fmt::format("<tr{}><th scope=\"row\">{}</th>", row.baseline ? " class=\"baseline\"" : "", escaped_html(cells[0]));
-    for (size_t i = 1; i < cells.size(); ++i) html += fmt::format("<td class=\"num\">{}</td>", escaped_html(cells[i]));
-    html += "</tr>\n";
-  }
-  return html + "</tbody></table></div>\n";
-}
-
 // Every round behind the intervals of that table. What differs by decades, as exact and fast do, needs a logarithmic axis.
 std::string rounds(const FunctionBackend& backend) {
   std::vector<SampleRow> rows;
@@ -34,30 +20,13 @@ std::string rounds(const FunctionBackend& backend) {
 
 // Which cases each variant passes and fails, in words, and the figures of every set.
 std::string hard_cases_html(const FunctionBackend& backend) {
-  const std::vector<const FunctionRow*> rows = rows_by_set(backend);
-  if (rows.empty()) return "";
+  const Table table = function_sets_table(backend);
+  if (table.rows.empty()) return "";
   std::string html = fmt::format("<h3>Hard cases on {}</h3>\n<ul class=\"verdicts\">\n", escaped_html(backend.backend));
   for (const Headline& one : hard_case_headlines(backend))
     html += fmt::format("<li><strong>{}</strong> {}</li>\n", escaped_html(one.variant), escaped_html(one.words));
-  html += fmt::format(
-      "</ul>\n<details class=\"printed\"><summary>Every function and set on {0}</summary><div class=\"scroll\" tabindex=\"0\" "
-      "role=\"region\" aria-label=\"every function and set on {0}\"><table class=\"wide\"><caption>{1}</caption>{2}<tbody>\n",
-      escaped_html(backend.backend), escaped_html(function_set_note), header_row(function_set_columns, 3, 2));
-  std::string set;
-  for (const FunctionRow* row : rows) {
-    if (row->set != set) {
-      set = row->set;
-      html += fmt::format("<tr class=\"group\"><th scope=\"rowgroup\" colspan=\"{}\">{}: {} ({} points)</th></tr>\n",
-                          function_set_columns.size(), escaped_html(set), escaped_html(row->what), row->points);
-    }
-    const auto cells = function_set_cells(*row);
-    html += fmt::format("<tr{}><th scope=\"row\">{}</th>", keeps_bounds(*row) == Keeps::no ? " class=\"bad\"" : "",
-                        escaped_html(cells[0]));
-    for (size_t i = 1; i < cells.size(); ++i)
-      html += fmt::format("<td{}>{}</td>", i < 3 || i + 2 >= cells.size() ? "" : " class=\"num\"", escaped_html(cells[i]));
-    html += "</tr>\n";
-  }
-  return html + "</tbody></table></div></details>\n";
+  return html + fmt::format("</ul>\n<details class=\"printed\"><summary>Every function and set on {}</summary>{}</details>\n",
+                            escaped_html(backend.backend), html_table(table));
 }
 
 std::string slices(const FunctionBackend& backend, bool open, const PictureUrl& url) {
@@ -132,7 +101,8 @@ std::string html_functions(const Record& record, const std::string& name, const 
     for (const Headline& headline : function_headlines(report))
       html += fmt::format("<li><strong>{}</strong> {}</li>\n", escaped_html(headline.variant), escaped_html(headline.words));
     html += "</ul>\n" + html_function_chart(report, name);
-    for (const FunctionBackend& backend : report.backends) html += main_table(report, backend) + rounds(backend);
+    for (const FunctionBackend& backend : report.backends)
+      html += html_table(function_table(report, backend)) + "\n" + rounds(backend);
     for (const std::string& note : function_notes(report))
       html += fmt::format("<p class=\"note\">{}</p>\n", escaped_html(note));
     for (const FunctionBackend& backend : report.backends) html += hard_cases_html(backend);

@@ -56,32 +56,28 @@ std::string pictures(const std::vector<const CellRow*>& cells, const std::string
   return html.empty() ? "" : "<div class=\"shots\">\n" + html + "</div>\n";
 }
 
-constexpr std::array<const char*, 14> gallery_columns = {"variant",
-                                                         "frame ms [95%]",
-                                                         "ratio [95%]",
-                                                         "done once, ms",
-                                                         "fetches/px",
-                                                         "PSNR dB",
-                                                         "SSIM",
-                                                         "FLIP",
-                                                         "RMSE, linear",
-                                                         "max, linear",
-                                                         "covered px",
-                                                         "non-finite px",
-                                                         "worst tile: FLIP at x, y",
-                                                         "to truth: PSNR dB, SSIM, FLIP"};
+std::vector<Column> figures_columns(bool with_truth) {
+  std::vector<Column> columns;
+  for (const char* heading : {"variant", "frame ms [95%]", "ratio [95%]", "done once, ms", "fetches/px", "PSNR dB", "SSIM",
+                              "FLIP", "RMSE, linear", "max, linear", "covered px", "non-finite px", "worst tile: FLIP at x, y"})
+    columns.push_back(words_column(heading));
+  if (with_truth) columns.push_back(words_column("to truth: PSNR dB, SSIM, FLIP"));
+  return columns;
+}
 
-// The last column is left out where no cell has a truth.
-std::string cell_row(const Record& record, const CellRow& cell, bool with_truth) {
-  if (cell.failed)
-    return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"bad wrap\" colspan=\"{}\">Failed: {}</td></tr>\n",
-                       escaped_html(cell.variant), gallery_columns.size() - (with_truth ? 1 : 2), escaped_html(cell.reason));
+Row figures_row(const Record& record, const CellRow& cell, bool with_truth) {
+  if (cell.failed) {
+    Row row = row_of({cell.variant});
+    row.cells.emplace_back("Failed: " + cell.reason, "bad wrap");
+    return row;
+  }
   const std::vector<double> samples_ms = shown_samples_ms(record, cell);
   const bool shown = times_shown(record, cell.backend);
   const std::optional<ErrorFigures>&error = cell.error_covered, &truth = cell.error_truth;
   const std::optional<Interval>& ratio = cell.ratio_to_baseline;
   const auto count = [](const std::optional<uint64_t>& value) { return value ? std::to_string(*value) : "-"; };
-  std::vector<std::string> cells = {samples_ms.empty() ? "not timed" : words_for_ms(interval_or_range(samples_ms)),
+  std::vector<std::string> cells = {cell.variant,
+                                    samples_ms.empty() ? "not timed" : words_for_ms(interval_or_range(samples_ms)),
                                     cell.baseline    ? "baseline"
                                     : ratio && shown ? words_for_ratio(*ratio)
                                                      : "-",
@@ -98,9 +94,7 @@ std::string cell_row(const Record& record, const CellRow& cell, bool with_truth)
   cells.push_back(tile ? fmt::format("{:.3f} at {}, {}", tile->flip, tile->x, tile->y) : "");
   if (with_truth)
     cells.push_back(truth ? fmt::format("{}, {:.4f}, {:.4f}", words_for_psnr(truth->psnr_db), truth->ssim, truth->flip) : "");
-  std::string html = fmt::format("<tr><th scope=\"row\">{}</th>", escaped_html(cell.variant));
-  for (const std::string& one : cells) html += fmt::format("<td>{}</td>", escaped_html(one));
-  return html + "</tr>\n";
+  return row_of(cells);
 }
 
 }  // namespace
@@ -121,20 +115,16 @@ std::string html_gallery(const Record& record, const PictureUrl& url) {
       "class=\"magma\">"
       "</span>1</span></p>\n";
   const bool with_truth = std::ranges::any_of(record.cells, [](const CellRow& cell) { return cell.error_truth.has_value(); });
-  const auto head =
-      header_row(std::span(gallery_columns).first(gallery_columns.size() - (with_truth ? 0 : 1)), gallery_columns.size());
   size_t place = 0;
   for (const auto& cells : group_shots(record)) {
     const CellRow& sample = *cells.front();
     const std::string what = fmt::format("{} on {}, view {}", sample.effect, sample.backend, sample.view);
     const std::string params = entries_of(sample.params);
-    html += fmt::format(
-        "<details class=\"group\"{}><summary>{} <small>{}</small></summary>\n<div class=\"scroll\" tabindex=\"0\" "
-        "role=\"region\" aria-label=\"{}\"><table class=\"wide cells\">{}<tbody>\n",
-        place++ < max_open_groups ? " open" : "", escaped_html(what), escaped_html(params), escaped_html(what + ", " + params),
-        head);
-    for (const CellRow* cell : cells) html += cell_row(record, *cell, with_truth);
-    html += "</tbody></table></div>\n" + html_samples(record, cells) + pictures(cells, difference, url) + "</details>\n";
+    Table table = {.columns = figures_columns(with_truth), .label = what + ", " + params, .html_class = "wide cells"};
+    for (const CellRow* cell : cells) table.rows.push_back(figures_row(record, *cell, with_truth));
+    html += fmt::format("<details class=\"group\"{}><summary>{} <small>{}</small></summary>\n{}\n{}{}</details>\n",
+                        place++ < max_open_groups ? " open" : "", escaped_html(what), escaped_html(params), html_table(table),
+                        html_samples(record, cells), pictures(cells, difference, url));
   }
   return html;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,8 +21,6 @@ std::string for_script(const nlohmann::json& data);
 // width and height are left out where they are "".
 std::string picture_tag(const std::string& path, const std::string& alt, const PictureUrl& url, const std::string& width = "",
                         const std::string& height = "");
-// A row of column headings, of which the first `names` and the last `last_names` are of words and the others of figures.
-std::string header_row(std::span<const char* const> columns, size_t names, size_t last_names = 0);
 std::string html_list(const std::vector<std::string>& lines);
 
 // The sections of the page in its order; each is "" where the record has nothing for it.

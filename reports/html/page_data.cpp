@@ -167,22 +167,6 @@ void add_passes(Json& passes, const Record& record, size_t number) {
   }
 }
 
-// The values of the other parameters at which a crossover was found, which its sentence alone says; none where it names none.
-Json held_of(const CrossoverRow& crossover, const std::vector<Curve>& curves) {
-  Json held = Json::object();
-  const std::string& sentence = crossover.sentence;
-  for (const Curve& curve : curves) {
-    if (curve.backend != crossover.backend || curve.effect != crossover.effect || curve.parameter != crossover.parameter ||
-        curve.variant != crossover.variant)
-      continue;
-    const std::string place = place_words(curve);
-    const size_t at = sentence.rfind(place), end = at + place.size();
-    if (at == std::string::npos || (end != sentence.size() && sentence[end] != ';')) continue;
-    for (const Held& other : curve.held) held[other.path] = other.value;
-  }
-  return held;
-}
-
 void add_strips(Json& all, const Record& record, size_t number) {
   for (const GateStrips& strips : gate_strips(record)) {
     Json processes = Json::array();
@@ -232,11 +216,11 @@ Json page_data(const std::vector<Record>& records) {
     for (const SweepRow& sweep : record.sweeps)
       for (const auto& [path, unit, values] : sweep.parameters)
         sweeps.push_back({{"path", path}, {"unit", unit}, {"values", values}, {"record", i}});
-    const std::vector<Curve> curves = record.crossovers.empty() ? std::vector<Curve>{} : curves_of(record);
-    for (const CrossoverRow& row : record.crossovers) {
+    for (const CrossoverRow& row : crossovers_of(record)) {
       Json crossover = to_json(row);
+      for (const char* part : {"claim", "remark"}) crossover.erase(part);  // the sentence holds them
       crossover["record"] = i;
-      crossover["held"] = held_of(row, curves);
+      crossover["held"] = row.held;
       crossovers.push_back(std::move(crossover));
     }
   }

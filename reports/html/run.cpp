@@ -12,16 +12,11 @@ namespace lamina {
 namespace {
 
 std::string failures_section(const Record& record) {
-  const auto failed = failures(record);
-  if (failed.empty()) return "";
-  std::string html =
-      "<h3>Failures</h3>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Failures\"><table><caption>Cells "
-      "that failed; the others are not touched by it.</caption><thead><tr><th scope=\"col\">cell</th><th scope=\"col\">reason"
-      "</th></tr></thead><tbody>\n";
-  for (const auto& [cell, reason] : failed)
-    html +=
-        fmt::format("<tr><th scope=\"row\">{}</th><td class=\"wrap\">{}</td></tr>\n", escaped_html(cell), escaped_html(reason));
-  return html + "</tbody></table></div>\n";
+  Table table = {.caption = "Cells that failed; the others are not touched by it.",
+                 .columns = {words_column("cell"), words_column("reason", "wrap")},
+                 .label = "Failures"};
+  for (const auto& [cell, reason] : failures(record)) table.rows.push_back(row_of({cell, reason}));
+  return table.rows.empty() ? "" : "<h3>Failures</h3>\n" + html_table(table) + "\n";
 }
 
 std::string timer_section(const Record& record) {

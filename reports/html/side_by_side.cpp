@@ -11,20 +11,16 @@
 namespace lamina {
 namespace {
 
-std::string cells_of_row(const std::string& head, const std::vector<std::string>& cells) {
-  std::string html = fmt::format("<tr><th scope=\"row\">{}</th>", escaped_html(head));
-  for (const std::string& cell : cells) html += fmt::format("<td class=\"wrap\">{}</td>", escaped_html(cell));
-  return html + "</tr>\n";
+// Without rows; a column a record.
+Table side_by_side_table(const std::string& caption, const std::vector<Record>& records) {
+  Table table = {.caption = caption, .columns = {words_column("")}, .html_class = "wide"};
+  for (size_t i = 0; i < records.size(); ++i) table.columns.push_back(words_column(record_name(records, i), "wrap"));
+  return table;
 }
 
-std::string side_by_side_table(const std::string& caption, const std::vector<Record>& records, const std::string& body) {
-  std::string head = "<th scope=\"col\"></th>";
-  for (size_t i = 0; i < records.size(); ++i)
-    head += fmt::format("<th scope=\"col\">{}</th>", escaped_html(record_name(records, i)));
-  return fmt::format(
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table class=\"wide\"><caption>{}</caption>"
-      "<thead><tr>{}</tr></thead><tbody>\n{}</tbody></table></div>\n",
-      caption, caption, head, body);
+void add_row(Table& table, const std::string& name, const std::vector<std::string>& words) {
+  Row& row = table.rows.emplace_back(row_of(words));
+  row.cells.insert(row.cells.begin(), name);
 }
 
 // Facts that are not the same in all, in the order of the record that has most to say first.
@@ -37,12 +33,10 @@ std::string what_differs(const std::vector<Record>& records) {
       values[label].resize(records.size());
       values[label][i] = value;
     }
-  std::string body;
+  Table table = side_by_side_table("What the records differ in", records);
   for (const std::string& label : labels)
-    if (std::set<std::string>(values[label].begin(), values[label].end()).size() > 1)
-      body += cells_of_row(label, values[label]);
-  return body.empty() ? "<p>The records say the same of where and how they were run.</p>\n"
-                      : side_by_side_table("What the records differ in", records, body);
+    if (std::set<std::string>(values[label].begin(), values[label].end()).size() > 1) add_row(table, label, values[label]);
+  return table.rows.empty() ? "<p>The records say the same of where and how they were run.</p>\n" : html_table(table) + "\n";
 }
 
 }  // namespace
@@ -60,17 +54,17 @@ std::string html_side_by_side(const std::vector<Record>& records) {
       if (row.mean) words += fmt::format(", SSIM {:.4f}, FLIP {:.4f}", row.mean->ssim, row.mean->flip);
       figures[key][i] = words;
     }
-  std::string body;
+  Table table = side_by_side_table("Frame time [95%], fetches a pixel, SSIM and FLIP to each record's own baseline", records);
   for (const std::string& key : order) {
     figures[key].resize(records.size(), "-");
-    body += cells_of_row(key, figures[key]);
+    add_row(table, key, figures[key]);
   }
   return what_differs(records) +
-         (body.empty() ? ""
-                       : side_by_side_table("Frame time [95%], fetches a pixel, SSIM and FLIP to each record's own baseline",
-                                            records, body) +
-                             "<p class=\"note\">Times of different machines, drivers or moments are set side by side here, not "
-                             "compared: what was not timed in one run, interleaved, has no ratio.</p>\n");
+         (table.rows.empty()
+              ? ""
+              : html_table(table) +
+                    "\n<p class=\"note\">Times of different machines, drivers or moments are set side by side here, not "
+                    "compared: what was not timed in one run, interleaved, has no ratio.</p>\n");
 }
 
 }  // namespace lamina

@@ -20,24 +20,28 @@ bool is_timed(const Curve& curve) {
   return std::any_of(ratios.begin(), ratios.end(), [](double value) { return !std::isnan(value); });
 }
 
-CurveTable table_of(std::span<const Curve> group, size_t max_rows) {
+Table table_of(std::span<const Curve> group, size_t max_rows) {
   const Curve& first = group.front();
-  CurveTable table;
-  table.title = fmt::format("{} on {}, over {}{}", first.effect, first.backend, first.parameter,
-                            first.unit.empty() ? "" : " in " + first.unit);
+  constexpr size_t min_width = 8;  // so that the tables of a sweep look alike
+  Table table;
+  table.caption = fmt::format("{} on {}, over {}{}", first.effect, first.backend, first.parameter,
+                              first.unit.empty() ? "" : " in " + first.unit);
   for (const Held& held : first.held)
-    table.title += fmt::format(", {} {:.6g}{}", held.path, held.value, held.unit.empty() ? "" : " " + held.unit);
-  table.columns = {first.parameter.substr(first.parameter.rfind('.') + 1)};
-  struct Column {
+    table.caption += fmt::format(", {} {:.6g}{}", held.path, held.value, held.unit.empty() ? "" : " " + held.unit);
+  const auto add_column = [&](const std::string& heading) {
+    table.columns.push_back({heading, true, "num", false, min_width});
+  };
+  add_column(first.parameter.substr(first.parameter.rfind('.') + 1));
+  struct Figure {
     const Curve* curve;
     const char *metric, *format;
   };
-  std::vector<Column> columns;
+  std::vector<Figure> figures;
   for (const Curve& curve : group) {
     if (curve.baseline) continue;
     const auto add = [&](const char* metric, const char* name, const char* format) {
-      columns.push_back({&curve, metric, format});
-      table.columns.push_back(curve.variant + " " + name);
+      figures.push_back({&curve, metric, format});
+      add_column(curve.variant + " " + name);
     };
     add("ssim", "SSIM", "{:.4f}"), add("flip", "FLIP", "{:.4f}");
     if (is_timed(curve)) add("ratio", "ratio", "{:.3f}");
@@ -46,21 +50,21 @@ CurveTable table_of(std::span<const Curve> group, size_t max_rows) {
   for (size_t row = 0; row < shown; ++row) {
     const size_t i = shown < 2 ? 0 : (row * (count - 1) + (shown - 1) / 2) / (shown - 1);
     std::vector<std::string> cells = {fmt::format("{:.6g}", first.x[i])};
-    for (const auto& [curve, metric, format] : columns) {
+    for (const auto& [curve, metric, format] : figures) {
       const auto at = std::lower_bound(curve->x.begin(), curve->x.end(), first.x[i]);
       const bool there = at != curve->x.end() && *at == first.x[i];
       cells.push_back(there ? figure(curve->y.at(metric)[static_cast<size_t>(at - curve->x.begin())], format) : "-");
     }
-    table.rows.push_back(cells);
+    table.rows.push_back(row_of(cells));
   }
-  if (shown < count) table.title += fmt::format(" ({} of {} points)", shown, count);
+  if (shown < count) table.caption += fmt::format(" ({} of {} points)", shown, count);
   return table;
 }
 
 }  // namespace
 
-std::vector<CurveTable> curve_tables(const std::vector<Curve>& curves, size_t max_rows) {
-  std::vector<CurveTable> tables;
+std::vector<Table> curve_tables(const std::vector<Curve>& curves, size_t max_rows) {
+  std::vector<Table> tables;
   for (size_t begin = 0, end = 0; begin < curves.size(); begin = end) {
     const auto in_group = [&](const Curve& curve) {
       return curve.backend == curves[begin].backend && curve.effect == curves[begin].effect &&
@@ -75,20 +79,8 @@ std::vector<CurveTable> curve_tables(const std::vector<Curve>& curves, size_t ma
 std::string sweep_terminal(const std::vector<Curve>& curves) {
   constexpr size_t rows_of_a_screen = 17, max_tables = 8;
   std::string text;
-  const std::vector<CurveTable> tables = curve_tables(curves, rows_of_a_screen);
-  for (size_t i = 0; i < std::min(tables.size(), max_tables); ++i) {
-    const CurveTable& table = tables[i];
-    text += "\n" + one_line(table.title) + "\n";
-    std::vector<size_t> widths;
-    for (const std::string& column : table.columns) widths.push_back(std::max<size_t>(column.size(), 8));
-    const auto add = [&](const std::vector<std::string>& cells) {
-      for (size_t c = 0; c < cells.size(); ++c)
-        text += fmt::format("{}{:>{}}", c == 0 ? "" : "  ", one_line(cells[c]), widths[c]);
-      text += "\n";
-    };
-    add(table.columns);
-    for (const std::vector<std::string>& row : table.rows) add(row);
-  }
+  const std::vector<Table> tables = curve_tables(curves, rows_of_a_screen);
+  for (size_t i = 0; i < std::min(tables.size(), max_tables); ++i) text += "\n" + terminal_table(tables[i], false);
   if (tables.size() > max_tables) text += fmt::format("\n{} more tables are in summary.md\n", tables.size() - max_tables);
   return text;
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "harness/sweep/answers.h"
 #include "reports/words.h"
 
 namespace lamina {
@@ -19,18 +20,6 @@ bool has_several_effects(const Record& record) {
   for (const CellRow& cell : record.cells) effects.insert(cell.effect);
   for (const CrossoverRow& row : record.crossovers) effects.insert(row.effect);
   return effects.size() > 1;
-}
-
-// A sentence before and after the words " on BACKEND", which stand at its end or before its "; ...". Without them, all is
-// before.
-std::pair<std::string, std::string> around_backend(const std::string& sentence, const std::string& backend) {
-  const std::string words = " on " + backend;
-  for (size_t at = sentence.rfind(words); at != std::string::npos && !backend.empty(); at = sentence.rfind(words, at - 1)) {
-    const size_t end = at + words.size();
-    if (end == sentence.size() || sentence[end] == ';') return {sentence.substr(0, at), sentence.substr(end)};
-    if (at == 0) break;
-  }
-  return {sentence, ""};
 }
 
 // "vulkan", "vulkan and osmesa", "vulkan, osmesa and egl".
@@ -45,24 +34,24 @@ std::string joined_names(const std::vector<std::string>& names) {
 
 std::vector<Headline> crossover_headlines(const Record& record, Told told) {
   struct Answer {
-    std::string effect, before, after;
+    std::string effect, claim, remark;
     std::vector<std::string> backends;  // none where the sentence names none
   };
   std::vector<Answer> answers;
   std::map<std::array<std::string, 4>, size_t> places;
-  for (const CrossoverRow& row : record.crossovers) {
+  for (const CrossoverRow& row : crossovers_of(record)) {
     if (told != Told::all && row.limit.has_value() != (told == Told::about_limits)) continue;
-    const auto [before, after] = around_backend(row.sentence, row.backend);
-    const auto [place, added] = places.try_emplace({row.effect, row.parameter, before, after}, answers.size());
-    if (added) answers.push_back({row.effect, before, after, {}});
+    const std::string& claim = row.claim.empty() ? row.sentence : row.claim;
+    const auto [place, added] = places.try_emplace({row.effect, row.parameter, claim, row.remark}, answers.size());
+    if (added) answers.push_back({row.effect, claim, row.remark, {}});
     std::vector<std::string>& backends = answers[place->second].backends;
-    if (before != row.sentence && std::ranges::find(backends, row.backend) == backends.end()) backends.push_back(row.backend);
+    if (!row.claim.empty() && std::ranges::find(backends, row.backend) == backends.end()) backends.push_back(row.backend);
   }
   const bool several = has_several_effects(record);
   std::vector<Headline> all;
-  for (const auto& [effect, before, after, backends] : answers)
+  for (const auto& [effect, claim, remark, backends] : answers)
     all.push_back({.variant = several ? effect : "",
-                   .words = backends.empty() ? before : fmt::format("{} on {}{}", before, joined_names(backends), after)});
+                   .words = backends.empty() ? claim : fmt::format("{} on {}{}", claim, joined_names(backends), remark)});
   return all;
 }
 

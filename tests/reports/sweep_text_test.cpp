@@ -20,6 +20,9 @@ CrossoverRow answer(const std::string& backend, const std::string& sentence, std
   CrossoverRow row;
   row.parameter = parameter, row.backend = backend, row.effect = effect, row.variant = "v", row.metric = "ssim";
   row.limit = limit, row.sentence = sentence;
+  const std::string place = " on " + backend;
+  if (const size_t at = sentence.rfind(place); at != std::string::npos)
+    row.claim = sentence.substr(0, at), row.remark = sentence.substr(at + place.size());
   return row;
 }
 
