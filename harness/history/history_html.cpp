@@ -39,8 +39,8 @@ std::string chart(const Trend& trend, const History& history, const std::string&
 
 std::string table_of(const CellTrends& cell, const History& history, const HistoryNames& names) {
   const std::string name = names.of(cell.cell);
-  Table table = {.columns = {words_column("figure"), words_column("over the records"), number_column("first"),
-                             number_column("last"), number_column("change"), number_column("steps")},
+  Table table = {.columns = {words_column("figure"), words_column("over the records"), words_column("first"),
+                             words_column("last"), words_column("change"), words_column("steps")},
                  .label = "History of " + name};
   for (const Trend* trend : cell.moving) {
     const TrendFigure& figure = *trend->figure;
