@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "harness/cli/commands.h"
+#include "harness/core/error.h"
 #include "harness/history/history_reports.h"
 #include "reports/gate/gate.h"
 #include "reports/reports.h"
