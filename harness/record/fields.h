@@ -88,7 +88,7 @@ struct Derived {
   void write(Line& line, const Row& row, const At& at) const { line[name] = Kind<T>::write(of(row), at.in(name)); }
   void read(Row& row, const Json& object, const At& at) const {
     if (Kind<T>::read(value_of<Kind<T>>(object, name, at), at.in(name)) != of(row))
-      refuse(at, fmt::format(fmt::runtime(wrong), at.in("").path));
+      refuse(at, fmt::format(fmt::runtime(wrong), at.in("").path()));
   }
 };
 template <class Row, class T>
@@ -113,8 +113,8 @@ struct Group {
   void write(Line& line, const auto& row, const At& at) const { write_fields(line[name], row, fields, at.in(name)); }
   void read(auto& row, const Json& object, const At& at) const {
     const auto& value = object.find(name);
-    if (value == object.end()) refuse(at, fmt::format("the field '{}' is missing", at.in(name).path));
-    if (!value->is_object()) refuse(at, fmt::format("the field '{}' is not an object", at.in(name).path));
+    if (value == object.end()) refuse(at, fmt::format("the field '{}' is missing", at.in(name).path()));
+    if (!value->is_object()) refuse(at, fmt::format("the field '{}' is not an object", at.in(name).path()));
     read_fields(row, *value, fields, at.in(name));
   }
 };
@@ -148,7 +148,7 @@ Line Kind<T>::write(const T& row, const At& at) {
 
 template <class T>
 T Kind<T>::read(const Json& value, const At& at) {
-  if (!value.is_object()) refuse(at, (at.path.empty() ? "the line" : at.path + ".") + " is not an object");
+  if (!value.is_object()) refuse(at, (at.path().empty() ? "the line" : at.path() + ".") + " is not an object");
   T row;
   read_fields(row, value, fields(static_cast<const T*>(nullptr)), at);
   if constexpr (requires { check(row, at); }) check(row, at);
@@ -161,7 +161,7 @@ namespace lamina {
 
 template <class Row>
 Row row_of(const nlohmann::json& line, const std::string& where) {
-  return lines::Kind<Row>::read(line, {where, ""});
+  return lines::Kind<Row>::read(line, {where});
 }
 
 }  // namespace lamina
@@ -172,7 +172,7 @@ namespace lamina::lines {
 template <class Row>
 Line line_of(const char* kind, const Row& row, const std::string& owner) {
   Line line = {{"kind", kind}};
-  write_fields(line, row, fields(static_cast<const Row*>(nullptr)), {owner, ""});
+  write_fields(line, row, fields(static_cast<const Row*>(nullptr)), {owner});
   return line;
 }
 

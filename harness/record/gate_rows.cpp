@@ -21,7 +21,7 @@ constexpr std::array verdicts_on_figures = {Verdict::same,  Verdict::faster,    
                                             Verdict::worse, Verdict::ambiguous, Verdict::failed, Verdict::not_compared};
 
 [[noreturn]] void refuse_word(const At& at, const std::string& word, const std::vector<std::string_view>& known) {
-  refuse(at, fmt::format("the field '{}' is '{}', which is none of {}", at.path, word, fmt::join(known, ", ")));
+  refuse(at, fmt::format("the field '{}' is '{}', which is none of {}", at.path(), word, fmt::join(known, ", ")));
 }
 
 template <const auto& known>

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lamina::lines {
@@ -17,10 +18,14 @@ namespace lamina::lines {
 using Json = nlohmann::json;
 using Line = nlohmann::ordered_json;
 
-// A value's place, for messages: whose it is (FILE:LINE, or the row in words) and its path within ("passes.ms"; "": the line).
+// A value's place, for messages: whose it is (FILE:LINE, or the row in words), its name, and what it lies in. It refers to all
+// of them, since most places are never named.
 struct At {
-  std::string subject, path;
-  At in(const std::string& name) const { return {subject, path.empty() ? name : path + "." + name}; }
+  std::string_view subject;
+  std::string_view name{};  // "": the line itself
+  const At* within = nullptr;
+  At in(std::string_view field) const { return {subject, field, this}; }
+  std::string path() const;  // "passes.ms"
 };
 
 // Throws Error(bad_input, "record", ...).
@@ -111,8 +116,8 @@ struct Kind<std::vector<T>> {
     for (const Json& value : array) {
       if (!Kind<T>::fits(value))
         refuse(at, Kind<T>::fits(Json::object())
-                       ? at.path + ". is not an object"
-                       : fmt::format("the field '{}' holds what is not {}", at.path, Kind<T>::words()));
+                       ? at.path() + ". is not an object"
+                       : fmt::format("the field '{}' holds what is not {}", at.path(), Kind<T>::words()));
       values.push_back(Kind<T>::read(value, at));
     }
     return values;
@@ -152,8 +157,8 @@ struct Point {
 template <class K>
 const Json& value_of(const Json& object, const char* name, const At& at) {
   const auto value = object.find(name);
-  if (value == object.end()) refuse(at, fmt::format("the field '{}' is missing", at.in(name).path));
-  if (!K::fits(*value)) refuse(at, fmt::format("the field '{}' is not {}", at.in(name).path, K::words()));
+  if (value == object.end()) refuse(at, fmt::format("the field '{}' is missing", at.in(name).path()));
+  if (!K::fits(*value)) refuse(at, fmt::format("the field '{}' is not {}", at.in(name).path(), K::words()));
   return *value;
 }
 

@@ -48,7 +48,7 @@ template <auto rows>
 void add_row(Record& record, const Json& line, const At& at) {
   auto& all = record.*rows;
   using Row = typename std::remove_reference_t<decltype(all)>::value_type;
-  all.push_back(row_of<Row>(line, at.subject));
+  all.push_back(row_of<Row>(line, std::string(at.subject)));
 }
 void add_line(Record& record, const Json& line, const At& at) {
   const std::string kind = kind_of(line, at);
@@ -91,7 +91,8 @@ Record read_record(const std::filesystem::path& file, std::vector<Json>* all_lin
     const bool ended = newline != std::string::npos;
     const std::string_view words = std::string_view(content).substr(begin, ended ? newline - begin : std::string::npos);
     begin = ended ? newline + 1 : content.size();
-    const At at{fmt::format("{}:{}", file.string(), ++number_of_line), ""};
+    const std::string where = fmt::format("{}:{}", file.string(), ++number_of_line);
+    const At at{where};
 
     Json line;
     try {
@@ -114,7 +115,7 @@ Record read_record(const std::filesystem::path& file, std::vector<Json>* all_lin
     check_run(line, at);
     record.run = std::move(line);
   }
-  if (number_of_line == 0) refuse({file.string() + ":1", ""}, "the file is empty; a record begins with a line of kind 'run'");
+  if (number_of_line == 0) refuse({file.string() + ":1"}, "the file is empty; a record begins with a line of kind 'run'");
   return record;
 }
 
