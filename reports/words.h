@@ -48,8 +48,8 @@ CostAndErrors figures_of(const SummaryRow& row);
 std::vector<std::string> sweep_lines(const Record& record);
 // Where curves meet a limit or each other, a sentence each; `variant` holds the effect's name where the record has several.
 // What is the same on several backends, figure by figure as printed, is said once for all of them.
-enum class Told { all, about_limits, of_pairs };
-std::vector<Headline> crossover_headlines(const Record& record, Told told = Told::all);
+enum class Crossovers { all, about_limits, of_pairs };
+std::vector<Headline> crossover_headlines(const Record& record, Crossovers which = Crossovers::all);
 
 // The summary, a table an effect; a row's note is its trouble. `truth`: with columns against the truth, for effects of which
 // some row has any.

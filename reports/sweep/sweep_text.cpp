@@ -87,8 +87,8 @@ std::string sweep_terminal(const std::vector<Curve>& curves) {
 
 std::string answers_terminal(const Record& record, const std::filesystem::path& summary) {
   constexpr size_t max_lines = 40;
-  std::vector<Headline> all = crossover_headlines(record, Told::about_limits);
-  for (const Headline& answer : crossover_headlines(record, Told::of_pairs)) all.push_back(answer);
+  std::vector<Headline> all = crossover_headlines(record, Crossovers::about_limits);
+  for (const Headline& answer : crossover_headlines(record, Crossovers::of_pairs)) all.push_back(answer);
   const size_t shown = all.size() <= max_lines ? all.size() : max_lines - 1;
   std::string text;
   for (size_t i = 0; i < shown; ++i)
