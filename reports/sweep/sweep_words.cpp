@@ -32,7 +32,7 @@ std::string joined_names(const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::vector<Headline> crossover_headlines(const Record& record, Crossovers told) {
+std::vector<Headline> crossover_headlines(const Record& record, Crossovers which) {
   struct Answer {
     std::string effect, claim, remark;
     std::vector<std::string> backends;  // none where the sentence names none
@@ -40,7 +40,7 @@ std::vector<Headline> crossover_headlines(const Record& record, Crossovers told)
   std::vector<Answer> answers;
   std::map<std::array<std::string, 4>, size_t> places;
   for (const CrossoverRow& row : crossovers_of(record)) {
-    if (told != Crossovers::all && row.limit.has_value() != (told == Crossovers::about_limits)) continue;
+    if (which != Crossovers::all && row.limit.has_value() != (which == Crossovers::about_limits)) continue;
     const std::string& claim = row.claim.empty() ? row.sentence : row.claim;
     const auto [place, added] = places.try_emplace({row.effect, row.parameter, claim, row.remark}, answers.size());
     if (added) answers.push_back({row.effect, claim, row.remark, {}});
