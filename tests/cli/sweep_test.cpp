@@ -2,6 +2,7 @@
 // lamina sweep and lamina merge as a user runs them, on a square whose variant is darker than the baseline by a parameter: its
 // errors are known in closed form, and a cell takes no time.
 #include <fcntl.h>
+#include <fmt/format.h>
 
 #include <chrono>
 #include <csignal>
