@@ -5,25 +5,25 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 #include "harness/bake/occluders_embree.h"
 #include "harness/bake/visibility.h"
+#include "harness/core/stopwatch.h"
 #include "harness/measure/statistics.h"
 
 namespace {
 
 using namespace lamina;
 
-constexpr size_t rays = 1024, most_points = 1024, rounds = 15, grain = 16;
+constexpr size_t rays = 1024, max_points = 1024, rounds = 15, grain = 16;
 constexpr uint64_t seed = 1;
 
 template <class Work>
 double seconds(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return watch.elapsed_s();
 }
 
 std::vector<RTCRay8> packets_of(const Visibility& visibility, float bias_m) {
@@ -66,8 +66,8 @@ int main(int argc, char** argv) {
   std::vector<SurfacePoint> points = vertex_points(scene.objects.front()).points;
   // Points from all over the object.
   std::vector<SurfacePoint> some;
-  for (size_t i = 0; i < std::min(most_points, points.size()); ++i)
-    some.push_back(points[i * points.size() / std::min(most_points, points.size())]);
+  for (size_t i = 0; i < std::min(max_points, points.size()); ++i)
+    some.push_back(points[i * points.size() / std::min(max_points, points.size())]);
   Visibility visibility(some, rays, seed);
   std::vector<RTCRay8> packets = packets_of(visibility, occluders.default_bias_m());
   std::vector<double> ratios, ours_per_s;

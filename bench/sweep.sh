@@ -3,8 +3,8 @@
 # What a sweep adds to what it measures. Takes the program and a scratch folder.
 #   1. 33 thicknesses of the heart, 3 variants, 2 backends, errors only, 512x512: the wall time of each backend over the sum of
 #      device, read-back and metric time, as the program prints it.
-#   2. Of a scene whose points are quick, what one more point costs after 10 points and after 155, in CPU seconds, and the most
-#      memory of 10 and 300 points. Starting costs the same each time and is in no difference; the middle of three runs counts.
+#   2. For a scene whose points are quick: the CPU time of one more point after 10 points and after 155, and the maximum memory of
+#      10 and 300 points. Start-up costs the same each time and cancels in a difference. The median of three runs counts.
 set -eu
 program=$1 folder=$2
 rm -rf "$folder/heart"

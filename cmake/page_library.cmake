@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The page's style and script, and the library that its charts are drawn with: npm fetches what reports/page/package-lock.json
-# pins, and C++ files hold them with the licences, so that the program needs nothing beside it.
+# pins, and C++ files hold them with the licences, so that the program needs no other file.
 set(PAGE ${PROJECT_SOURCE_DIR}/reports/page)
 # One script in this order: what the later files call stands in the earlier ones.
 set(PAGE_SCRIPTS)
@@ -9,7 +9,7 @@ foreach(name data controls chart_frame pareto passes sweeps pixels magnifier pic
 endforeach()
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PAGE}/package-lock.json ${PAGE}/style.css ${PAGE_SCRIPTS})
 
-# npm leaves a copy of the lock file behind, in other words but of the same time.
+# npm leaves a copy of the lock file behind, with other text and the same time stamp.
 if(NOT EXISTS ${PAGE}/node_modules/.package-lock.json OR
    ${PAGE}/package-lock.json IS_NEWER_THAN ${PAGE}/node_modules/.package-lock.json)
   find_program(NPM npm)
@@ -25,7 +25,7 @@ if(NOT EXISTS ${PAGE}/node_modules/.package-lock.json OR
   file(TOUCH ${PAGE}/node_modules/.package-lock.json)
 endif()
 
-# The text as a C++ raw string; `name` is a variable of reports/html.h. It goes into a <script>, which it must not end.
+# The text as a C++ raw string; `name` is a variable of reports/html/html.h. It goes into a <script>, which it must not end.
 function(page_string name)
   set(text "")
   foreach(source ${ARGN})
@@ -44,7 +44,7 @@ function(page_string name)
   endforeach()
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/${name}.cpp @ONLY CONTENT [[
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/html.h"
+#include "reports/html/html.h"
 namespace lamina {
 const std::string_view @name@ = R"page(@text@)page";
 }

@@ -8,21 +8,14 @@
 
 namespace lamina {
 
-std::string costliest_assumption(const nlohmann::json& cell) {
+std::string costliest_assumption(const CellRow& cell) {
   std::vector<std::pair<double, std::string>> costs;
-  for (const auto& assumption : cell.at("assumptions"))
-    costs.emplace_back(assumption.at("error").at("rmse_linear").get<double>(), assumption.at("title").get<std::string>());
+  for (const AssumptionRow& assumption : cell.assumptions) costs.emplace_back(assumption.error.rmse_linear, assumption.title);
   std::ranges::stable_sort(costs, [](const auto& a, const auto& b) { return a.first > b.first; });
   if (costs.empty() || costs[0].first == 0) return "No assumption changes this picture.";
   std::string words = fmt::format("What costs the most: {}, RMSE {:.3g}", costs[0].second, costs[0].first);
   for (size_t i = 1; i < costs.size(); ++i) words += fmt::format("; then {}, {:.3g}", costs[i].second, costs[i].first);
   return words + ".";
-}
-
-std::array<std::string, assumption_columns.size()> assumption_cells(const nlohmann::json& assumption) {
-  const ErrorFigures error = *figures_of(assumption.at("error"));
-  return {assumption.at("title").get<std::string>(), fmt::format("{:.3g}", error.rmse_linear), words_for_psnr(error.psnr_db),
-          fmt::format("{:.4f}", error.ssim), fmt::format("{:.4f}", error.flip)};
 }
 
 }  // namespace lamina

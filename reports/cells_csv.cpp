@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cells as comma-separated values (Shafranovich, "Common Format and MIME Type for CSV Files", RFC 4180, 2005).
+#include <fmt/format.h>
+
+#include <cmath>
 #include <set>
 
 #include "reports/words.h"
@@ -7,82 +10,81 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
+// As JSON writes them; nothing for what is not known, "inf" for the PSNR of identical pictures.
+std::string csv_words(const std::string& text) { return text; }
+std::string csv_words(bool is) { return is ? "true" : "false"; }
+std::string csv_words(int value) { return std::to_string(value); }
+std::string csv_words(uint64_t value) { return std::to_string(value); }
+std::string csv_words(double value) { return std::isinf(value) ? "inf" : nlohmann::json(value).dump(); }
+template <class T>
+std::string csv_words(const std::optional<T>& value) {
+  return value ? csv_words(*value) : "";
+}
 
-std::string scalar(const Json& value) {
-  if (value.is_null()) return "";
-  return value.is_string() ? value.get<std::string>() : value.dump();
+template <auto member>
+std::string of_cell(const CellRow& cell) {
+  return csv_words(cell.*member);
+}
+template <auto member, auto figure>
+std::string in_cell(const CellRow& cell) {
+  return cell.*member ? csv_words((*(cell.*member)).*figure) : "";
 }
 
 // Whether a column is a time of the device, which only a good certificate lets out.
-struct Column {
-  const char* pointer;
+struct CsvColumn {
+  const char* name;
+  std::string (*words)(const CellRow&);
   bool device_time = false;
 };
-constexpr Column columns[] = {{"/scene"},
-                              {"/effect"},
-                              {"/variant"},
-                              {"/baseline"},
-                              {"/backend"},
-                              {"/device"},
-                              {"/width"},
-                              {"/height"},
-                              {"/view"},
-                              {"/status"},
-                              {"/reason"},
-                              {"/timed"},
-                              {"/median_ms", true},
-                              {"/once_ms", true},
-                              {"/cold_ms"},
-                              {"/ratio_to_baseline/median", true},
-                              {"/ratio_to_baseline/low", true},
-                              {"/ratio_to_baseline/high", true},
-                              {"/ratio_to_baseline/rounds", true},
-                              {"/ratio_to_baseline/coverage", true},
-                              {"/fetches"},
-                              {"/fetches_per_pixel"},
-                              {"/error/baseline/psnr_db"},
-                              {"/error/baseline/ssim"},
-                              {"/error/baseline/flip"},
-                              {"/error/baseline/rmse_linear"},
-                              {"/error/baseline/max_linear"},
-                              {"/error/frame/psnr_db"},
-                              {"/error/frame/ssim"},
-                              {"/error/frame/flip"},
-                              {"/error/frame/rmse_linear"},
-                              {"/error/frame/max_linear"},
-                              {"/error/truth/psnr_db"},
-                              {"/error/truth/ssim"},
-                              {"/error/truth/flip"},
-                              {"/error/truth/rmse_linear"},
-                              {"/error/truth/max_linear"},
-                              {"/nonfinite_pixels"},
-                              {"/covered_pixels"},
-                              {"/image"},
-                              {"/difference"},
-                              {"/flip"},
-                              {"/truth_image"},
-                              {"/worst_tile/x"},
-                              {"/worst_tile/y"},
-                              {"/worst_tile/size"},
-                              {"/worst_tile/flip"},
-                              {"/image_hash"}};
-
-std::string value_at(const Json& cell, const std::string& pointer) {
-  const Json::json_pointer path(pointer);
-  if (!cell.contains(path)) return "";
-  const Json& value = cell.at(path);
-  if (value.is_null() && path.back() == "psnr_db" && cell.at(path.parent_pointer()).at("identical") == true) return "inf";
-  return scalar(value);
-}
-
-// "/error/frame/ssim" is the column "error.frame.ssim".
-std::string name_of(std::string pointer) {
-  pointer.erase(0, 1);
-  for (char& c : pointer)
-    if (c == '/') c = '.';
-  return pointer;
-}
+constexpr CsvColumn csv_columns[] = {
+    {"scene", of_cell<&CellRow::scene>},
+    {"effect", of_cell<&CellRow::effect>},
+    {"variant", of_cell<&CellRow::variant>},
+    {"baseline", of_cell<&CellRow::baseline>},
+    {"backend", of_cell<&CellRow::backend>},
+    {"device", of_cell<&CellRow::device>},
+    {"width", of_cell<&CellRow::width>},
+    {"height", of_cell<&CellRow::height>},
+    {"view", of_cell<&CellRow::view>},
+    {"status", [](const CellRow& cell) { return std::string(cell.failed ? "failed" : "ok"); }},
+    {"reason", of_cell<&CellRow::reason>},
+    {"timed", of_cell<&CellRow::timed>},
+    {"median_ms", of_cell<&CellRow::median_ms>, true},
+    {"once_ms", of_cell<&CellRow::once_ms>, true},
+    {"cold_ms", of_cell<&CellRow::cold_ms>},
+    {"ratio_to_baseline.median", in_cell<&CellRow::ratio_to_baseline, &Interval::median>, true},
+    {"ratio_to_baseline.low", in_cell<&CellRow::ratio_to_baseline, &Interval::low>, true},
+    {"ratio_to_baseline.high", in_cell<&CellRow::ratio_to_baseline, &Interval::high>, true},
+    {"ratio_to_baseline.rounds", in_cell<&CellRow::ratio_to_baseline, &Interval::rounds>, true},
+    {"ratio_to_baseline.coverage", in_cell<&CellRow::ratio_to_baseline, &Interval::coverage>, true},
+    {"fetches", of_cell<&CellRow::fetches>},
+    {"fetches_per_pixel", of_cell<&CellRow::fetches_per_pixel>},
+    {"error.baseline.psnr_db", in_cell<&CellRow::error_covered, &ErrorFigures::psnr_db>},
+    {"error.baseline.ssim", in_cell<&CellRow::error_covered, &ErrorFigures::ssim>},
+    {"error.baseline.flip", in_cell<&CellRow::error_covered, &ErrorFigures::flip>},
+    {"error.baseline.rmse_linear", in_cell<&CellRow::error_covered, &ErrorFigures::rmse_linear>},
+    {"error.baseline.max_linear", in_cell<&CellRow::error_covered, &ErrorFigures::max_linear>},
+    {"error.frame.psnr_db", in_cell<&CellRow::error_frame, &ErrorFigures::psnr_db>},
+    {"error.frame.ssim", in_cell<&CellRow::error_frame, &ErrorFigures::ssim>},
+    {"error.frame.flip", in_cell<&CellRow::error_frame, &ErrorFigures::flip>},
+    {"error.frame.rmse_linear", in_cell<&CellRow::error_frame, &ErrorFigures::rmse_linear>},
+    {"error.frame.max_linear", in_cell<&CellRow::error_frame, &ErrorFigures::max_linear>},
+    {"error.truth.psnr_db", in_cell<&CellRow::error_truth, &ErrorFigures::psnr_db>},
+    {"error.truth.ssim", in_cell<&CellRow::error_truth, &ErrorFigures::ssim>},
+    {"error.truth.flip", in_cell<&CellRow::error_truth, &ErrorFigures::flip>},
+    {"error.truth.rmse_linear", in_cell<&CellRow::error_truth, &ErrorFigures::rmse_linear>},
+    {"error.truth.max_linear", in_cell<&CellRow::error_truth, &ErrorFigures::max_linear>},
+    {"nonfinite_pixels", of_cell<&CellRow::nonfinite_pixels>},
+    {"covered_pixels", of_cell<&CellRow::covered_pixels>},
+    {"image", of_cell<&CellRow::image>},
+    {"difference", of_cell<&CellRow::difference>},
+    {"flip", of_cell<&CellRow::flip>},
+    {"truth_image", of_cell<&CellRow::truth_image>},
+    {"worst_tile.x", in_cell<&CellRow::worst_tile, &WorstTile::x>},
+    {"worst_tile.y", in_cell<&CellRow::worst_tile, &WorstTile::y>},
+    {"worst_tile.size", in_cell<&CellRow::worst_tile, &WorstTile::size>},
+    {"worst_tile.flip", in_cell<&CellRow::worst_tile, &WorstTile::flip>},
+    {"image_hash", of_cell<&CellRow::image_hash>}};
 
 }  // namespace
 
@@ -95,21 +97,21 @@ std::string csv_field(const std::string& text) {
 
 std::string cells_csv(const Record& record) {
   std::set<std::string> params;
-  for (const Json& cell : record.cells)
-    for (const auto& [path, value] : cell.at("params").items()) params.insert(path);
+  for (const CellRow& cell : record.cells)
+    for (const auto& [path, value] : cell.params) params.insert(path);
 
   std::string csv = "build";
-  for (const Column& column : columns) csv += "," + name_of(column.pointer);
+  for (const CsvColumn& column : csv_columns) csv += fmt::format(",{}", column.name);
   for (const std::string& path : params) csv += "," + csv_field("params." + path);
   csv += "\r\n";
-  for (const Json& cell : record.cells) {
-    const bool shown = times_shown(record, cell.at("backend").get<std::string>());
+  for (const CellRow& cell : record.cells) {
+    const bool shown = times_shown(record, cell.backend);
     csv += csv_field(text_at(record.run, "/build"));
-    for (const Column& column : columns)
-      csv += "," + (column.device_time && !shown ? "" : csv_field(value_at(cell, column.pointer)));
+    for (const CsvColumn& column : csv_columns)
+      csv += "," + (column.device_time && !shown ? "" : csv_field(column.words(cell)));
     for (const std::string& path : params) {
-      const auto value = cell.at("params").find(path);
-      csv += "," + (value == cell.at("params").end() ? "" : scalar(*value));
+      const auto value = cell.params.find(path);
+      csv += "," + (value == cell.params.end() ? "" : csv_words(value->second));
     }
     csv += "\r\n";
   }

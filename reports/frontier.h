@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is worth having: by what it costs and what it errs by, nothing else is better. One rule for words, charts and tables.
+// Which variants are worth having: those that no other dominates in cost and error. One rule for words, charts and tables.
 #pragma once
 
 #include <array>
@@ -34,11 +34,11 @@ struct Contender {
   std::optional<Interval> cost;
   std::optional<double> error;  // less is closer
 };
-// Whether `a` leaves no reason to take `b`: it is closer and not measurably dearer (the intervals overlap, or it is cheaper),
-// or as close and measurably cheaper. Never where a figure is not known.
+// Whether `a` dominates `b`: it has a smaller error and is not measurably more expensive (the intervals overlap, or it is
+// cheaper), or the same error and is measurably cheaper. Never where a figure is not known.
 bool beats(const Contender& a, const Contender& b);
-// For each the one that beats it, the closest of several; its own index where none does: it is worth having if both its figures
-// are known.
+// For each contender the index of the one that dominates it (of several, the one with the smallest error), or its own index
+// where none does: it is then worth having if both its figures are known.
 std::vector<size_t> beaten_by(std::span<const Contender> contenders);
 
 // What a variant costs and errs by, over all views or in one.
@@ -48,7 +48,8 @@ struct CostAndErrors {
   std::optional<ErrorFigures> to_baseline, to_truth;
 };
 Contender contender(const CostAndErrors& figures, Cost cost, const ErrorMetric& metric, Reference reference);
-// For each of a group the choices of axes by which it is worth having: bit (5 reference + metric) 2 + cost, as numbered above.
+// For each of a group, the axes on which it is worth having, one bit each: bit (5 reference + metric) 2 + cost, as numbered
+// above.
 std::vector<uint32_t> frontier_bits(std::span<const CostAndErrors> group);
 // The figures of a picture against itself, which a baseline has against the baseline.
 inline constexpr ErrorFigures no_error = {

@@ -13,8 +13,6 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
 // The element that `is` picks, added at the end where there is none.
 template <class Element, class Is>
 Element& find_or_add(std::vector<Element>& elements, Is is) {
@@ -22,25 +20,30 @@ Element& find_or_add(std::vector<Element>& elements, Is is) {
   return known == elements.end() ? elements.emplace_back() : *known;
 }
 
-FunctionSummary& summary_of(std::vector<FunctionReport>& reports, const Json& line) {
-  const std::string function = line.at("function"), backend = line.at("backend"), variant = line.at("variant");
-  auto& report = find_or_add(reports, [&](const FunctionReport& r) { return r.function == function; });
-  report.function = function;
-  report.title = line.at("title");
-  if (line.at("baseline").get<bool>()) report.baseline = variant;
-  auto& place = find_or_add(report.backends, [&](const FunctionBackend& b) { return b.backend == backend; });
-  place.backend = backend;
-  place.device = line.at("device");
-  auto& summary = find_or_add(place.variants, [&](const FunctionSummary& s) { return s.variant == variant; });
-  summary.variant = variant;
-  summary.baseline = line.at("baseline");
-  if (line.at("kind") == "function" && report.main_set.empty()) {
-    report.main_set = line.at("set");
-    report.main_what = line.at("what");
-    report.scale = line.at("scale");
-  }
-  if (line.at("kind") == "function" && line.at("set") == report.main_set) summary.main_set = &line;
+FunctionReport& report_of(std::vector<FunctionReport>& reports, const std::string& function) {
+  return find_or_add(reports, [&](const FunctionReport& r) { return r.function == function; });
+}
+
+FunctionSummary& summary_of(std::vector<FunctionReport>& reports, const FunctionSubject& subject) {
+  FunctionReport& report = report_of(reports, subject.function);
+  report.function = subject.function;
+  report.title = subject.title;
+  if (subject.baseline) report.baseline = subject.variant;
+  auto& place = find_or_add(report.backends, [&](const FunctionBackend& b) { return b.backend == subject.backend; });
+  place.backend = subject.backend;
+  place.device = subject.device;
+  auto& summary = find_or_add(place.variants, [&](const FunctionSummary& s) { return s.variant == subject.variant; });
+  summary.variant = subject.variant;
+  summary.baseline = subject.baseline;
   return summary;
+}
+
+void add_set(std::vector<FunctionReport>& reports, const FunctionRow& row) {
+  FunctionSummary& summary = summary_of(reports, row.subject);
+  FunctionReport& report = report_of(reports, row.subject.function);
+  if (report.main_set.empty()) report.main_set = row.set, report.main_what = row.what, report.scale = row.scale;
+  if (row.set == report.main_set) summary.main_set = &row;
+  summary.sets.push_back(&row);
 }
 
 bool beats(const FunctionSummary& a, const FunctionSummary& b) { return beats({a.ns, a.error}, Contender{b.ns, b.error}); }
@@ -50,8 +53,8 @@ void compare(FunctionBackend& backend) {
   const FunctionSummary& first = backend.variants.front();
   const double baseline_ns = first.baseline && first.ns ? first.ns->median : 0;
   for (FunctionSummary& row : backend.variants) {
-    if (row.main_set && row.main_set->at("nonfinite") == 0)
-      row.error = std::max(row.main_set->at("max_over").get<double>(), -row.main_set->at("max_under").get<double>());
+    if (row.main_set && row.main_set->nonfinite == 0 && row.main_set->max_over)
+      row.error = std::max(*row.main_set->max_over, -*row.main_set->max_under);
     if (row.ns && baseline_ns > 0) row.ratio = row.ns->median / baseline_ns;
   }
   for (FunctionSummary& row : backend.variants)
@@ -59,9 +62,9 @@ void compare(FunctionBackend& backend) {
                    std::ranges::none_of(backend.variants, [&](const FunctionSummary& other) { return beats(other, row); });
 }
 
-uint64_t sum_of(const FunctionSummary& row, const char* count) {
+uint64_t sum_of(const FunctionSummary& row, uint64_t FunctionRow::*count) {
   uint64_t sum = 0;
-  for (const Json* set : row.sets) sum += set->at(count).get<uint64_t>();
+  for (const FunctionRow* set : row.sets) sum += set->*count;
   return sum;
 }
 
@@ -78,7 +81,7 @@ std::string joined(const ByBackend& all, size_t backends) {
 
 // Whether a variant is worth having on a backend, or why that is not known.
 std::string verdict(const FunctionSummary& row, const FunctionBackend& backend) {
-  if (!row.error) return "gives values that are not finite, so that it has no greatest error";
+  if (!row.error) return "gives values that are not finite, so its greatest error is not known";
   if (!row.ns) return "was not timed";
   if (row.frontier) return "is worth having: nothing closer is as fast";
   const FunctionSummary* better = nullptr;  // of what beats it, what errs the least
@@ -97,20 +100,20 @@ std::string words_for_ns(const Interval& ns) {
                      ns.coverage < report_confidence ? "*" : "");
 }
 
-std::string words_for_error(const Json& figure, int digits) {
-  return figure.is_null() ? "-" : fmt::format("{:.{}g}", figure.get<double>(), digits);
+std::string words_for_error(const std::optional<double>& figure, int digits) {
+  return figure ? fmt::format("{:.{}g}", *figure, digits) : "-";
 }
 
 std::vector<FunctionReport> summarize_functions(const Record& record) {
   std::vector<FunctionReport> reports;
-  for (const Json& line : record.functions) summary_of(reports, line).sets.push_back(&line);
-  for (const Json& line : record.function_times) {
-    FunctionSummary& row = summary_of(reports, line);
-    row.ns = interval_of(line.at("ns_per_call"));
-    row.reason = line.at("reason");
-    if (line.contains("ns")) row.samples = line.at("ns").get<std::vector<double>>();
+  for (const FunctionRow& row : record.functions) add_set(reports, row);
+  for (const FunctionTimeRow& time : record.function_times) {
+    FunctionSummary& row = summary_of(reports, time.subject);
+    row.ns = time.ns_per_call;
+    row.reason = time.reason;
+    row.samples = time.ns;
   }
-  for (const Json& line : record.function_pictures) summary_of(reports, line).pictures.push_back(&line);
+  for (const FunctionPictureRow& row : record.function_pictures) summary_of(reports, row.subject).pictures.push_back(&row);
   for (FunctionReport& report : reports)
     for (FunctionBackend& backend : report.backends) compare(backend);
   return reports;
@@ -134,7 +137,8 @@ std::vector<Headline> function_headlines(const FunctionReport& report) {
                                   : fmt::format(" ({:.1f} times slower than {})", *row.ratio, report.baseline);
         words.times.emplace_back(backend.backend, time);
       }
-      if (const uint64_t negative = sum_of(row, "negative"), nonfinite = sum_of(row, "nonfinite"); negative + nonfinite > 0)
+      if (const uint64_t negative = sum_of(row, &FunctionRow::negative), nonfinite = sum_of(row, &FunctionRow::nonfinite);
+          negative + nonfinite > 0)
         words.faults.emplace_back(backend.backend, fmt::format("{} negative and {} non-finite values", negative, nonfinite));
     }
   std::vector<Headline> all;
@@ -152,33 +156,38 @@ std::vector<Headline> function_headlines(const FunctionReport& report) {
   return all;
 }
 
-std::array<std::string, function_columns.size()> function_cells(const FunctionSummary& row) {
-  std::array<std::string, function_columns.size()> cells;
-  cells.fill("-");
-  cells[0] = row.variant;
-  cells[1] = row.ns ? words_for_ns(*row.ns) : "not timed";
-  cells[2] = row.baseline ? "baseline" : row.ratio ? fmt::format("{:.3f}", *row.ratio) : "-";
-  if (!row.main_set) return cells;
-  constexpr std::pair<const char*, int> figures[] = {{"max_over", 3}, {"max_under", 3}, {"mean_absolute", 2}, {"rms", 2}};
-  for (size_t i = 0; i < std::size(figures); ++i)
-    cells[3 + i] = words_for_error(row.main_set->at(figures[i].first), figures[i].second);
-  cells[7] = row.main_set->at("negative").dump();
-  cells[8] = row.main_set->at("nonfinite").dump();
+std::vector<std::string> function_cells(const FunctionSummary& row) {
+  std::vector<std::string> cells = {row.variant, row.ns ? words_for_ns(*row.ns) : "not timed",
+                                    row.baseline ? "baseline"
+                                    : row.ratio  ? fmt::format("{:.3f}", *row.ratio)
+                                                 : "-"};
+  if (const FunctionRow* set = row.main_set)
+    cells.insert(cells.end(),
+                 {words_for_error(set->max_over, 3), words_for_error(set->max_under, 3), words_for_error(set->mean_absolute, 2),
+                  words_for_error(set->rms, 2), std::to_string(set->negative), std::to_string(set->nonfinite)});
+  else
+    cells.insert(cells.end(), 6, "-");
   return cells;
 }
 
-std::string function_caption(const FunctionReport& report, const FunctionBackend& backend) {
+Table function_table(const FunctionReport& report, const FunctionBackend& backend) {
   const auto with_set = std::ranges::find_if(backend.variants, [](const auto& row) { return row.main_set != nullptr; });
-  const std::string points = with_set == backend.variants.end() ? "no" : with_set->main_set->at("points").dump();
-  return fmt::format("{}, {}: {} points of '{}', {}", backend.backend, backend.device, points, report.main_set,
-                     report.main_what);
+  const std::string points = with_set == backend.variants.end() ? "no" : std::to_string(with_set->main_set->points);
+  Table table = {.caption = fmt::format("{}, {}: {} points of '{}', {}", backend.backend, backend.device, points,
+                                        report.main_set, report.main_what),
+                 .columns = {words_column("variant")}};
+  for (const char* figure : {"ns a call [95%]", "ratio", "max over", "max under", "mean", "rms", "negative", "non-finite"})
+    table.columns.push_back(number_column(figure));
+  for (const FunctionSummary& row : backend.variants)
+    table.rows.push_back(row_of(function_cells(row), row.baseline ? Mark::baseline : Mark::none));
+  return table;
 }
 
 std::vector<std::string> function_notes(const FunctionReport& report) {
   std::vector<std::string> notes = {
       fmt::format("Errors are of {}: over is too much, under too little; mean of the absolute errors. Ratio: median time over "
                   "{}'s; under 1 is "
-                  "faster. Negative and non-finite: how many values; what is not finite is in no error.",
+                  "faster. Negative and non-finite: how many values; errors leave out values that are not finite.",
                   report.scale, report.baseline.empty() ? "the baseline" : report.baseline)};
   for (const FunctionBackend& backend : report.backends)
     for (const FunctionSummary& row : backend.variants)

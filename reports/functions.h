@@ -19,11 +19,12 @@ struct FunctionSummary {
   std::string reason;           // why there is no time
   std::optional<double> ratio;  // median over the baseline's median
   std::optional<double> error;  // the greatest |error| over the main set; absent where a value was not finite
-  // Worth having: timed, with an error, and nothing that errs less is as fast, nor is what errs alike faster. Times are as fast
-  // as each other where their intervals overlap.
+  // Worth having: it is timed and has an error, no function with a smaller error is as fast, and none with the same error is
+  // faster. Two are as fast as each other where their intervals overlap.
   bool frontier = false;
-  const nlohmann::json* main_set = nullptr;           // may be absent in a record put together by hand
-  std::vector<const nlohmann::json*> sets, pictures;  // every set, the main one included
+  const FunctionRow* main_set = nullptr;  // may be absent in a record put together by hand
+  std::vector<const FunctionRow*> sets;   // every set, the main one included
+  std::vector<const FunctionPictureRow*> pictures;
 };
 
 struct FunctionBackend {
@@ -44,32 +45,23 @@ std::vector<FunctionReport> summarize_functions(const Record& record);
 // One paragraph a variant: whether it is worth having, by what it costs and errs by on each backend; else what beats it.
 std::vector<Headline> function_headlines(const FunctionReport& report);
 
-// Columns of the table over the main set: the first is a name, the rest figures.
-inline constexpr std::array<const char*, 9> function_columns = {
-    "variant", "ns a call [95%]", "ratio", "max over", "max under", "mean", "rms", "negative", "non-finite"};
-std::array<std::string, function_columns.size()> function_cells(const FunctionSummary& row);
-// "100000 points of 'overlaps': ...", and what the columns are of.
-std::string function_caption(const FunctionReport& report, const FunctionBackend& backend);
+// The table over the main set, a row a variant.
+Table function_table(const FunctionReport& report, const FunctionBackend& backend);
+std::vector<std::string> function_cells(const FunctionSummary& row);
 // Nanoseconds of a call, no unit.
 std::string words_for_ns(double ns);
 std::string words_for_ns(const Interval& ns);  // with a * where it covers less than 95%
-// A figure of a function's row, to so many digits; "-" for null.
-std::string words_for_error(const nlohmann::json& figure, int digits);
+// A figure of a function's row, to so many digits; "-" where it is absent.
+std::string words_for_error(const std::optional<double>& figure, int digits);
 
-// Columns of the table of one set: three of words, figures, and two inputs.
-inline constexpr std::array<const char*, 14> function_set_columns = {
-    "variant", "bounds",    "claims",   "max over",   "max under", "mean",     "rms",
-    "eps",     "eps kappa", "negative", "non-finite", "not 0",     "worst at", "first fault at"};
-std::array<std::string, function_set_columns.size()> function_set_cells(const nlohmann::json& row);
-// How to read that table.
-extern const char* const function_set_note;
-// A backend's rows of every set, set by set, so that the variants stand under each other.
-std::vector<const nlohmann::json*> rows_by_set(const FunctionBackend& backend);
+// The table of a backend's rows of every set, set by set, so that the variants stand under each other.
+Table function_sets_table(const FunctionBackend& backend);
+std::vector<std::string> function_set_cells(const FunctionRow& row);
 
 // Whether a row keeps what its variant claims: every value finite, none negative, 0 where 0 is right, and the errors within its
 // bounds where it claims any.
 enum class Keeps { yes, no, claims_none };
-Keeps keeps_bounds(const nlohmann::json& row);
+Keeps keeps_bounds(const FunctionRow& row);
 // A sentence a variant: on how many sets its bounds hold, and on each where they do not by how much and at which input.
 std::vector<Headline> hard_case_headlines(const FunctionBackend& backend);
 // How to read the tables, one sentence each.

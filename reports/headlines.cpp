@@ -33,7 +33,7 @@ std::string speed_words(const Interval& ratio, const std::string& baseline) {
 std::string loss_words(const SummaryRow& row) {
   if (!row.mean || !row.worst) return "";
   if (std::isinf(row.worst->psnr_db)) return row.ratio ? " with the same picture" : ", where its picture is the same";
-  if (row.worst->ssim > almost_one)  // SSIM has nothing more to tell there, and in few digits would call the picture perfect
+  if (row.worst->ssim > almost_one)  // SSIM no longer differs there, and few digits would make the picture look perfect
     return fmt::format("{} above {:.3f} and {}PSNR {:.1f} dB (worst view {:.1f})",
                        row.ratio ? " at SSIM" : ", where its SSIM is",
                        std::min(0.999, std::floor(1000 * row.worst->ssim) / 1000), row.ratio ? "" : "its ", row.mean->psnr_db,

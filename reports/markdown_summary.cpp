@@ -3,27 +3,17 @@
 #include <fmt/format.h>
 
 #include "reports/functions.h"
-#include "reports/gate.h"
-#include "reports/gate_reading.h"
+#include "reports/gate/gate.h"
+#include "reports/gate/reading.h"
 #include "reports/markdown.h"
-#include "reports/sweep_text.h"
+#include "reports/sweep/sweep_text.h"
 
 namespace lamina {
 namespace {
 
 std::string summary_section(const std::vector<SummaryRow>& rows) {
   std::string text;
-  bool truth = false;
-  for (size_t i = 0; i < rows.size(); ++i) {
-    if (i == 0 || rows[i].effect != rows[i - 1].effect) {
-      truth = has_truth(rows, rows[i].effect);
-      const std::vector<std::string> columns = summary_columns(truth);
-      text += fmt::format("\n## {}\n\n", escaped_markdown(rows[i].effect)) + markdown_row(columns) + "|---|---|";
-      for (size_t column = 3; column < columns.size(); ++column) text += "---:|";
-      text += "---|\n";
-    }
-    text += markdown_row(summary_cells(rows[i], truth));
-  }
+  for (const Table& table : summary_tables(rows, true)) text += "\n" + markdown_table(table, "## ");
   text += "\n";
   for (const SummaryRow& row : rows)
     if (const std::string trouble = trouble_of(row); !trouble.empty())
@@ -35,28 +25,17 @@ std::string summary_section(const std::vector<SummaryRow>& rows) {
 
 std::string passes_section(const std::vector<PassSummary>& passes) {
   if (passes.empty()) return "";
-  std::string text =
-      "\n## Passes\n\nMeans over views; fetches per pixel that the effect covers; ns per fetch: the pass's whole time over its "
-      "fetches.\n\n";
-  text += markdown_row(pass_columns) + "|---|---|---|---|---:|---:|---:|---:|---|\n";
-  for (const PassSummary& pass : passes) {
-    std::string shares;
-    for (const PassSummary::Share& share : pass.shares) shares += (shares.empty() ? "" : ", ") + words_for_share(share);
-    const auto cells = pass_cells(pass);
-    std::vector<std::string> row(cells.begin(), cells.end());
-    row.push_back(shares);
-    text += markdown_row(row);
-  }
-  return text;
+  Table table = passes_table(passes);
+  table.caption += ".";
+  return "\n## Passes\n\n" + markdown_table(table);
 }
 
 std::string assumptions_section(const Record& record) {
   std::string text;
-  for (const auto& cell : record.cells)
-    if (cell.contains("assumptions") && !cell.at("assumptions").empty())
-      text +=
-          fmt::format("- {} on {}, view {}: {}\n", escaped_markdown(cell.at("variant")), escaped_markdown(cell.at("backend")),
-                      escaped_markdown(cell.at("view")), escaped_markdown(costliest_assumption(cell)));
+  for (const CellRow& cell : record.cells)
+    if (!cell.assumptions.empty())
+      text += fmt::format("- {} on {}, view {}: {}\n", escaped_markdown(cell.variant), escaped_markdown(cell.backend),
+                          escaped_markdown(cell.view), escaped_markdown(costliest_assumption(cell)));
   return text.empty() ? "" : "\n## Which assumption costs you\n\n" + text;
 }
 
@@ -68,34 +47,18 @@ std::string sweep_section(const Record& record) {
     text += effect.empty() ? fmt::format("- {}\n", escaped_markdown(words))
                            : fmt::format("- **{}**: {}\n", escaped_markdown(effect), escaped_markdown(words));
   text += "\n## Curves\n\nErrors against the baseline at the same point, the worst view; ratio: time over the baseline's.\n";
-  for (const CurveTable& table : curve_tables(curves_of(record), all_rows)) {
-    text += fmt::format("\n{}\n\n", escaped_markdown(table.title)) + markdown_row(table.columns) + "|";
-    for (size_t column = 0; column < table.columns.size(); ++column) text += "---:|";
-    text += "\n";
-    for (const std::vector<std::string>& row : table.rows) text += markdown_row(row);
-  }
+  for (const Table& table : curve_tables(curves_of(record), all_rows)) text += "\n" + markdown_table(table);
   return text;
 }
 
 // Which cases each variant passes and fails, and the figures of every set.
-std::string hard_cases(const FunctionBackend& backend) {
-  const auto rows = rows_by_set(backend);
-  if (rows.empty()) return "";
+std::string hard_cases_markdown(const FunctionBackend& backend) {
+  const Table table = function_sets_table(backend);
+  if (table.rows.empty()) return "";
   std::string text = fmt::format("\n### Hard cases on {}\n\n", escaped_markdown(backend.backend));
   for (const Headline& headline : hard_case_headlines(backend))
     text += fmt::format("- **{}** {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
-  std::vector<std::string> columns(function_set_columns.begin(), function_set_columns.end());
-  columns.insert(columns.begin(), "set");
-  text += fmt::format("\n{}\n\n", escaped_markdown(function_set_note)) + markdown_row(columns) + "|---|---|---|---|";
-  for (size_t column = 4; column + 2 < columns.size(); ++column) text += "---:|";
-  text += "---|---|\n";
-  for (const auto* row : rows) {
-    const auto cells = function_set_cells(*row);
-    std::vector<std::string> with_set(cells.begin(), cells.end());
-    with_set.insert(with_set.begin(), text_at(*row, "/set"));
-    text += markdown_row(with_set);
-  }
-  return text;
+  return text + "\n" + markdown_table(table);
 }
 
 std::string functions_section(const Record& record) {
@@ -104,14 +67,8 @@ std::string functions_section(const Record& record) {
     text += fmt::format("\n## Functions: {}\n\n", escaped_markdown(report.title));
     for (const Headline& headline : function_headlines(report))
       text += fmt::format("- **{}** {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
-    for (const FunctionBackend& backend : report.backends) {
-      text += fmt::format("\n{}\n\n", escaped_markdown(function_caption(report, backend))) + markdown_row(function_columns) +
-              "|---|";
-      for (size_t column = 1; column < function_columns.size(); ++column) text += "---:|";
-      text += "\n";
-      for (const FunctionSummary& row : backend.variants) text += markdown_row(function_cells(row));
-    }
-    for (const FunctionBackend& backend : report.backends) text += hard_cases(backend);
+    for (const FunctionBackend& backend : report.backends) text += "\n" + markdown_table(function_table(report, backend));
+    for (const FunctionBackend& backend : report.backends) text += hard_cases_markdown(backend);
     text += "\n";
     for (const std::string& note : function_notes(report)) text += fmt::format("{}  \n", escaped_markdown(note));
   }
@@ -121,11 +78,10 @@ std::string functions_section(const Record& record) {
 std::string gate_section(const Record& record) {
   if (record.verdicts.empty()) return "";
   const GateReading reading = reading_of(record);
-  std::string text = "\n## What the gate found\n\n" + gate_table_head();
-  for (const auto* row : reading.all()) text += markdown_row(gate_cells(*row));
+  std::string text = "\n## What the gate found\n\n" + markdown_table(verdicts_table(reading));
   text += "\n";
   for (const GateReading::Rows& rows : {reading.regressed, reading.ambiguous, reading.not_compared})
-    for (const auto* row : rows) text += fmt::format("- {}\n", escaped_markdown(text_at(*row, "/sentence")));
+    for (const auto* row : rows) text += fmt::format("- {}\n", escaped_markdown(row->sentence));
   return text;
 }
 

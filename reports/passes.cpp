@@ -9,8 +9,6 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
 struct Sums {
   double covered_pixels = 0, fetches = 0, ms = 0, timed_fetches = 0;
   size_t timed_views = 0;
@@ -30,20 +28,19 @@ PassSummary::Share& share_of(PassSummary& pass, const TextureFetches& fetched) {
 std::vector<PassSummary> summarize_passes(const Record& record) {
   std::vector<PassSummary> passes;
   std::vector<Sums> sums;  // of the pass at the same index
-  for (const Json& cell : record.cells) {
-    if (cell.at("status") == "failed") continue;
-    const std::string backend = cell.at("backend");
-    for (const PassRow& row : passes_of(cell)) {
+  for (const CellRow& cell : record.cells) {
+    if (cell.failed) continue;
+    for (const PassRow& row : cell.passes) {
       const auto known = std::find_if(passes.begin(), passes.end(), [&](const PassSummary& p) {
-        return p.name == row.name && p.backend == backend && p.once == row.once && p.variant == cell.at("variant") &&
-               p.effect == cell.at("effect");
+        return p.name == row.name && p.backend == cell.backend && p.once == row.once && p.variant == cell.variant &&
+               p.effect == cell.effect;
       });
       const size_t index = static_cast<size_t>(known - passes.begin());
       if (known == passes.end()) {
         PassSummary& added = passes.emplace_back();
-        added.effect = cell.at("effect");
-        added.variant = cell.at("variant");
-        added.backend = backend;
+        added.effect = cell.effect;
+        added.variant = cell.variant;
+        added.backend = cell.backend;
         added.name = row.name;
         added.once = row.once;
         sums.emplace_back();
@@ -52,13 +49,14 @@ std::vector<PassSummary> summarize_passes(const Record& record) {
       Sums& sum = sums[index];
       ++pass.views;
       pass.early_tests = pass.early_tests && row.early_tests;
-      pass.fragments += static_cast<double>(row.fragments);
-      sum.fetches += static_cast<double>(row.fetches);
-      if (const Json& covered = cell.at("covered_pixels"); !covered.is_null()) sum.covered_pixels += covered.get<double>();
+      const double fetches = static_cast<double>(row.fetches.value_or(0));
+      pass.fragments += static_cast<double>(row.fragments.value_or(0));
+      sum.fetches += fetches;
+      sum.covered_pixels += static_cast<double>(cell.covered_pixels.value_or(0));
       for (const TextureFetches& fetched : row.by_texture) share_of(pass, fetched).fetches += fetched.fetches;
-      if (!row.ms.empty() && cell.at("timed").get<bool>() && times_shown(record, backend)) {
+      if (!row.ms.empty() && cell.timed && times_shown(record, cell.backend)) {
         sum.ms += median(row.ms);
-        sum.timed_fetches += static_cast<double>(row.fetches);
+        sum.timed_fetches += fetches;
         ++sum.timed_views;
       }
     }
@@ -80,22 +78,28 @@ std::string words_for_fragments(const PassSummary& pass) {
   return fmt::format("{:.0f}{}", pass.fragments, pass.early_tests ? "" : ", hidden ones too");
 }
 
-std::array<std::string, pass_columns.size() - 1> pass_cells(const PassSummary& pass) {
+std::string words_for_share(const PassSummary::Share& share) {
+  return fmt::format("{} ({}, {}) {:.1f}/px", share.texture, share.format, share.filter, share.per_pixel);
+}
+
+Table passes_table(const std::vector<PassSummary>& passes) {
+  Table table = {
+      .caption =
+          "Means over views; fetches per pixel that the effect covers; ns per fetch: the pass's whole time over its fetches",
+      .columns = {words_column("variant"), words_column("backend"), words_column("pass"), words_column("done"),
+                  figures_column("ms"), figures_column("fragments"), figures_column("fetches/px"), figures_column("ns/fetch"),
+                  words_column("by texture, format and filter")},
+      .html_class = "wide"};
   const auto figure = [](const std::optional<double>& value, int digits) {
     return value ? fmt::format("{:.{}f}", *value, digits) : std::string("-");
   };
-  return {pass.variant,
-          pass.backend,
-          pass.name,
-          pass.once ? "once" : "each frame",
-          pass.ms ? words_for_ms(*pass.ms) : "-",
-          words_for_fragments(pass),
-          figure(pass.fetches_per_pixel, 1),
-          figure(pass.ns_per_fetch, 2)};
-}
-
-std::string words_for_share(const PassSummary::Share& share) {
-  return fmt::format("{} ({}, {}) {:.1f}/px", share.texture, share.format, share.filter, share.per_pixel);
+  for (const PassSummary& pass : passes) {
+    Row& row = table.rows.emplace_back(row_of({pass.variant, pass.backend, pass.name, pass.once ? "once" : "each frame",
+                                               pass.ms ? words_for_ms(*pass.ms) : "-", words_for_fragments(pass),
+                                               figure(pass.fetches_per_pixel, 1), figure(pass.ns_per_fetch, 2), ""}));
+    for (const PassSummary::Share& share : pass.shares) row.cells.back().items.push_back(words_for_share(share));
+  }
+  return table;
 }
 
 }  // namespace lamina

@@ -36,18 +36,19 @@ void refuse_outside(const std::string& path) {
 
 }  // namespace
 
+void for_each_picture(CellRow& cell, const std::function<void(std::string& path)>& change) {
+  for (std::string* path : {&cell.image, &cell.difference, &cell.flip, &cell.truth_image, &cell.before_image})
+    if (!path->empty()) change(*path);
+}
+
 void for_each_picture(Record& record, const std::function<void(std::string& path)>& change) {
-  const auto visit = [&](nlohmann::json& owner, const char* field) {
-    const auto found = owner.find(field);
-    if (found == owner.end() || *found == "") return;
-    change(found->get_ref<std::string&>());
-  };
-  for (nlohmann::json& cell : record.cells) {
-    for (const char* field : {"image", "difference", "flip", "truth_image", "before_image"}) visit(cell, field);
-    if (cell.contains("assumptions"))
-      for (nlohmann::json& assumption : cell["assumptions"]) visit(assumption, "image");
+  for (CellRow& cell : record.cells) {
+    for_each_picture(cell, change);
+    for (AssumptionRow& assumption : cell.assumptions)
+      if (!assumption.image.empty()) change(assumption.image);
   }
-  for (nlohmann::json& line : record.function_pictures) visit(line, "image");
+  for (FunctionPictureRow& picture : record.function_pictures)
+    if (!picture.image.empty()) change(picture.image);
 }
 
 std::string data_url(const std::filesystem::path& folder, const std::string& path) {

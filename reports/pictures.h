@@ -11,6 +11,8 @@
 namespace lamina {
 
 // Calls `change` with the path of every picture that the record names, "" left out, to read it or to put another in its place.
+// Those of a cell alone, without its assumptions', are what the page reads the pixels of.
+void for_each_picture(CellRow& cell, const std::function<void(std::string& path)>& change);
 void for_each_picture(Record& record, const std::function<void(std::string& path)>& change);
 // The picture as a data: URL. Throws Error(bad_input, "report", ...) where it cannot be read or its path leads out of the
 // folder, as the others do too.

@@ -12,43 +12,29 @@ namespace {
 
 using Json = nlohmann::json;
 
-// The objects in an array that a record may have; none where it has not.
-std::vector<Json> elements_of(const Json& owner, const char* name) {
-  std::vector<Json> objects;
-  if (const auto array = owner.find(name); array != owner.end() && array->is_array())
-    for (const Json& element : *array)
-      if (element.is_object()) objects.push_back(element);
-  return objects;
-}
-
 // `what`: "on vulkan", and what the timer timed where that is not frames; `times`: which then are not shown.
-std::string words_of(const Json& timer, const std::string& what, const char* times = "times") {
+std::string words_of(const TimerRow& timer, const std::string& what, const char* times = "times") {
   std::string measured;
-  if (const auto& linearity = timer.at("linearity"); !linearity.empty()) {
-    std::vector<std::string> works, factors;
-    for (size_t i = 0; i < linearity.size(); ++i) {
-      works.push_back(fmt::format("{}x", 1ull << i));
-      factors.push_back(fmt::format("{:.3f}", linearity[i].get<double>()));
-    }
-    measured = fmt::format("; {} work took {} of linear", fmt::join(works, ", "), fmt::join(factors, ", "));
+  if (!timer.linearity.empty()) {
+    std::vector<std::string> works;
+    for (size_t i = 0; i < timer.linearity.size(); ++i) works.push_back(fmt::format("{}x", 1ull << i));
+    measured = fmt::format("; {} work took {:.3f} of linear", fmt::join(works, ", "), fmt::join(timer.linearity, ", "));
   }
-  if (const auto& additivity = timer.at("additivity"); !additivity.is_null())
-    measured += fmt::format("; the passes add up to {:.3f} of the wall time", additivity.get<double>());
-  if (const auto& attribution = timer.at("attribution"); !attribution.is_null())
-    measured += fmt::format("; a pass's share is off by at most {:.1f}% in another order", 100 * attribution.get<double>());
-  if (timer.at("ok").get<bool>()) return fmt::format("the timer's certificate {} holds{}", what, measured);
-  return fmt::format("the timer's certificate {} FAILED ({}), so no {} are shown{}", what,
-                     timer.at("reason").get<std::string>(), times, measured);
+  if (timer.additivity) measured += fmt::format("; the passes add up to {:.3f} of the wall time", *timer.additivity);
+  if (timer.attribution)
+    measured += fmt::format("; a pass's share is off by at most {:.1f}% in another order", 100 * *timer.attribution);
+  if (timer.ok) return fmt::format("the timer's certificate {} holds{}", what, measured);
+  return fmt::format("the timer's certificate {} FAILED ({}), so no {} are shown{}", what, timer.reason, times, measured);
 }
 
 }  // namespace
 
 std::string title_of(const Record& record) {
   std::set<std::string> scenes, sizes, views;
-  for (const Json& cell : record.cells) {
-    scenes.insert(cell.at("scene"));
-    sizes.insert(fmt::format("{}x{}", cell.at("width").dump(), cell.at("height").dump()));
-    views.insert(cell.at("view"));
+  for (const CellRow& cell : record.cells) {
+    scenes.insert(cell.scene);
+    sizes.insert(fmt::format("{}x{}", cell.width, cell.height));
+    views.insert(cell.view);
   }
   if (record.cells.empty() && !record.functions.empty()) return "What functions cost and err by";
   if (record.cells.empty())
@@ -67,7 +53,7 @@ std::vector<std::string> warnings_of(const Record& record) {
   for (const Certificate& certificate : certificates(record))
     if (!certificate.ok) warnings.push_back(certificate.words);
   std::set<std::string> builds;  // functions may have been added by another program than the one that made the record
-  for (const Json& line : record.function_times) builds.insert(line.at("build"));
+  for (const FunctionTimeRow& row : record.function_times) builds.insert(row.build);
   for (const std::string& build : builds)
     if (build != "release" && build != text_at(record.run, "/build"))
       warnings.push_back(fmt::format("the functions' build is '{}', not 'release': their times do not count", build));
@@ -79,98 +65,82 @@ std::vector<std::string> warnings_of(const Record& record) {
 std::vector<Certificate> certificates(const Record& record) {
   std::vector<Certificate> all;
   std::set<std::string> certified;
-  for (const Json& timer : record.timers) {
-    const std::string backend = timer.at("backend");
-    certified.insert(backend);
-    all.push_back({.backend = backend, .ok = timer.at("ok"), .words = words_of(timer, "on " + backend)});
+  for (const TimerRow& timer : record.timers) {
+    certified.insert(timer.backend);
+    all.push_back({.backend = timer.backend, .ok = timer.ok, .words = words_of(timer, "on " + timer.backend)});
   }
-  for (const Json& cell : record.cells) {
-    const std::string backend = cell.at("backend");
-    const auto& passes = cell.at("passes");
-    const bool timed = std::ranges::any_of(passes, [](const Json& pass) { return !pass.at("ms").empty(); });
-    if (!timed || !certified.insert(backend).second) continue;
-    all.push_back({.backend = backend,
-                   .words = fmt::format("the record holds no timer certificate of {}, so no times are shown", backend)});
+  for (const CellRow& cell : record.cells) {
+    const bool timed = std::ranges::any_of(cell.passes, [](const PassRow& pass) { return !pass.ms.empty(); });
+    if (!timed || !certified.insert(cell.backend).second) continue;
+    all.push_back({.backend = cell.backend,
+                   .words = fmt::format("the record holds no timer certificate of {}, so no times are shown", cell.backend)});
   }
-  for (const Json& timer : record.function_timers) {
-    const std::string backend = timer.at("backend");
-    all.push_back({.backend = backend,
-                   .ok = timer.at("ok"),
-                   .words = words_of(timer, fmt::format("on {} for calls of {}", backend, text_at(timer, "/function")),
-                                     "times of calls there")});
-  }
+  for (const auto& [timer, function] : record.function_timers)
+    all.push_back(
+        {.backend = timer.backend,
+         .ok = timer.ok,
+         .words = words_of(timer, fmt::format("on {} for calls of {}", timer.backend, function), "times of calls there")});
   return all;
 }
 
 std::vector<std::string> plan_lines(const Record& record) {
   std::vector<std::string> lines;
-  for (const Json& plan : record.plans)
-    for (const Json& effect : plan.at("effects")) {
-      const std::string name = effect.at("effect");
-      lines.push_back(fmt::format("{}: {}: {}", name, effect.at("called_for").get<bool>() ? "called for" : "not called for",
-                                  effect.at("reason").get<std::string>()));
-      for (const Json& feature : elements_of(effect, "features"))
-        lines.push_back(fmt::format("{}: {} {}: {}", name, text_at(feature, "/on") == "true" ? "with" : "without",
-                                    text_at(feature, "/feature"), text_at(feature, "/reason")));
-      for (const Json& variant : elements_of(effect, "variants"))
-        for (const Json& pass : elements_of(variant, "passes"))
-          if (text_at(pass, "/runs") == "false")
-            lines.push_back(fmt::format("{}: {} without its pass {}: {}", name, text_at(variant, "/variant"),
-                                        text_at(pass, "/pass"), text_at(pass, "/reason")));
+  for (const PlanRow& plan : record.plans)
+    for (const PlanRow::Effect& effect : plan.effects) {
+      const std::string& name = effect.effect;
+      lines.push_back(fmt::format("{}: {}: {}", name, effect.called_for ? "called for" : "not called for", effect.reason));
+      for (const PlanRow::Feature& feature : effect.features)
+        lines.push_back(fmt::format("{}: {} {}: {}", name, feature.on ? "with" : "without", feature.feature, feature.reason));
+      for (const PlanRow::Variant& variant : effect.variants)
+        for (const PlanRow::Pass& pass : variant.passes)
+          if (!pass.runs)
+            lines.push_back(fmt::format("{}: {} without its pass {}: {}", name, variant.variant, pass.pass, pass.reason));
     }
   return lines;
 }
 
 std::vector<std::string> bake_lines(const Record& record) {
   std::vector<std::string> lines;
-  for (const Json& bake : record.bakes) {
-    const Json& speed = bake.at("rays_per_second");
-    const std::string seconds = fmt::format("{:.3g} s", bake.at("seconds").get<double>());
-    lines.push_back(fmt::format("{} of {} ({}): {} points, {} rays, {}", text_at(bake, "/what"), text_at(bake, "/object"),
-                                text_at(bake, "/effect"), text_at(bake, "/points"), text_at(bake, "/rays"),
-                                bake.at("from_cache").get<bool>() ? "from the cache in " + seconds
-                                : speed.is_null()
-                                    ? seconds
-                                    : fmt::format("{}, {:.3g} million rays a second", seconds, speed.get<double>() / 1e6)));
+  for (const BakeRow& bake : record.bakes) {
+    std::string words = fmt::format("{:.3g} s", bake.seconds);
+    if (bake.from_cache)
+      words = "from the cache in " + words;
+    else if (bake.rays_per_second)
+      words += fmt::format(", {:.3g} million rays a second", *bake.rays_per_second / 1e6);
+    lines.push_back(fmt::format("{} of {} ({}): {} points, {} rays, {}", bake.what, bake.object, bake.effect, bake.points,
+                                bake.rays, words));
   }
   return lines;
 }
 
 std::vector<std::string> phase_lines(const Record& record) {
   std::vector<std::string> lines;
-  for (const Json& phase : record.phases) {
-    const std::string backend = phase.at("backend");
-    const double wall_ms = phase.at("wall_ms"), device_ms = phase.at("device_ms");
-    if (!times_shown(record, backend) || device_ms <= 0) continue;
+  for (const PhaseRow& phase : record.phases) {
+    if (!times_shown(record, phase.backend) || phase.device_ms <= 0) continue;
     lines.push_back(fmt::format("{} rounds of {} on {} took {:.1f} s, {:.2f} times the device time that they measured",
-                                phase.at("rounds").get<uint64_t>(), phase.at("effect").get<std::string>(), backend,
-                                wall_ms / 1000, wall_ms / device_ms));
+                                phase.rounds, phase.effect, phase.backend, phase.wall_ms / 1000,
+                                phase.wall_ms / phase.device_ms));
   }
   return lines;
 }
 
 std::vector<std::pair<std::string, std::string>> failures(const Record& record) {
   std::vector<std::pair<std::string, std::string>> all;
-  for (const Json& cell : record.cells)
-    if (cell.at("status") == "failed")
-      all.emplace_back(fmt::format("{} on {}, view {}", cell.at("variant").get<std::string>(),
-                                   cell.at("backend").get<std::string>(), cell.at("view").get<std::string>()),
-                       cell.at("reason").get<std::string>());
+  for (const CellRow& cell : record.cells)
+    if (cell.failed) all.emplace_back(fmt::format("{} on {}, view {}", cell.variant, cell.backend, cell.view), cell.reason);
   return all;
 }
 
 std::vector<std::string> hash_lines(const Record& record) {
   std::vector<std::string> lines;
   std::set<std::string> variants;
-  for (const Json& cell : record.cells) {
-    const std::string of = fmt::format("{} on {}", text_at(cell, "/variant"), text_at(cell, "/backend"));
-    const auto shaders = cell.at("shader_hashes").get<std::vector<std::string>>();
-    if (!shaders.empty() && variants.insert(of).second)
-      lines.push_back(fmt::format("shaders of {}: {}", of, fmt::join(shaders, " ")));
+  for (const CellRow& cell : record.cells) {
+    const std::string of = fmt::format("{} on {}", cell.variant, cell.backend);
+    if (!cell.shader_hashes.empty() && variants.insert(of).second)
+      lines.push_back(fmt::format("shaders of {}: {}", of, fmt::join(cell.shader_hashes, " ")));
   }
-  for (const Json& cell : record.cells)
-    if (const std::string hash = text_at(cell, "/image_hash"), image = text_at(cell, "/image"); !hash.empty() && !image.empty())
-      lines.push_back(fmt::format("{}: {}", image, hash));
+  for (const CellRow& cell : record.cells)
+    if (!cell.image_hash.empty() && !cell.image.empty()) lines.push_back(fmt::format("{}: {}", cell.image, cell.image_hash));
   return lines;
 }
 
@@ -200,7 +170,7 @@ std::vector<std::pair<std::string, std::string>> run_facts(const Record& record)
     }
   add("Machine", run.contains("machine") ? entries_of(run["machine"]) : "");
   std::set<std::string> commits;
-  for (const Json& line : record.function_times) commits.insert(text_at(line, "/commit"));
+  for (const FunctionTimeRow& row : record.function_times) commits.insert(row.commit);
   commits.erase(text_at(run, "/commit"));
   add("Commit of the functions' run", fmt::format("{}", fmt::join(commits, ", ")));
   add("Lamina", text_at(run, "/lamina"));

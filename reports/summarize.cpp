@@ -12,20 +12,19 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
 // What identifies a picture apart from who made it, so that a variant's cell finds the baseline's.
-using Shot = std::tuple<std::string, uint64_t, uint64_t, std::string, std::string>;
+using Shot = std::tuple<std::string, int, int, std::string, std::string>;
 using Samples = std::map<Shot, std::vector<double>>;  // the frame's time of each round, ms
 
-Shot shot_of(const Json& cell) {
-  return {cell.at("scene"), cell.at("width"), cell.at("height"), cell.at("params").dump(), cell.at("view")};
+Shot shot_of(const CellRow& cell) {
+  return {cell.scene, cell.width, cell.height, nlohmann::json(cell.params).dump(), cell.view};
 }
 
 struct Group {
   SummaryRow row;
-  size_t first_cell = 0;          // order of appearance
-  std::vector<const Json*> good;  // cells that did not fail
-  Samples samples;                // of the good cells that were timed
+  size_t first_cell = 0;             // order of appearance
+  std::vector<const CellRow*> good;  // cells that did not fail
+  Samples samples;                   // of the good cells that were timed
 };
 
 // Of each round that every shot has: the sum of the shots' times.
@@ -60,12 +59,12 @@ std::optional<Interval> ratio_of(const Samples& variant, const Samples& baseline
   return interval_or_range(std::move(a));
 }
 
-std::optional<double> fetches_per_pixel(const std::vector<const Json*>& cells) {
+std::optional<double> fetches_per_pixel(const std::vector<const CellRow*>& cells) {
   double fetches = 0, pixels = 0;
-  for (const Json* cell : cells) {
-    if (cell->at("fetches").is_null() || cell->at("covered_pixels").is_null()) return std::nullopt;
-    fetches += cell->at("fetches").get<double>();
-    pixels += cell->at("covered_pixels").get<double>();
+  for (const CellRow* cell : cells) {
+    if (!cell->fetches || !cell->covered_pixels) return std::nullopt;
+    fetches += static_cast<double>(*cell->fetches);
+    pixels += static_cast<double>(*cell->covered_pixels);
   }
   if (pixels == 0) return std::nullopt;
   return fetches / pixels;
@@ -76,15 +75,14 @@ struct Errors {
   std::string worst_view;
 };
 
-// `against` is "baseline" or "truth".
-Errors errors_of(const std::vector<const Json*>& cells, const char* against) {
+Errors errors_of(const std::vector<const CellRow*>& cells, std::optional<ErrorFigures> CellRow::*against) {
   size_t count = 0;
   ErrorFigures sum;  // psnr_db holds the sum of squared errors, relative to the peak's square
   ErrorFigures worst{.psnr_db = std::numeric_limits<double>::infinity(), .ssim = 1};
   double worst_flip = -1;  // below every figure, so that the first view is taken
   Errors errors;
-  for (const Json* cell : cells) {
-    const std::optional<ErrorFigures> figures = figures_of(cell->at("error").at(against));
+  for (const CellRow* cell : cells) {
+    const std::optional<ErrorFigures>& figures = cell->*against;
     if (!figures) continue;
     ++count;
     sum.psnr_db += std::pow(10.0, -figures->psnr_db / 10);  // 0 for identical pictures
@@ -98,7 +96,7 @@ Errors errors_of(const std::vector<const Json*>& cells, const char* against) {
     worst.max_linear = std::max(worst.max_linear, figures->max_linear);
     if (figures->flip > worst_flip) {
       worst.flip = worst_flip = figures->flip;
-      errors.worst_view = cell->at("view");
+      errors.worst_view = cell->view;
     }
   }
   if (count == 0) return errors;
@@ -115,26 +113,25 @@ Errors errors_of(const std::vector<const Json*>& cells, const char* against) {
 std::vector<Group> group_cells(const Record& record) {
   std::vector<Group> groups;
   for (size_t i = 0; i < record.cells.size(); ++i) {
-    const Json& cell = record.cells[i];
+    const CellRow& cell = record.cells[i];
     auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& known) {
-      return known.row.effect == cell.at("effect") && known.row.variant == cell.at("variant") &&
-             known.row.backend == cell.at("backend");
+      return known.row.effect == cell.effect && known.row.variant == cell.variant && known.row.backend == cell.backend;
     });
     if (group == groups.end()) {
       group = groups.insert(groups.end(), Group{});
       group->first_cell = i;
-      group->row.effect = cell.at("effect");
-      group->row.variant = cell.at("variant");
-      group->row.backend = cell.at("backend");
-      group->row.baseline = cell.at("baseline");
+      group->row.effect = cell.effect;
+      group->row.variant = cell.variant;
+      group->row.backend = cell.backend;
+      group->row.baseline = cell.baseline;
     }
     ++group->row.views;
-    if (cell.at("status") == "failed") {
-      if (++group->row.failed_views == 1) group->row.reason = cell.at("reason");
+    if (cell.failed) {
+      if (++group->row.failed_views == 1) group->row.reason = cell.reason;
       continue;
     }
     group->good.push_back(&cell);
-    if (const Json& count = cell.at("nonfinite_pixels"); !count.is_null()) group->row.nonfinite_pixels += count.get<uint64_t>();
+    group->row.nonfinite_pixels += cell.nonfinite_pixels.value_or(0);
     if (std::vector<double> samples = shown_samples_ms(record, cell); !samples.empty())
       group->samples[shot_of(cell)] = std::move(samples);
   }
@@ -166,7 +163,8 @@ std::vector<SummaryRow> summarize(const Record& record) {
     SummaryRow& row = group.row;
     row.frame_ms = mean_frame_ms(group.samples);
     row.fetches_per_pixel = fetches_per_pixel(group.good);
-    const Errors to_baseline = errors_of(group.good, "baseline"), to_truth = errors_of(group.good, "truth");
+    const Errors to_baseline = errors_of(group.good, &CellRow::error_covered),
+                 to_truth = errors_of(group.good, &CellRow::error_truth);
     row.mean = to_baseline.mean, row.worst = to_baseline.worst, row.worst_view = to_baseline.worst_view;
     row.mean_to_truth = to_truth.mean, row.worst_to_truth = to_truth.worst;
     if (!row.baseline) {

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A record's values and figures as text.
+// Figures as text.
 #include "reports/words.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace lamina {
 namespace {
-
-using Json = nlohmann::json;
-
-std::string text_of(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
 const char* mark_of(const Interval& interval) { return interval.coverage < report_confidence ? "*" : ""; }
 
@@ -21,82 +16,14 @@ std::string mean_and_worst(double mean, double worst, int digits) {
   return fmt::format("{:.{}f} ({:.{}f})", mean, digits, worst, digits);
 }
 
-}  // namespace
-
-std::string text_at(const Json& value, const char* pointer) {
-  const Json::json_pointer path(pointer);
-  return value.contains(path) ? text_of(value.at(path)) : std::string();
-}
-
-std::string entries_of(const Json& object) {
-  if (!object.is_object()) return {};
-  std::string words;
-  for (const auto& [key, value] : object.items())
-    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", key, text_of(value));
-  return words;
-}
-
-std::optional<ErrorFigures> figures_of(const Json& figures) {
-  if (figures.is_null()) return std::nullopt;
-  const Json& psnr_db = figures.at("psnr_db");
-  return ErrorFigures{.psnr_db = psnr_db.is_null() ? std::numeric_limits<double>::infinity() : psnr_db.get<double>(),
-                      .ssim = figures.at("ssim"),
-                      .flip = figures.at("flip"),
-                      .rmse_linear = figures.at("rmse_linear"),
-                      .max_linear = figures.at("max_linear")};
-}
-
-bool times_shown(const Record& record, std::string_view backend) {
-  bool certified = false;
-  for (const Json& timer : record.timers) {
-    if (timer.at("backend") != backend) continue;
-    if (!timer.at("ok").get<bool>()) return false;
-    certified = true;
-  }
-  return certified;
-}
-
-std::vector<double> shown_samples_ms(const Record& record, const Json& cell) {
-  if (cell.at("status") == "failed" || !cell.at("timed").get<bool>()) return {};
-  if (!times_shown(record, cell.at("backend").get<std::string>())) return {};
-  return frame_samples_ms(passes_of(cell));
-}
-
-Interval interval_or_range(std::vector<double> samples) {
-  if (samples.size() >= min_rounds_for_95) return median_interval(samples);
-  // No order statistics reach 95%; the range covers the median with 1 - 2 / 2^n.
-  const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
-  return {.median = median(samples),
-          .low = *low,
-          .high = *high,
-          .rounds = samples.size(),
-          .coverage = 1 - std::exp2(1 - static_cast<double>(samples.size()))};
-}
-
-std::string words_for_ms(double ms) { return fmt::format("{:.{}f}", ms, ms >= 100 ? 1 : ms >= 10 ? 2 : 3); }
-
-std::string words_for_ms(const Interval& ms) {
-  return fmt::format("{} [{}, {}]{}", words_for_ms(ms.median), words_for_ms(ms.low), words_for_ms(ms.high), mark_of(ms));
-}
-
-std::string words_for_ratio(const Interval& ratio) {
-  return fmt::format("{:.3f} [{:.3f}, {:.3f}]{}", ratio.median, ratio.low, ratio.high, mark_of(ratio));
-}
-
-std::string words_for_psnr(double psnr_db) { return fmt::format("{:.1f}", psnr_db); }
-
-std::string one_line(std::string_view text) {
-  std::string line(text);
-  for (char& c : line)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  return line;
-}
-
-std::vector<std::string> summary_columns(bool truth) {
-  std::vector<std::string> columns = {"variant",    "backend", "frame ms [95%]", "ratio [95%]",
-                                      "fetches/px", "PSNR dB", "SSIM",           "FLIP"};
-  if (truth) columns.insert(columns.end(), {"PSNR dB to truth", "SSIM to truth", "FLIP to truth", "RMSE to truth"});
-  columns.push_back("worst view");
+std::vector<Column> summary_columns(bool truth) {
+  std::vector<Column> columns = {words_column("variant"), words_column("backend")};
+  for (const char* figure : {"frame ms [95%]", "ratio [95%]", "fetches/px", "PSNR dB", "SSIM", "FLIP"})
+    columns.push_back(figures_column(figure));
+  if (truth)
+    for (const char* figure : {"PSNR dB to truth", "SSIM to truth", "FLIP to truth", "RMSE to truth"})
+      columns.push_back(figures_column(figure));
+  columns.push_back(words_column("worst view", "name"));
   return columns;
 }
 
@@ -133,6 +60,53 @@ std::vector<std::string> summary_cells(const SummaryRow& row, bool truth) {
 
 bool has_truth(const std::vector<SummaryRow>& rows, const std::string& effect) {
   return std::ranges::any_of(rows, [&](const SummaryRow& row) { return row.effect == effect && row.mean_to_truth; });
+}
+
+}  // namespace
+
+Interval interval_or_range(std::vector<double> samples) {
+  if (samples.size() >= min_rounds_for_95) return median_interval(samples);
+  // No order statistics reach 95%; the range covers the median with 1 - 2 / 2^n.
+  const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
+  return {.median = median(samples),
+          .low = *low,
+          .high = *high,
+          .rounds = samples.size(),
+          .coverage = 1 - std::exp2(1 - static_cast<double>(samples.size()))};
+}
+
+std::string words_for_ms(double ms) { return fmt::format("{:.{}f}", ms, ms >= 100 ? 1 : ms >= 10 ? 2 : 3); }
+
+std::string words_for_ms(const Interval& ms) {
+  return fmt::format("{} [{}, {}]{}", words_for_ms(ms.median), words_for_ms(ms.low), words_for_ms(ms.high), mark_of(ms));
+}
+
+std::string words_for_ratio(const Interval& ratio) {
+  return fmt::format("{:.3f} [{:.3f}, {:.3f}]{}", ratio.median, ratio.low, ratio.high, mark_of(ratio));
+}
+
+std::string words_for_psnr(double psnr_db) { return fmt::format("{:.1f}", psnr_db); }
+
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  return line;
+}
+
+std::vector<Table> summary_tables(const std::vector<SummaryRow>& rows, bool truth) {
+  std::vector<Table> tables;
+  bool with_truth = false;
+  for (const SummaryRow& row : rows) {
+    if (tables.empty() || tables.back().caption != row.effect) {
+      with_truth = truth && has_truth(rows, row.effect);
+      tables.push_back({.caption = row.effect, .columns = summary_columns(with_truth), .html_class = "wide"});
+    }
+    Row& added =
+        tables.back().rows.emplace_back(row_of(summary_cells(row, with_truth), row.baseline ? Mark::baseline : Mark::none));
+    added.note = trouble_of(row);
+  }
+  return tables;
 }
 
 std::string trouble_of(const SummaryRow& row) {

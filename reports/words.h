@@ -3,7 +3,6 @@
 // are plain text, not yet escaped for where they go.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,24 +11,12 @@
 
 #include "reports/frontier.h"
 #include "reports/reports.h"
+#include "reports/tables/table.h"
 
 namespace lamina {
 
-// ---- Reading a record ----------------------------------------------------------------------------------------------------
-
-// The value at a JSON pointer as text ("/machine/cpu"); "" where there is none.
-std::string text_at(const nlohmann::json& value, const char* pointer);
-// An object's entries as "key value, key value"; "" for anything else.
-std::string entries_of(const nlohmann::json& object);
-// PSNR is +infinity for identical pictures. Nothing for null.
-std::optional<ErrorFigures> figures_of(const nlohmann::json& figures);
-
-// Whether the backend has a timer certificate and every one of it is good. Where not, no report shows its times.
-bool times_shown(const Record& record, std::string_view backend);
 // The median with its 95% interval, or the whole range below min_rounds_for_95 samples, whose coverage says so.
 Interval interval_or_range(std::vector<double> samples);
-// A cell's frame time of each round, or nothing where it failed or its backend's times are not shown.
-std::vector<double> shown_samples_ms(const Record& record, const nlohmann::json& cell);
 
 // ---- Numbers -------------------------------------------------------------------------------------------------------------
 
@@ -60,25 +47,20 @@ CostAndErrors figures_of(const SummaryRow& row);
 // What was swept, a parameter a line.
 std::vector<std::string> sweep_lines(const Record& record);
 // Where curves meet a limit or each other, a sentence each; `variant` holds the effect's name where the record has several.
-// What is the same on several backends, figure by figure as printed, is told once, of all of them.
-enum class Told { all, about_limits, of_pairs };
-std::vector<Headline> crossover_headlines(const Record& record, Told told = Told::all);
+// What is the same on several backends, figure by figure as printed, is said once for all of them.
+enum class Crossovers { all, about_limits, of_pairs };
+std::vector<Headline> crossover_headlines(const Record& record, Crossovers which = Crossovers::all);
 
-// The columns of the summary table; the first two and the last are names, the rest figures. `truth`: with those against the
-// truth, for effects of which some row has any.
-std::vector<std::string> summary_columns(bool truth);
-std::vector<std::string> summary_cells(const SummaryRow& row, bool truth);
-bool has_truth(const std::vector<SummaryRow>& rows, const std::string& effect);
+// The summary, a table an effect; a row's note is its trouble. `truth`: with columns against the truth, for effects of which
+// some row has any.
+std::vector<Table> summary_tables(const std::vector<SummaryRow>& rows, bool truth);
 // What a row cannot show in figures: failed views with the first reason, non-finite pixels. "" for most.
 std::string trouble_of(const SummaryRow& row);
 // How to read the table, one sentence each.
 std::vector<std::string> summary_notes(const std::vector<SummaryRow>& rows);
 
-// Which of a cell's assumptions costs the most, by RMSE in linear light, as a sentence. `cell` has "assumptions".
-std::string costliest_assumption(const nlohmann::json& cell);
-// Columns of a table of assumptions: one name, figures.
-inline constexpr std::array<const char*, 5> assumption_columns = {"assumption", "RMSE, linear", "PSNR dB", "SSIM", "FLIP"};
-std::array<std::string, assumption_columns.size()> assumption_cells(const nlohmann::json& assumption);
+// Which of a cell's assumptions costs the most, by RMSE in linear light, as a sentence.
+std::string costliest_assumption(const CellRow& cell);
 
 // A pass of a variant on a backend, over the views that have it.
 struct PassSummary {
@@ -98,10 +80,7 @@ struct PassSummary {
   std::vector<Share> shares;
 };
 std::vector<PassSummary> summarize_passes(const Record& record);
-// Columns of a table of passes: four names, figures, and fetches by texture, which pass_cells() leaves to words_for_share().
-inline constexpr std::array<const char*, 9> pass_columns = {
-    "variant", "backend", "pass", "done", "ms", "fragments", "fetches/px", "ns/fetch", "by texture, format and filter"};
-std::array<std::string, pass_columns.size() - 1> pass_cells(const PassSummary& pass);
+Table passes_table(const std::vector<PassSummary>& passes);
 std::string words_for_fragments(const PassSummary& pass);      // "5210", or "5210, hidden ones too"
 std::string words_for_share(const PassSummary::Share& share);  // "light_map (rgba16_float, linear) 13.0/px"
 

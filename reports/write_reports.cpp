@@ -4,7 +4,7 @@
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
-#include "reports/gate.h"
+#include "reports/gate/gate.h"
 #include "reports/pictures.h"
 #include "reports/reports.h"
 
@@ -20,6 +20,22 @@ std::string subfolder(size_t index, size_t count) {
 }
 
 }  // namespace
+
+std::string gate_json(const Record& record) {
+  using Json = nlohmann::ordered_json;
+  const auto line = [](const auto& row) { return Json(nlohmann::json(to_json(row))); };  // fields in the order of their names
+  Json whole = {{"gate", nullptr}, {"aas", Json::array()}, {"verdicts", Json::array()}};
+  if (!record.gates.empty()) whole["gate"] = line(record.gates.back());
+  for (const SameArmRow& aa : record.aas) whole["aas"].push_back(line(aa));
+  for (const VerdictRow& row : record.verdicts) whole["verdicts"].push_back(line(row));
+  return whole.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_gate_reports(const Record& record, const std::filesystem::path& folder) {
+  write_file_atomically(folder / "gate.md", gate_markdown(record));
+  write_file_atomically(folder / "junit.xml", gate_junit(record));
+  write_file_atomically(folder / "gate.json", gate_json(record));
+}
 
 fs::path write_reports(const std::vector<fs::path>& run_folders, const ReportOptions& options) {
   const bool own_folder = options.out.empty();
@@ -46,9 +62,9 @@ fs::path write_reports(const std::vector<fs::path>& run_folders, const ReportOpt
       files[from_page] = {run_folders[i], path};
       path = from_page;
     });
-    for (const nlohmann::json& cell : records[i].cells)
-      for (const char* field : {"image", "difference", "flip", "truth_image", "before_image"})
-        if (!options.single_file && cell.contains(field) && cell.at(field) != "") write_pixel_script(out, cell.at(field));
+    if (options.single_file) continue;
+    for (CellRow& cell : records[i].cells)
+      for_each_picture(cell, [&](const std::string& path) { write_pixel_script(out, path); });
   }
   write_file_atomically(out / "summary.md", summary);
   const PictureUrl inside = [&](const std::string& path) { return std::apply(data_url, files.at(path)); };

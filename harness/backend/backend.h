@@ -210,20 +210,8 @@ class Backend {
   virtual std::vector<std::string> take_messages() = 0;
 };
 
-// Throws Error(bad_input) where blends are given for another number of colour targets than there are. Backends ask it.
-void check_blends(const PipelineDesc& desc);
-
-// Throws Error(bad_input) where a draw reads the level of a texture that its pass draws into. Backends ask it.
-void check_levels(const Pass& pass);
-
-// Throws Error(bad_input) where the one texture cannot be copied into the other. Backends ask it.
-void check_copy(const Pass& pass, const TextureDesc& from, const TextureDesc& to);
-
-// Throws Error(bad_input) for an area that is empty or reaches out of targets of this size. Backends ask it.
-void check_area(const Pass& pass, uint32_t width, uint32_t height);
-
 struct BackendOptions {
-  std::string device;  // part of a device's name, or its index in list_devices(); empty: see default_device in README
+  std::string device;  // part of a device's name, or its index in list_devices(); empty: the default (docs/figures.md)
   bool validation =
       false;  // Vulkan's validation layers / an OpenGL debug context. Error(no_device) where they are not installed.
 };

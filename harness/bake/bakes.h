@@ -14,7 +14,7 @@ namespace lamina {
 
 class Bakes : private BakeTools {
  public:
-  // The scene must outlive this. `progress` is told the fraction of an object's bake that is done, and what is baked: "BAKER of
+  // The scene must outlive this. `progress` gets the fraction of an object's bake that is done, and what is baked: "BAKER of
   // OBJECT".
   using Progress = std::function<void(double fraction, const std::string& what)>;
   Bakes(

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "harness/bake/occluders_embree.h"
+#include "harness/core/bytes.h"
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/scene/default_views.h"
@@ -28,8 +29,8 @@ void add_object(RTCDevice device, RTCScene scene, const Object& object, std::str
     std::memcpy(positions + 3 * i, &world, sizeof world);
   }
   std::memcpy(indices, object.mesh.indices.data(), object.mesh.indices.size() / 3 * 3 * sizeof(uint32_t));
-  hashed += hash_hex({reinterpret_cast<const char*>(positions), object.mesh.vertices.size() * sizeof(glm::vec3)});
-  hashed += hash_hex({reinterpret_cast<const char*>(indices), object.mesh.indices.size() / 3 * 3 * sizeof(uint32_t)});
+  hashed += hash_hex(bytes_of(std::span(positions, 3 * object.mesh.vertices.size())));
+  hashed += hash_hex(bytes_of(std::span(indices, object.mesh.indices.size() / 3 * 3)));
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);

@@ -27,7 +27,7 @@ class Occluders {
   };
   uint32_t free_rays(glm::vec3 origin, const Packet& rays, size_t count = packet) const;
 
-  // Of all triangles; equal where no ray can tell two scenes apart.
+  // The cache key of all triangles; equal where every ray gives the same result in two scenes.
   const std::string& hash() const { return hash_; }
   // How far rays start above a surface where nothing else is asked for: a ten-thousandth of the scene's radius.
   float default_bias_m() const { return default_bias_m_; }

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "harness/core/error.h"
-#include "harness/scene/uv_raster.h"
+#include "harness/scene/mesh/uv_raster.h"
 
 namespace lamina {
 namespace {

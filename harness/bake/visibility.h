@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Visibility by casting rays: from every point, evenly over the hemisphere around its normal (no cosine), does the ray meet
-// nothing? Kept as a bit a ray, so that all that is made of it reads the same rays.
+// Visibility by casting rays from every point, evenly over the hemisphere around its normal (no cosine). Kept as one bit a ray,
+// set where the ray meets nothing, so that everything made of it uses the same rays.
 #pragma once
 
 #include <cstdint>

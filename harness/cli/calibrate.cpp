@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// lamina gate --calibrate: the gate's own error rates on this machine. Many gates over equal trees, each of which should find
-// nothing, and over trees in which one pass is slower by a known share. Each gate has rounds of its own in several processes on
-// every backend, for as long as a gate within the budget has, and is judged as a gate is. Gates of one kind share no process,
-// for a process's layout of code and memory moves all of its ratios; one of each kind does. Counts and pictures are left out,
-// and an ambiguous gate gets no further processes, though one on its own would. calibration.jsonl holds every gate, and the
-// same command goes on after the last.
+// lamina gate --calibrate: the gate's own error rates on this machine. It runs many gates over equal trees, each of which
+// should find nothing, and over trees in which one pass is slower by a known share. Each gate has its own rounds in several
+// processes on every backend, for as long as a gate within the budget has, and is judged as a gate is. Gates of one kind share
+// no process, since a process's layout of code and memory moves all of its ratios; gates of different kinds do. Counts and
+// pictures are left out, and an ambiguous gate gets no further processes, though a real gate would. calibration.jsonl holds
+// every gate, and the same command resumes after the last.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -28,8 +28,8 @@ namespace fs = std::filesystem;
 
 constexpr std::array<double, 5> slow_downs = {0.01, 0.02, 0.03, 0.05, 0.10};
 constexpr std::array<uint32_t, 6> tried_taps = {4, 8, 16, 32, 64, 128};
-constexpr size_t whole_rounds = 24;     // to tell what taps cost
-constexpr double most_dear_tap = 0.01;  // a tap costs less of the pass than this, or the least slow-down cannot be made
+constexpr size_t whole_rounds = 24;    // to measure what taps cost
+constexpr double max_tap_cost = 0.01;  // a tap must cost less of the pass than this, or the smallest slow-down cannot be made
 
 const EffectManifest& effect_with_variants(const Plan& plan, const Scene& scene) {
   for (const EffectPlan& entry : plan.effects)
@@ -39,42 +39,25 @@ const EffectManifest& effect_with_variants(const Plan& plan, const Scene& scene)
 }
 
 // What all gates share: the tree as it is, and the same with extra taps in a pass of the effect's baseline.
-class Bench {
- public:
+struct Bench {
   explicit Bench(const GateOptions& given)
       : options(given),
         tree(load_tree(load_library(home_folder(), effect_code()), given.compare)),
-        effect(effect_with_variants(tree.plan, *tree.scene)),
-        folder_(given.compare.out / "slower-trees") {}
-  ~Bench() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
+        effect(effect_with_variants(tree.plan, *tree.scene)) {}
 
   const VariantManifest& baseline_of(const Tree& of) const { return of.library.effect(effect.name).baseline(); }
-  fs::path slower_home(size_t dose) const { return folder_ / std::to_string(dose); }
   // Puts a tree for each number of extra taps into `slower`.
   void make_slower(const std::string& pass, const std::vector<uint32_t>& taps) {
     slower.clear();
-    for (size_t i = 0; i < taps.size(); ++i) {
-      write_slower_tree(home_folder(), slower_home(i), effect.baseline(), pass, taps[i]);
-      slower.push_back(std::make_unique<Tree>(load_tree(load_library(slower_home(i), effect_code()), options.compare, &tree)));
-    }
-  }
-
-  // A tree in which the code of this pass has changed in every variant.
-  fs::path changed_home(const std::string& pass) const {
-    write_changed_tree(home_folder(), folder_ / "changed", effect, pass);
-    return folder_ / "changed";
+    for (const uint32_t count : taps)
+      slower.push_back(std::make_unique<Tree>(
+          load_tree(with_extra_fetches(tree.library, effect.baseline(), pass, count), options.compare, &tree)));
   }
 
   const GateOptions& options;
   Tree tree;
   const EffectManifest& effect;
   std::vector<std::unique_ptr<Tree>> slower;
-
- private:
-  fs::path folder_;
 };
 
 // What is timed against what in one process.
@@ -147,7 +130,7 @@ std::vector<std::string> passes_by_length(Bench& bench) {
                                      emit(to_json(all.front().row(process)));
                                    });
   std::vector<std::pair<double, std::string>> passes;
-  for (const PairedPass& pass : pairs_from_json(lines.front()).passes)
+  for (const PairedPass& pass : row_of<PairsRow>(lines.front(), "calibration").passes)
     for (const PassManifest& manifest : bench.effect.baseline().passes)
       if (manifest.name == pass.name && !manifest.fragment.empty())
         passes.emplace_back(-whole_ms(pass, 0).value_or(0), pass.name);
@@ -166,7 +149,7 @@ double mean(const std::vector<double>& values) {
 // How much slower the whole pass is in each of the slower trees, over all backends: 0.25 is 25%. Not cut into strips, which
 // would make it look smaller than it is.
 std::vector<double> costs_of_slower(Bench& bench, const std::string& pass) {
-  const PieceOptions whole{.piece_ms = 1e9, .most_repeats = 1};
+  const PieceOptions whole{.piece_ms = 1e9, .max_repeats = 1};
   const auto lines = run_processes(
       bench, bench.options.compare.backends, 0, [&](GateProcess& process, BenchFrames& frames, const EmitLine& emit) {
         std::vector<TimedFrames> all;
@@ -177,7 +160,7 @@ std::vector<double> costs_of_slower(Bench& bench, const std::string& pass) {
       });
   std::vector<std::vector<double>> ratios(bench.slower.size());
   for (size_t i = 0; i < lines.size(); ++i) {
-    const PairsRow row = pairs_from_json(lines[i]);
+    const PairsRow row = row_of<PairsRow>(lines[i], "calibration");
     for (size_t k = 0; k < row.passes.size(); ++k)
       if (row.passes[k].name == pass)
         ratios[i % bench.slower.size()].push_back(std::exp(estimate_of(row, frame_after, k).log_ratio));
@@ -195,7 +178,7 @@ std::vector<uint32_t> find_taps(Bench& bench, const std::string& pass) {
   fmt::print("pass {} of {}: extra taps in each pixel", pass, bench.effect.baseline().name);
   for (size_t i = 0; i < tried_taps.size(); ++i) fmt::print(", {} cost {:+.1f}%", tried_taps[i], costs[i] * 100);
   fmt::print("\n");
-  if (costs[0] / tried_taps[0] > most_dear_tap) return {};
+  if (costs[0] / tried_taps[0] > max_tap_cost) return {};
   std::vector<uint32_t> taps;
   for (const double wanted : slow_downs) {
     size_t above = 0;
@@ -211,16 +194,18 @@ std::vector<uint32_t> find_taps(Bench& bench, const std::string& pass) {
 // The seconds that a process has for rounds in a gate within the budget, by one real gate in which every variant with this
 // pass has changed.
 double round_seconds(Bench& bench, const std::string& pass) {
-  const fs::path changed = bench.changed_home(pass);
+  Library changed = bench.tree.library;
+  for (const VariantManifest& variant : bench.effect.variants)
+    changed = with_extra_fetches(std::move(changed), variant, pass, 0);
   const Stopwatch watch;
-  TreePair trees = pair_trees(load_library(home_folder(), effect_code()), load_library(changed, effect_code()), bench.options);
+  TreePair trees = pair_trees(bench.tree.library, std::move(changed), bench.options);
   const GateMeasurements measured = measure_trees(trees, bench.options, {}, watch);
   if (!measured.failures.empty()) throw Error(ErrorKind::failed, "gate", "calibration", measured.failures.front().sentence);
   const double backends = static_cast<double>(bench.options.compare.backends.size());
   const double turns = static_cast<double>(bench.options.processes) * (bench.options.side_by_side ? 1 : backends);
   const double beside = watch.elapsed_s() - measured.rounds_s / (bench.options.side_by_side ? backends : 1);
   const double seconds = std::max(0.0, bench.options.budget_s - beside) / turns;
-  fmt::print("a gate on all variants takes {:.1f} s beside its rounds, so each process has {:.1f} s for them\n", beside,
+  fmt::print("a gate on all variants takes {:.1f} s outside its rounds, so each process has {:.1f} s for rounds\n", beside,
              seconds);
   std::fflush(stdout);
   return seconds;
@@ -309,7 +294,7 @@ std::vector<CalibratedGate> run_set(Bench& bench, const Setup& setup, size_t set
   for (size_t process = 0; process < bench.options.processes; ++process)
     for (const nlohmann::json& line :
          run_processes(bench, bench.options.compare.backends, set * bench.options.processes + process, work))
-      rows[line.at("kind")].push_back(pairs_from_json(line.at("pairs")));
+      rows[line.at("kind")].push_back(row_of<PairsRow>(line.at("pairs"), "calibration"));
   std::vector<CalibratedGate> gates;
   for (const auto& [kind, pairs] : rows)
     gates.push_back(judge_calibrated(kind == 0 ? 0 : slow_downs[kind - 1], pairs, bench.options.family_error, setup.pass));
@@ -344,7 +329,7 @@ int run_calibration(GateOptions options) {
   } else {
     go_on(setup, lines.front(), bench, file);
     for (size_t i = 1; i < lines.size(); ++i) gates.push_back(calibrated_from_json(lines[i]));
-    fmt::print("goes on after the {} gates in {}\n", gates.size(), file.string());
+    fmt::print("resuming after the {} gates in {}\n", gates.size(), file.string());
   }
   std::string whole = setup.line().dump() + "\n";  // without a line that was cut short
   for (const CalibratedGate& gate : gates) whole += to_json(gate).dump() + "\n";

@@ -11,8 +11,6 @@
 namespace lamina {
 namespace {
 
-constexpr size_t once_repetitions = 6;  // enough for an interval
-
 std::string linear_hash(const Image& image) {
   return hash_hex({reinterpret_cast<const char*>(image.rgba.data()), image.rgba.size() * sizeof(float)});
 }
@@ -57,7 +55,7 @@ Image with_marked_nonfinite(const Image& image) {
 }  // namespace
 
 CellRow blank_row(const std::string& backend, const std::string& device, const Scene& scene, const Library& library,
-                  const View& view, const VariantManifest& variant, const CompareOptions& options) {
+                  const View& view, const VariantManifest& variant, const CellOptions& options) {
   CellRow row;
   row.scene = scene.name;
   row.effect = variant.effect;
@@ -114,12 +112,13 @@ Mask count_cell(CellRow& row, Frame& counting, const std::vector<PassCounts>& on
                 size_t view) {
   counting.run(view, Timing::off);
   row.passes = count_rows(counting, once, counting.frame_counts());
+  uint64_t fetches = 0;
   for (const PassRow& pass : row.passes)
-    if (!pass.once) row.fetches += pass.fetches;
+    if (!pass.once) fetches += *pass.fetches;
+  row.fetches = fetches;
   Mask covered = counting.coverage(variant.effect);
-  row.covered_pixels = static_cast<uint64_t>(std::count(covered.on.begin(), covered.on.end(), 1));
-  if (row.covered_pixels > 0)
-    row.fetches_per_pixel = static_cast<double>(row.fetches) / static_cast<double>(row.covered_pixels);
+  row.covered_pixels = count_on(covered);
+  if (row.covered_pixels > 0) row.fetches_per_pixel = static_cast<double>(fetches) / static_cast<double>(*row.covered_pixels);
   return covered;
 }
 
@@ -136,7 +135,7 @@ void fill_picture(CellRow& row, const Image& picture, const Mask& covered, const
 
 void fill_errors(CellRow& row, const Image& picture, const Image& baseline, const Mask& covered, const KeepPicture& keep) {
   if (row.nonfinite_pixels > 0 || nonfinite_pixels(baseline) > 0) return;
-  if (std::count(covered.on.begin(), covered.on.end(), 1) == 0) return;  // nothing of the effect is in this view
+  if (count_on(covered) == 0) return;  // nothing of the effect is in this view
   const ErrorReport report = measure_error(picture, baseline, covered);
   row.error_covered = report.covered;
   row.error_frame = report.frame;
@@ -157,39 +156,6 @@ Mask either(const Mask& a, const Mask& b) {
   return both;
 }
 
-std::vector<std::vector<double>> time_once(Frame& frame) {
-  std::vector<std::vector<double>> once_ms(frame.once_names().size());
-  for (size_t i = 0; i < once_repetitions; ++i) {
-    const FrameTimes times = frame.run_once(Timing::bracketed);
-    for (size_t pass = 0; pass < times.pass_ms.size(); ++pass) once_ms[pass].push_back(times.pass_ms[pass]);
-  }
-  return once_ms;
-}
-
-RoundsResult time_cells(const std::vector<TimedCell>& cells, const CompareOptions& options, Progress& progress) {
-  std::vector<Arm> arms;
-  for (const TimedCell& cell : cells)
-    arms.push_back({[&cell] { return cell.frame->run(cell.view, Timing::bracketed); }, cell.baseline});
-  RoundOptions rounds;
-  rounds.budget_s = options.budget_s;
-  rounds.precision = options.precision;
-  rounds.seed = options.seed;
-  RoundsResult result = run_rounds(arms, rounds, [&](double fraction) { progress.show(fraction, "timing"); });
-
-  for (size_t i = 0; i < arms.size(); ++i) {
-    const ArmSamples& samples = result.arms[i];
-    CellRow& row = *cells[i].row;
-    if (!samples.failure.empty()) {
-      fail(row, samples.failure);
-      continue;
-    }
-    size_t once = 0, frame = 0;
-    for (PassRow& pass : row.passes) pass.ms = pass.once ? (*cells[i].once_ms)[once++] : samples.pass_ms[frame++];
-    const bool has_baseline = arms[i].baseline && result.arms[*arms[i].baseline].failure.empty();
-    if (has_baseline && !row.baseline)
-      row.ratio_to_baseline = ratio_interval(samples.frame_ms, result.arms[*arms[i].baseline].frame_ms);
-  }
-  return result;
-}
+uint64_t count_on(const Mask& mask) { return static_cast<uint64_t>(std::count(mask.on.begin(), mask.on.end(), 1)); }
 
 }  // namespace lamina

@@ -7,15 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/common.h"
 #include "harness/graph/frame.h"
-#include "harness/measure/rounds.h"
 #include "harness/record/record.h"
 
 namespace lamina {
 
+// Difference pictures are |test - baseline| of display values times this; records and reports state it.
+inline constexpr double difference_gain = 4;
+
 CellRow blank_row(const std::string& backend, const std::string& device, const Scene& scene, const Library& library,
-                  const View& view, const VariantManifest& variant, const CompareOptions& options);
+                  const View& view, const VariantManifest& variant, const CellOptions& options);
 void fail(CellRow& row, const std::string& reason);
 // Does a variant's work unless it has failed before; what the work throws becomes its failure, and that of its rows. The one
 // place where a variant's failure is caught: the others go on. Returns whether the variant is still well.
@@ -42,18 +44,6 @@ void fill_errors(CellRow& row, const Image& picture, const Image& baseline, cons
 // Those of a row of the same picture, pixels and baseline: its figures, and its pictures of the difference where they lie.
 void copy_errors(CellRow& row, const CellRow& same);
 Mask either(const Mask& a, const Mask& b);
-
-// Times all of these frames in shuffled rounds, and fills in their rows: ratios to the arm that `baseline` says. A failure is
-// put into the row.
-struct TimedCell {
-  Frame* frame = nullptr;
-  size_t view = 0;
-  CellRow* row = nullptr;
-  const std::vector<std::vector<double>>* once_ms = nullptr;  // [pass][repetition], of the frame
-  std::optional<size_t> baseline;                             // index among the cells
-};
-RoundsResult time_cells(const std::vector<TimedCell>& cells, const CompareOptions& options, Progress& progress);
-// The passes done once, repeated: [pass][repetition].
-std::vector<std::vector<double>> time_once(Frame& frame);
+uint64_t count_on(const Mask& mask);  // its pixels
 
 }  // namespace lamina

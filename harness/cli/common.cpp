@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
+#include "harness/cli/common.h"
+
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 
-#include "harness/cli/commands.h"
 #include "harness/core/text.h"
 
 namespace lamina {
 
-bool is_compared(const VariantManifest& variant, const CompareOptions& options) {
+bool is_compared(const VariantManifest& variant, const CellOptions& options) {
   if (variant.baseline || options.variants.empty()) return true;
   return std::find(options.variants.begin(), options.variants.end(), variant.name) != options.variants.end();
 }
@@ -48,35 +48,12 @@ std::vector<std::string> variant_names(const std::vector<const EffectManifest*>&
   return names;
 }
 
-void check_size(std::string_view stage, const CompareOptions& options, const DeviceInfo& device) {
-  if (std::max(options.width_px, options.height_px) <= device.max_texture_size) return;
-  throw Error(ErrorKind::bad_input, std::string(stage), "--size",
-              fmt::format("{}x{} is larger than {} pixels, the most that {} can draw", options.width_px, options.height_px,
-                          device.max_texture_size, device.backend));
-}
-
 void make_run_folder(std::string_view stage, const std::filesystem::path& out) {
   std::error_code failure;
   std::filesystem::create_directories(out / "images", failure);
   if (failure || ::access(out.c_str(), W_OK) != 0 || ::access((out / "images").c_str(), W_OK) != 0)
     throw Error(ErrorKind::bad_input, std::string(stage), out.string(),
                 "the folder cannot be made or written; choose another with --out");
-}
-
-std::unique_ptr<Backend> try_open_backend(std::string_view name, const BackendOptions& options, std::string& failure) {
-  try {
-    return open_backend(name, options);
-  } catch (const Error& error) {
-    if (error.kind() == ErrorKind::bad_input) throw;
-    failure = error.what();
-    fmt::print(stderr, "lamina: {}\n", failure);
-    return nullptr;
-  }
-}
-
-void throw_no_backend(std::string_view stage) {
-  throw Error(ErrorKind::no_device, std::string(stage), "no usable device",
-              "none of the backends could be opened; see the messages above");
 }
 
 Scene load_scene_for(const SceneOptions& options, const Library& library) {

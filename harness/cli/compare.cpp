@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "harness/cli/backend_run.h"
+#include "harness/cli/commands.h"
+#include "harness/cli/devices.h"
+#include "harness/cli/effect_run.h"
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
 #include "harness/measure/timer_certificate.h"
@@ -14,30 +17,15 @@
 namespace lamina {
 namespace {
 
-struct OpenedBackend {
-  std::string name, failure;
-  std::optional<DeviceInfo> info;
+struct CompareOptions : CellOptions {
+  RoundOptions rounds;  // of a backend and effect
+  bool quick = false;
 };
-
-// Which backends open here. Each is closed again: two OpenGL contexts do not live side by side.
-std::vector<OpenedBackend> probe_backends(const CompareOptions& options) {
-  std::vector<OpenedBackend> probed;
-  for (const std::string& name : options.backends) {
-    OpenedBackend& entry = probed.emplace_back();
-    entry.name = name;
-    const auto backend = try_open_backend(name, {options.device, options.validation}, entry.failure);
-    if (backend) entry.info = backend->info();
-    if (entry.info) check_size("compare", options, *entry.info);
-  }
-  if (std::none_of(probed.begin(), probed.end(), [](const OpenedBackend& entry) { return entry.info.has_value(); }))
-    throw_no_backend("compare");
-  return probed;
-}
 
 // Bakes, or reads what was baked before, everything that variants of these effects want. What cannot be baked fails again, with
 // its reason, for the variants that want it.
-void bake(const Plan& plan, const std::vector<const EffectManifest*>& effects, const Scene& scene,
-          const CompareOptions& options, Bakes& bakes, RecordWriter& record) {
+void bake(const Plan& plan, const std::vector<const EffectManifest*>& effects, const Scene& scene, const CellOptions& options,
+          Bakes& bakes, RecordWriter& record) {
   for (const EffectManifest* effect : effects)
     for (const VariantManifest& variant : effect->variants)
       for (const size_t object : plan.of(effect->name)->objects) {
@@ -50,70 +38,83 @@ void bake(const Plan& plan, const std::vector<const EffectManifest*>& effects, c
         }
         if (bakes.stats().size() == known) continue;
         const BakeStats& stats = bakes.stats().back();
-        record.append(to_json(BakeRow{effect->name, scene.objects[object].name, effect->baker, stats.points,
-                                      stats.points * stats.rays, stats.seconds, stats.from_cache}));
+        record.append(to_json(BakeRow{.effect = effect->name,
+                                      .object = scene.objects[object].name,
+                                      .what = effect->baker,
+                                      .points = stats.points,
+                                      .rays = stats.points * stats.rays,
+                                      .seconds = stats.seconds,
+                                      .from_cache = stats.from_cache}));
       }
   for (const std::string& warning : bakes.cache().take_warnings()) fmt::print(stderr, "lamina: warning: {}\n", warning);
 }
 
 // One backend: certificate, then each effect, which is taken off `effects` when its rows are in the record. Appends every row
 // as it is finished. Returns how many messages the API's checker had.
-size_t run_backend(const OpenedBackend& opened, const Scene& scene, const Library& library, const Plan& plan,
+size_t run_backend(const std::string& name, const Scene& scene, const Library& library, const Plan& plan,
                    std::vector<const EffectManifest*>& effects, Bakes& bakes, const CompareOptions& options,
                    RecordWriter& record) {
-  const std::unique_ptr<Backend> backend = open_backend(opened.name, {options.device, options.validation});
-  Progress progress(opened.name);
+  const std::unique_ptr<Backend> backend = open_backend(name, {options.device, options.validation});
+  Progress progress(name);
   progress.show(0, "certifying the timer");
   const TimerRow timer = certify_timer(*backend, library.shaders);
   record.append(to_json(timer));
   SceneResources resources(*backend, scene, library, options.width_px, options.height_px, &bakes);
+  const SceneOnDevice there{&scene, &plan, &bakes, &resources};
   ShaderCache shaders(backend->info().api, library.shaders);
   while (!effects.empty()) {
     const EffectManifest* effect = effects.front();
-    BackendRun run(*backend, resources, plan, *effect, shaders, bakes, options, "images");
-    run.prepare(progress);
-    run.count(progress);
-    run.score(progress);
-    const RoundsResult rounds = run.time(progress, timer.ok);
+    EffectRun run(*backend, *effect, shaders, options, "images", progress.tell());
+    run.start(there, {.timed = timer.ok});
+    run.prepare();
+    run.count();
+    run.score();
+    const RoundsResult rounds = run.time(options.rounds);
     for (const CellRow& row : run.rows()) append_row(record, row);
     effects.erase(effects.begin());
     if (!(rounds.device_ms > 0)) continue;
-    record.append({{"kind", "phase"},
-                   {"backend", opened.name},
-                   {"effect", effect->name},
-                   {"rounds", rounds.rounds},
-                   {"wall_ms", rounds.wall_ms},
-                   {"device_ms", rounds.device_ms}});
-    fmt::print("{}: {} rounds of {} in {:.1f} s, {:.3f} times the device time measured\n", opened.name, rounds.rounds,
-               effect->name, rounds.wall_ms / 1000, rounds.wall_ms / rounds.device_ms);
+    record.append(to_json(PhaseRow{name, effect->name, rounds.rounds, rounds.wall_ms, rounds.device_ms}));
+    fmt::print("{}: {} rounds of {} in {:.1f} s, {:.3f} times the device time measured\n", name, rounds.rounds, effect->name,
+               rounds.wall_ms / 1000, rounds.wall_ms / rounds.device_ms);
   }
   const std::vector<std::string> messages = backend->take_messages();
-  for (const std::string& message : messages) fmt::print(stderr, "lamina: {}: {}\n", opened.name, message);
+  for (const std::string& message : messages) fmt::print(stderr, "lamina: {}: {}\n", name, message);
   return messages.size();
 }
 
-}  // namespace
+// Failed rows for a backend that cannot run at all.
+std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene, const Library& library,
+                                 const EffectManifest& effect, const CellOptions& options, const std::string& reason) {
+  std::vector<CellRow> rows;
+  for (const VariantManifest& variant : effect.variants) {
+    if (!is_compared(variant, options)) continue;
+    for (const View& view : scene.views)
+      fail(rows.emplace_back(blank_row(backend, "", scene, library, view, variant, options)), reason);
+  }
+  return rows;
+}
 
 int run_compare(const CompareOptions& options) {
+  pin_rasterizer_threads();
   const Library library = load_library_for(options.scene);
   const Scene scene = load_scene_for(options.scene, library);
   const Plan plan = make_plan(library, scene);
   const std::vector<const EffectManifest*> effects = compared_effects(plan);
   check_variant_names("compare", options.variants, variant_names(effects));
-  const std::vector<OpenedBackend> backends = probe_backends(options);
+  const std::vector<ProbedBackend> backends = probe_backends(options);
+  const std::vector<DeviceInfo> devices = devices_of(backends);
+  require_any("compare", backends);
+  check_size("compare", options, devices);
 
   ShaderCache shaders(Api::vulkan, library.shaders);
-  const nlohmann::ordered_json planned = plan_line(plan, scene, shaders);
+  const PlanRow planned = plan_row(plan, scene, shaders);
 
   std::error_code not_there;
   std::filesystem::remove_all(options.out / "images", not_there);  // an earlier run's
   make_run_folder("compare", options.out);
   RecordWriter record(options.out / "record.jsonl");
-  std::vector<DeviceInfo> devices;
-  for (const OpenedBackend& backend : backends)
-    if (backend.info) devices.push_back(*backend.info);
-  record.append(run_line(options, scene, devices));
-  record.append(planned);
+  record.append(run_line(options, options.rounds, options.quick, scene, devices));
+  record.append(to_json(planned));
   for (const std::string& warning : scene.warnings) fmt::print(stderr, "lamina: note: {}\n", warning);
 
   Progress baking("baking");
@@ -122,11 +123,11 @@ int run_compare(const CompareOptions& options) {
   bake(plan, effects, scene, options, bakes, record);
 
   size_t messages = 0;
-  for (const OpenedBackend& backend : backends) {
+  for (const ProbedBackend& backend : backends) {
     std::string failure = backend.failure;
     std::vector<const EffectManifest*> left = effects;
     try {
-      if (failure.empty()) messages += run_backend(backend, scene, library, plan, left, bakes, options, record);
+      if (failure.empty()) messages += run_backend(backend.name, scene, library, plan, left, bakes, options, record);
     } catch (const Error& error) {
       failure = error.what();
     }
@@ -139,11 +140,36 @@ int run_compare(const CompareOptions& options) {
   write_reports(options.out);
   const Record written = read_record(options.out / "record.jsonl");
   fmt::print("{}\nreport: {}\n", terminal_table(written, ::isatty(STDOUT_FILENO) == 1), (options.out / "index.html").string());
-  const bool failed =
-      std::any_of(written.cells.begin(), written.cells.end(), [](const auto& cell) { return cell.at("status") == "failed"; });
-  const bool uncertified =
-      std::any_of(written.timers.begin(), written.timers.end(), [](const auto& timer) { return !timer.at("ok"); });
+  const bool failed = std::ranges::any_of(written.cells, &CellRow::failed);
+  const bool uncertified = !std::ranges::all_of(written.timers, &TimerRow::ok);
   return failed || uncertified || messages > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+Command add_compare(CLI::App& program) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App& command = *program.add_subcommand(
+      "compare", "Every variant of every effect the scene calls for, on every backend: table, record, report");
+  add_scene(command, options->scene);
+  add_out(command, options->out);
+  add_backends(command, *options);
+  add_variant(command, options->variants);
+  add_size(command, *options);
+  command.add_flag("--quick", options->quick,
+                   "Stop sooner, at wider intervals: 5%, or 4 s a backend, unless --precision or --budget say otherwise");
+  add_rounds(command, options->rounds, "a backend");
+  add_truth(command, *options);
+  add_seed(command, options->rounds.seed);
+  add_validation(command, *options);
+  return {&command, [=, &command](const std::string& typed) {
+            options->command = typed;
+            const auto quick_default = [&](const char* name) { return options->quick && command.count(name) == 0; };
+            if (quick_default("--budget")) options->rounds.budget_s = 4;
+            if (quick_default("--precision")) options->rounds.precision = 0.05;
+            if (quick_default("--truth-rays")) options->truth_rays = 64;
+            return run_compare(*options);
+          }};
 }
 
 }  // namespace lamina

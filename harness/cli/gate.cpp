@@ -5,14 +5,17 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <thread>
 
+#include "harness/cli/commands.h"
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
+#include "harness/gate/verdict.h"
 #include "harness/record/record.h"
-#include "reports/gate.h"
+#include "reports/gate/gate.h"
 #include "reports/reports.h"
 #include "reports/words.h"
 
@@ -31,12 +34,10 @@ GateNames names_in(const TreePair& trees, const GateOptions& options) {
 }
 
 // The cell with the picture of the same cell before the change, where there is one.
-nlohmann::ordered_json with_picture_before(const nlohmann::json& cell, const std::vector<nlohmann::json>& cells_before) {
-  nlohmann::ordered_json line = cell;
-  const nlohmann::json before =
-      find_cell(cells_before, cell.at("backend"), cell.at("effect"), cell.at("variant"), cell.at("view"));
-  if (!before.is_null() && before.at("image") != "") line["before_image"] = before.at("image");
-  return line;
+CellRow with_picture_before(CellRow cell, const std::vector<CellRow>& cells_before) {
+  if (const auto before = find_cell(cells_before, cell.backend, cell.effect, cell.variant, cell.view))
+    cell.before_image = before->image;
+  return cell;
 }
 
 int run_against(GateOptions options, const Stopwatch& watch) {
@@ -46,12 +47,12 @@ int run_against(GateOptions options, const Stopwatch& watch) {
   const std::vector<DeviceInfo> devices = probe_devices(options);
   options.side_by_side = can_run_side_by_side(devices);
 
-  RecordWriter record = begin_record(options.compare.out, run_line(options.compare, scene, devices), scene, trees.after);
+  RecordWriter record = begin_record(options.compare.out, gate_run_line(options, scene, devices), scene, trees.after);
   const GateMeasurements measured = measure_trees(trees, options, limits, watch);
   const GateResult result = judge_trees(trees, measured, options, limits);
   const GateOutcome outcome = outcome_of(result.rows);
-  for (const nlohmann::json& timer : measured.timers) record.append(nlohmann::ordered_json(timer));
-  for (const nlohmann::json& cell : measured.cells_after) record.append(with_picture_before(cell, measured.cells_before));
+  for (const TimerRow& timer : measured.timers) record.append(to_json(timer));
+  for (const CellRow& cell : measured.cells_after) record.append(to_json(with_picture_before(cell, measured.cells_before)));
   for (const PairsRow& row : measured.pairs) record.append(to_json(row));
   for (const SameArmRow& row : result.times.same_arms) record.append(to_json(row));
   for (const VerdictRow& row : result.rows) record.append(to_json(row));
@@ -65,34 +66,22 @@ int run_against(GateOptions options, const Stopwatch& watch) {
 }  // namespace
 
 std::vector<DeviceInfo> probe_devices(const GateOptions& options) {
-  std::vector<DeviceInfo> devices;
-  std::vector<std::string> usable;
-  for (const std::string& name : options.compare.backends) {
-    const ChildResult child = run_in_child([&](const EmitLine& emit) {
-      emit(to_json(open_backend(name, {options.compare.device, options.compare.validation})->info()));
-    });
-    if (!child.failure.empty() || child.lines.empty()) {
-      fmt::print(stderr, "lamina: {}: {}\n", name, child.failure);
-      continue;
-    }
-    const nlohmann::json& line = child.lines.front();
-    DeviceInfo info;
-    info.backend = line["backend"], info.device = line["device"], info.driver = line["driver"];
-    info.api_version = line["api_version"], info.software = line["software"], info.max_texture_size = line["max_texture_size"];
-    if (std::max(options.compare.width_px, options.compare.height_px) > info.max_texture_size)
-      throw Error(ErrorKind::bad_input, "gate", "--size",
-                  fmt::format("{}x{} is larger than {} pixels, the most that {} can draw", options.compare.width_px,
-                              options.compare.height_px, info.max_texture_size, name));
-    devices.push_back(info);
-    usable.push_back(name);
-  }
-  if (usable.empty()) throw_no_backend("gate");
-  if (usable.size() < options.compare.backends.size())
+  const std::vector<ProbedBackend> backends = probe_backends(options.compare);
+  std::vector<DeviceInfo> devices = devices_of(backends);
+  require_any("gate", backends);
+  check_size("gate", options.compare, devices);
+  if (devices.size() < backends.size())
     throw Error(
         ErrorKind::no_device, "gate", "--backend",
         "a backend that was asked for does not open here (see above), and a cell that is not run is never a pass; choose "
         "those that do with --backend");
   return devices;
+}
+
+nlohmann::ordered_json gate_run_line(const GateOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices) {
+  RoundOptions rounds;
+  rounds.seed = options.seed;
+  return run_line(options.compare, rounds, false, scene, devices);
 }
 
 void pin_threads_of(const Record& stored) {
@@ -113,7 +102,7 @@ RecordWriter begin_record(const std::filesystem::path& out, const nlohmann::orde
   make_run_folder("gate", out);
   RecordWriter record(out / "record.jsonl");
   record.append(run);
-  record.append(plan_line(tree.plan, scene, tree.shaders.begin()->second));
+  record.append(to_json(plan_row(tree.plan, scene, tree.shaders.begin()->second)));
   return record;
 }
 
@@ -122,11 +111,14 @@ int finish_gate(const std::filesystem::path& out) {
   write_reports(out);
   fmt::print("{}\nreport: {}\n", gate_table(written, ::isatty(STDOUT_FILENO) == 1), (out / "index.html").string());
   announce_on_github(written);
-  return written.gates.front().at("status");
+  return written.gates.front().status;
 }
+
+namespace {
 
 int run_gate(const GateOptions& options) {
   const Stopwatch watch;
+  pin_rasterizer_threads(0);  // so that backends can run side by side
   if (options.calibrate) return run_calibration(options);
   if (options.against.empty() == options.baseline.empty())
     throw Error(ErrorKind::bad_input, "gate", "options",
@@ -138,6 +130,47 @@ int run_gate(const GateOptions& options) {
       throw Error(ErrorKind::bad_input, "gate", options.against.string(),
                   fmt::format("has no folder '{}'; give a tree with variants/ and shaders/, such as a checkout", folder));
   return options.baseline.empty() ? run_against(options, watch) : run_against_record(options, watch);
+}
+
+}  // namespace
+
+Command add_gate(CLI::App& program) {
+  auto options = std::make_shared<GateOptions>();
+  options->compare.truth_rays = 64;
+  CLI::App& command = *program.add_subcommand(
+      "gate", "Compares two states of the code; fails where the newer one is slower, fetches more or is less accurate");
+  add_scene(command, options->compare.scene);
+  CLI::Option* against = command.add_option("--against", options->against,
+                                            "Tree of variants/ and shaders/ as they were before, measured in the same run");
+  command.add_option("--baseline", options->baseline, "Record of the state before (record.jsonl or its folder)")
+      ->excludes(against);
+  command.add_flag("--update", options->update, "Replace the record that --baseline names, and say what changed");
+  command.add_option("--limits", options->limits, "Gate file (.toml): what is allowed, by effect, variant and backend");
+  add_out(command, options->compare.out);
+  add_backends(command, options->compare);
+  add_variant(command, options->compare.variants);
+  add_size(command, options->compare);
+  command.add_option("--budget", options->budget_s, "Seconds of wall time for everything")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 86400.0));
+  command.add_option("--processes", options->processes, "Processes that measure on each backend, at least")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 100));
+  CLI::Option* calibrate = command.add_flag("--calibrate", options->calibrate,
+                                            "Measure the gate's own error rates here: gates over equal trees, and over trees "
+                                            "with one slower pass, each within --budget");
+  command.add_option("--gates", options->equal_gates, "Gates over equal trees")->capture_default_str()->needs(calibrate);
+  command.add_option("--slower-gates", options->slower_gates, "Gates for each slow-down of 1, 2, 3, 5 and 10%")
+      ->capture_default_str()
+      ->needs(calibrate);
+  command.add_flag("!--no-time", options->times, "Counts, pictures and errors alone");
+  add_truth(command, options->compare);
+  add_seed(command, options->seed);
+  add_validation(command, options->compare);
+  return {&command, [=](const std::string& typed) {
+            options->compare.command = typed;
+            return run_gate(*options);
+          }};
 }
 
 }  // namespace lamina

@@ -6,7 +6,8 @@
 #include <functional>
 #include <map>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/common.h"
+#include "harness/cli/devices.h"
 #include "harness/core/stopwatch.h"
 #include "harness/gate/child.h"
 #include "harness/gate/exact_verdicts.h"
@@ -14,6 +15,24 @@
 #include "harness/record/record.h"
 
 namespace lamina {
+
+struct GateOptions {
+  CellOptions compare;             // what is measured, and how exactly
+  std::filesystem::path against;   // a folder with variants/ and shaders/: the state before
+  std::filesystem::path baseline;  // or a record
+  bool update = false;             // write the record in place of checking it
+  std::filesystem::path limits;    // a gate file; empty: the defaults
+  double budget_s = 60;            // wall time of everything
+  size_t processes = 5;            // at least, on each backend: each lays out code and memory anew
+  double family_error = 0.05;      // chance of any wrong verdict on times
+  bool times = true;
+  uint64_t seed = 1;  // of the order of rounds
+  // Backends at the same time: software rasterizers that run in the caller's thread. Two threads share tiles by chance, which
+  // spreads the ratio of a strip to its twin; one each spreads it less, and two cores measure twice as much.
+  bool side_by_side = false;
+  bool calibrate = false;
+  size_t equal_gates = 200, slower_gates = 40;  // of a calibration: over equal trees; for each slow-down
+};
 
 // Variants and shaders at one state of the code, and the scene as its effects declare it.
 struct Tree {
@@ -53,17 +72,18 @@ struct GateTask {
 void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOptions& options, const LimitsFile& limits,
                             const EmitLine& emit);
 
-// What the processes of a gate have handed over, in record form.
+// What the processes of a gate have handed over.
 struct GateMeasurements {
-  std::vector<nlohmann::json> timers, cells_before, cells_after;
-  std::map<std::array<std::string, 4>, double> changes;  // most_change(), by backend, effect, variant and view
+  std::vector<TimerRow> timers;
+  std::vector<CellRow> cells_before, cells_after;
+  std::map<std::array<std::string, 4>, double> changes;  // max_change(), by backend, effect, variant and view
   std::vector<PairsRow> pairs;
   std::vector<VerdictRow> failures;  // of backends and processes
   size_t processes = 0;
   double rounds_s = 0;  // the time that rounds took
 
   // The backend's certificate, the last one: an earlier one that failed was asked again. Null: none.
-  const nlohmann::json* timer(const std::string& backend) const;
+  const TimerRow* timer(const std::string& backend) const;
   bool certified(const std::string& backend) const;  // by that one
 };
 
@@ -77,9 +97,9 @@ bool is_drawn(const VariantPair& pair, const Limits& limits);
 // The trees of `lamina gate SCENE --against DIR`. Throws Error(bad_input) where they have no variant in common.
 TreePair pair_trees(Library before, Library after, const GateOptions& options);
 
-// The cell of these among `cells`; null where there is none.
-nlohmann::json find_cell(const std::vector<nlohmann::json>& cells, const std::string& backend, const std::string& effect,
-                         const std::string& variant, const std::string& view);
+// The cell of these among `cells`, if there is one.
+std::optional<CellRow> find_cell(const std::vector<CellRow>& cells, const std::string& backend, const std::string& effect,
+                                 const std::string& variant, const std::string& view);
 
 // All verdicts on two trees.
 struct GateResult {
@@ -91,13 +111,15 @@ GateResult judge_trees(const TreePair& trees, const GateMeasurements& measured, 
 
 // The library with the scene that the options name, its plan, and shader caches for the APIs of these backends. `known`: a tree
 // whose scene serves this one too where their effects declare the same.
-Tree load_tree(Library library, const CompareOptions& options, const Tree* known = nullptr);
+Tree load_tree(Library library, const CellOptions& options, const Tree* known = nullptr);
 // Sorts what a process has handed over into `measured`.
 void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements& measured);
-VerdictRow judge_timer(const nlohmann::json& timer);
-// The devices of the backends, asked in processes of their own: those that measure must begin without any driver loaded. Throws
-// Error(no_device) where one of the backends does not open.
+VerdictRow judge_timer(const TimerRow& timer);
+// The devices of the backends. Throws Error(no_device) where one of them does not open.
 std::vector<DeviceInfo> probe_devices(const GateOptions& options);
+
+// The run's line. Its budget and precision of rounds are the defaults: a gate's processes stop by other rules.
+nlohmann::ordered_json gate_run_line(const GateOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices);
 
 // Pins llvmpipe's threads to as many as the stored record's run had where that ran on this machine: else nothing could be
 // compared but ratios. To be called before any backend opens.

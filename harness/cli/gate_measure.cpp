@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "harness/cli/backend_run.h"
+#include "harness/cli/effect_run.h"
 #include "harness/cli/gate_process.h"
 #include "harness/gate/pictures_before.h"
 
@@ -13,33 +13,34 @@ namespace {
 // Every variant of one effect that is to be drawn; its baselines always are.
 void compare_exactly(GateProcess& process, TreePair& trees, const std::string& effect, const LimitsFile& limits,
                      Progress& progress, const EmitLine& emit) {
-  CompareOptions only = process.options.compare;
+  CellOptions only = process.options.compare;
   only.variants.clear();
   for (const VariantPair& pair : trees.variants)
     if (pair.after && pair.after->effect == effect && is_drawn(pair, limits.of(effect, pair.after->name, process.task.backend)))
       only.variants.push_back(pair.after->name);
   if (only.variants.empty()) return;
-  const auto run_tree = [&](Tree& tree, const char* side, const BackendRun::Known& known) {
+  const auto run_tree = [&](Tree& tree, const char* side, const auto& known) {
     const std::string images = fmt::format("images/{}", side);
     std::filesystem::create_directories(only.out / images);
-    GateProcess::SceneThere& there = process.scene_of(tree);
-    BackendRun run(*process.backend, there.resources, tree.plan, tree.library.effect(effect),
-                   tree.shaders.at(process.backend->info().api), there.bakes, only, images);
-    run.prepare(progress), run.count(progress), run.score(progress, known);
+    EffectRun run(*process.backend, tree.library.effect(effect), tree.shaders.at(process.backend->info().api), only, images,
+                  progress.tell());
+    run.start(process.scene_of(tree));
+    run.prepare(), run.count(), run.score({.known = known});
     std::vector<CellRow> rows = run.rows();
     for (const CellRow& row : rows) emit({{"cell", to_json(row)}, {"side", side}});
     return rows;
   };
   PicturesBefore drawn;
-  const std::vector<CellRow> rows_before = run_tree(trees.before, "before", [&](const BackendRun::Scored& scored) {
-    drawn.add(scored.variant.name, scored.view, scored.picture, scored.covered);
-    return nullptr;
-  });
-  run_tree(trees.after, "after", [&](const BackendRun::Scored& scored) -> const CellRow* {
+  const std::vector<CellRow> rows_before =
+      run_tree(trees.before, "before", [&](const EffectRun::Scored& scored) -> const CellRow* {
+        drawn.add(scored.variant.name, scored.view, scored.picture, scored.covered);
+        return nullptr;
+      });
+  run_tree(trees.after, "after", [&](const EffectRun::Scored& scored) -> const CellRow* {
     const std::string &variant = scored.variant.name, &view = trees.after.scene->views[scored.view].name;
     if (const Image* was = drawn.of(variant, scored.view))
-      emit({{"change",
-             {{"effect", effect}, {"variant", variant}, {"view", view}, {"most", most_change(scored.picture, *was)}}}});
+      emit(
+          {{"change", {{"effect", effect}, {"variant", variant}, {"view", view}, {"most", max_change(scored.picture, *was)}}}});
     if (!drawn.same_errors(variant, scored.variant.baseline, scored.view, scored.picture, scored.covered)) return nullptr;
     const auto row = std::ranges::find_if(
         rows_before, [&](const CellRow& each) { return each.variant == variant && each.view == view && !each.failed; });

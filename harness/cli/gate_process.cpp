@@ -20,16 +20,16 @@ GateProcess::GateProcess(const GateTask& of_task, const std::filesystem::path& s
       options(given),
       backend(open_backend(task.backend, {options.compare.device, options.compare.validation})),
       certified(!task.certify || certify(*backend, shaders, emit)),
-      random(options.compare.seed + 7919 * task.process) {}
+      random(options.seed + 7919 * task.process) {}
 
-GateProcess::SceneThere::SceneThere(Backend& backend, const Tree& tree, const CompareOptions& options)
+GateProcess::SceneThere::SceneThere(Backend& backend, const Tree& tree, const CellOptions& options)
     : bakes(*tree.scene, *tree.library.code, DiskCache(options.cache)),
       resources(backend, *tree.scene, tree.library, options.width_px, options.height_px, &bakes) {}
 
-GateProcess::SceneThere& GateProcess::scene_of(const Tree& tree) {
+SceneOnDevice GateProcess::scene_of(const Tree& tree) {
   std::unique_ptr<SceneThere>& there = scenes_[tree.scene.get()];
   if (!there) there = std::make_unique<SceneThere>(*backend, tree, options.compare);
-  return *there;
+  return {tree.scene.get(), &tree.plan, &there->bakes, &there->resources};
 }
 
 bool GateProcess::certify(Backend& backend, const std::filesystem::path& shaders, const EmitLine& emit) {
@@ -43,7 +43,7 @@ void GateProcess::end(const EmitLine& emit) { emit({{"messages", backend->take_m
 ReadyFrame& ProcessFrames::get(Tree& tree, const VariantManifest& variant, size_t copy) {
   std::unique_ptr<ReadyFrame>& ready = made_[{&tree, &variant, copy}];
   if (!ready)
-    ready = std::make_unique<ReadyFrame>(process_.scene_of(tree).resources, tree.plan, variant,
+    ready = std::make_unique<ReadyFrame>(*process_.scene_of(tree).resources, tree.plan, variant,
                                          tree.shaders.at(process_.backend->info().api));
   return *ready;
 }
@@ -110,17 +110,17 @@ GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatc
     std::vector<GateTask> tasks;
     for (size_t i = 0; i < backends.size(); ++i) {
       const double turns = static_cast<double>(options.side_by_side ? rounds : rounds * backends.size() - i);
-      tasks.push_back({backends[i], measured.processes, exact, !exact && options.certify && !measured.certified(backends[i]),
+      tasks.push_back({backends[i], measured.processes, exact, !exact && !measured.certified(backends[i]),
                        (options.budget_s - watch.elapsed_s()) / turns});
       if (!options.side_by_side || i + 1 == backends.size()) run_beside(tasks), tasks.clear();
     }
   };
-  if (options.exact) run_on(options.compare.backends, true, 1);
-  double least_process_s = std::numeric_limits<double>::infinity();  // on all backends
+  run_on(options.compare.backends, true, 1);
+  double min_process_s = std::numeric_limits<double>::infinity();  // on all backends
   for (; options.times && measured.processes < options.processes; ++measured.processes) {
     const double begin_s = watch.elapsed_s();
     run_on(options.compare.backends, false, options.processes - measured.processes);
-    least_process_s = std::min(least_process_s, watch.elapsed_s() - begin_s);
+    min_process_s = std::min(min_process_s, watch.elapsed_s() - begin_s);
   }
   while (options.times && undecided && !measured.pairs.empty()) {
     std::vector<std::string> backends;
@@ -128,7 +128,7 @@ GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatc
       if (!broken.contains(backend)) backends.push_back(backend);
     const double share =
         options.side_by_side ? 1 : static_cast<double>(backends.size()) / static_cast<double>(options.compare.backends.size());
-    if (backends.empty() || options.budget_s - watch.elapsed_s() < least_process_s * share) break;
+    if (backends.empty() || options.budget_s - watch.elapsed_s() < min_process_s * share) break;
     run_on(backends, false, 1);
     ++measured.processes;
   }

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "harness/backend/backend.h"
-#include "harness/cli/backend_run.h"
+#include "harness/cli/effect_run.h"
 #include "harness/cli/gate.h"
 
 namespace lamina {
@@ -30,14 +30,14 @@ class GateProcess {
   double rounds_s = 0;
 
   // A tree's scene on the device; trees with one scene share it.
+  SceneOnDevice scene_of(const Tree& tree);
+
+ private:
   struct SceneThere {
-    SceneThere(Backend& backend, const Tree& tree, const CompareOptions& options);
+    SceneThere(Backend& backend, const Tree& tree, const CellOptions& options);
     Bakes bakes;
     SceneResources resources;
   };
-  SceneThere& scene_of(const Tree& tree);
-
- private:
   std::map<const Scene*, std::unique_ptr<SceneThere>> scenes_;
   static bool certify(Backend& backend, const std::filesystem::path& shaders, const EmitLine& emit);
 };
@@ -75,14 +75,14 @@ using Enough = std::function<bool(const TimedFrames&, double further_s)>;
 // frames on the first call; later ones begin anew.
 void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const Enough& enough, const PieceOptions& pieces = {});
 
-// Whether these may stop: the error of each of their ratios is less than a third of its margin, so that those of three
-// processes, pooled and at the higher confidence of many comparisons, tell which side of the margin they lie on.
+// Whether these may stop: the error of each of their ratios is less than a third of its margin. Three processes, pooled and at
+// the higher confidence of many comparisons, then decide on which side of the margin a ratio lies.
 bool precise_enough(const TimedFrames& timed, const GateProcess& process, const LimitsFile& limits);
 
-// Runs `work` in children: one on every backend for counts and pictures, if options.exact; if options.times, options.processes
-// that time, each with its share of the budget; then, while `undecided` names backends and there is time for as short a process
-// as has been, more of them there. Backends take turns, or run side by side where the options say so. One on which a process
-// fails is left alone after it.
+// Runs `work` in children: one on every backend for counts and pictures; if options.times, options.processes that time, each
+// with its share of the budget; then, while `undecided` names backends and there is time for as short a process as has been,
+// more of them there. Backends take turns, or run side by side where the options say so. One on which a process fails is left
+// alone after it.
 GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatch& watch,
                                       const std::function<void(const GateTask&, const EmitLine&)>& work,
                                       const std::function<std::set<std::string>(const std::vector<PairsRow>&)>& undecided);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/cli/backend_run.h"
+#include "harness/cli/effect_run.h"
 #include "harness/cli/gate_process.h"
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
@@ -15,24 +15,21 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
 // Everything one process measures on one backend: in the first one cells with their counts and errors, then the variants of
 // each effect paired with each other.
 void measure_state(Tree& tree, const std::vector<const EffectManifest*>& effects, const GateTask& task,
                    const GateOptions& options, const EmitLine& emit) {
   GateProcess process(task, tree.library.shaders, options, emit);
-  GateProcess::SceneThere& there = process.scene_of(tree);
   ShaderCache& shaders = tree.shaders.at(process.backend->info().api);
   Progress progress(task.backend);
-  std::vector<std::unique_ptr<BackendRun>> runs;
+  std::vector<std::unique_ptr<EffectRun>> runs;
   for (const EffectManifest* effect : effects) {
-    runs.push_back(std::make_unique<BackendRun>(*process.backend, there.resources, tree.plan, *effect, shaders, there.bakes,
-                                                options.compare, "images"));
-    BackendRun& run = *runs.back();
-    run.prepare(progress);
+    runs.push_back(std::make_unique<EffectRun>(*process.backend, *effect, shaders, options.compare, "images", progress.tell()));
+    EffectRun& run = *runs.back();
+    run.start(process.scene_of(tree));
+    run.prepare();
     if (!task.exact) continue;
-    run.count(progress), run.score(progress);
+    run.count(), run.score();
     for (const CellRow& row : run.rows()) emit({{"cell", to_json(row)}});
   }
   if (task.exact) return process.end(emit);
@@ -44,10 +41,10 @@ void measure_state(Tree& tree, const std::vector<const EffectManifest*>& effects
     if (!timed.frames.empty()) all.push_back(std::move(timed));
   }
   // However short the budget, as many whole frames from all processes as give an interval.
-  const size_t least_rounds = rounds_a_frame * ((min_rounds_for_95 + options.processes - 1) / options.processes);
+  const size_t min_rounds = rounds_a_frame * ((min_rounds_for_95 + options.processes - 1) / options.processes);
   if (!all.empty())
     time_rounds(process, all, [&](const TimedFrames& timed, double further_s) {
-      return process.watch.elapsed_s() + further_s > task.until_s && timed.paired->rounds() >= least_rounds;
+      return process.watch.elapsed_s() + further_s > task.until_s && timed.paired->rounds() >= min_rounds;
     });
   for (const PairsRow& row : rows_of(all, process)) emit({{"pairs", to_json(row)}});
   process.end(emit);
@@ -65,36 +62,29 @@ std::vector<double> frame_samples(const PairedPass& pass, size_t frame) {
 }
 
 // Puts the samples of all processes into the cells of the view that was timed.
-void add_times(std::vector<Json>& cells, const std::vector<PairsRow>& pairs, bool certified, const std::string& backend) {
-  for (Json& cell : cells) {
-    if (cell.at("backend") != backend) continue;
-    cell["timed"] = certified;
-    if (!certified || cell.at("status") == "failed") continue;
-    const std::string variant = cell.at("variant");
+void add_times(std::vector<CellRow>& cells, const std::vector<PairsRow>& pairs, bool certified, const std::string& backend) {
+  for (CellRow& cell : cells) {
+    if (cell.backend != backend) continue;
+    cell.timed = certified;
+    if (!certified || cell.failed) continue;
     std::vector<RatioEstimate> ratios;
     std::map<std::string, size_t> seen;
     for (const PairsRow& row : pairs) {
-      const auto at = std::find(row.frames.begin(), row.frames.end(), variant);
-      if (row.backend != backend || row.view != cell.at("view") || row.effect != cell.at("effect") || at == row.frames.end())
-        continue;
+      const auto at = std::find(row.frames.begin(), row.frames.end(), cell.variant);
+      if (row.backend != backend || row.view != cell.view || row.effect != cell.effect || at == row.frames.end()) continue;
       const auto frame = static_cast<size_t>(at - row.frames.begin());
       seen.clear();
-      for (Json& pass : cell["passes"]) {
-        if (pass.at("once")) continue;
-        const std::string name = pass.at("name");
-        size_t occurrence = seen[name]++;
+      for (PassRow& pass : cell.passes) {
+        if (pass.once) continue;
+        size_t occurrence = seen[pass.name]++;
         for (const PairedPass& paired : row.passes)
-          if (paired.name == name && occurrence-- == 0)
-            for (const double ms : frame_samples(paired, frame)) pass["ms"].push_back(ms);
+          if (paired.name == pass.name && occurrence-- == 0)
+            for (const double ms : frame_samples(paired, frame)) pass.ms.push_back(ms);
       }
-      if (frame > 0) ratios.push_back(estimate_of(row, variant));
+      if (frame > 0) ratios.push_back(estimate_of(row, cell.variant));
     }
-    for (Json& pass : cell["passes"])
-      if (!pass.at("ms").empty()) pass["median_ms"] = median(pass.at("ms").get<std::vector<double>>());
-    const std::vector<double> whole = frame_samples_ms(passes_of(cell));
-    if (!whole.empty()) cell["median_ms"] = median(whole);
-    if (ratios.empty() || cell.at("baseline").get<bool>()) continue;
-    cell["ratio_to_baseline"] = interval_to_json(ratio_interval(settle(pool(ratios)), 0.95), variant, "ratio_to_baseline");
+    if (ratios.empty() || cell.baseline) continue;
+    cell.ratio_to_baseline = ratio_interval(settle(pool(ratios)), 0.95);
   }
 }
 
@@ -108,7 +98,7 @@ std::optional<Record> load_baseline(const std::filesystem::path& file, bool upda
   try {
     return read_record(file);
   } catch (const Error& error) {  // what is written afresh need not be readable
-    fmt::print(stderr, "lamina: warning: {}; it is written afresh\n", error.what());
+    fmt::print(stderr, "lamina: warning: {}; it is replaced\n", error.what());
     return std::nullopt;
   }
 }
@@ -122,7 +112,7 @@ Record shape_of(const nlohmann::ordered_json& run, const std::vector<const Effec
     for (const EffectManifest* effect : effects)
       for (const VariantManifest& variant : effect->variants)
         if (is_compared(variant, options.compare))
-          shape.cells.push_back({{"backend", backend}, {"effect", effect->name}, {"variant", variant.name}});
+          shape.cells.push_back({.effect = effect->name, .variant = variant.name, .backend = backend});
   return shape;
 }
 
@@ -130,8 +120,7 @@ Record shape_of(const nlohmann::ordered_json& run, const std::vector<const Effec
 int write_baseline(const std::filesystem::path& file, const std::string& lines, const std::optional<Record>& stored,
                    const Record& present, const GateMeasurements& measured, const GateOptions& options,
                    const LimitsFile& limits) {
-  const auto has_failed = [](const Json& cell) { return cell.at("status") == "failed"; };
-  if (present.cells.empty() || !measured.failures.empty() || std::ranges::any_of(present.cells, has_failed)) {
+  if (present.cells.empty() || !measured.failures.empty() || std::ranges::any_of(present.cells, &CellRow::failed)) {
     for (const VerdictRow& row : measured.failures) fmt::print(stderr, "lamina: {}\n", row.sentence);
     throw Error(ErrorKind::failed, "gate", file.string(), "not written: a cell failed, and what failed is no baseline");
   }
@@ -140,7 +129,7 @@ int write_baseline(const std::filesystem::path& file, const std::string& lines, 
       check_comparable(*stored, present, file);
       rows = judge_stored(*stored, present, limits, options.family_error);
     } catch (const Error& error) {
-      fmt::print(stderr, "lamina: note: the record before cannot be compared with: {}\n", error.what());
+      fmt::print(stderr, "lamina: note: the earlier record cannot be compared with this run: {}\n", error.what());
     }
   if (!file.parent_path().empty()) std::filesystem::create_directories(file.parent_path());
   write_file_atomically(file, lines);
@@ -175,7 +164,7 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
   if (stored && !options.update) pin_threads_of(*stored);
   const std::vector<DeviceInfo> devices = probe_devices(options);
   options.side_by_side = can_run_side_by_side(devices);
-  const nlohmann::ordered_json run = run_line(options.compare, scene, devices);
+  const nlohmann::ordered_json run = gate_run_line(options, scene, devices);
   if (!options.update) check_comparable(*stored, shape_of(run, effects, options), file);
 
   RecordWriter record = begin_record(options.compare.out, run, scene, tree);
@@ -184,8 +173,8 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
       {});
   for (const std::string& backend : options.compare.backends)
     add_times(measured.cells_after, measured.pairs, measured.certified(backend), backend);
-  for (const Json& timer : measured.timers) record.append(nlohmann::ordered_json(timer));
-  for (const Json& cell : measured.cells_after) record.append(nlohmann::ordered_json(cell));
+  for (const TimerRow& timer : measured.timers) record.append(to_json(timer));
+  for (const CellRow& cell : measured.cells_after) record.append(to_json(cell));
   Record present;
   present.run = run, present.cells = measured.cells_after;
   if (options.update)
@@ -195,7 +184,7 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
   for (const PairsRow& row : measured.pairs) record.append(to_json(row));
   std::vector<VerdictRow> rows = measured.failures;
   for (const std::string& backend : options.compare.backends)
-    if (const Json* timer = measured.timer(backend)) rows.push_back(judge_timer(*timer));
+    if (const TimerRow* timer = measured.timer(backend)) rows.push_back(judge_timer(*timer));
   if (!present.cells.empty()) {
     check_comparable(*stored, present, file);
     for (VerdictRow& row : judge_stored(*stored, present, limits, options.family_error)) rows.push_back(std::move(row));

@@ -54,7 +54,7 @@ void look_at_code(VariantPair& pair, Tree& before, Tree& after) {
 
 }  // namespace
 
-Tree load_tree(Library library, const CompareOptions& options, const Tree* known) {
+Tree load_tree(Library library, const CellOptions& options, const Tree* known) {
   const auto owner = std::make_shared<const Library>(std::move(library));
   const bool same = known && known->library.declarations() == owner->declarations();
   Tree tree{owner, *owner, same ? known->scene : std::make_shared<const Scene>(load_scene_for(options.scene, *owner)), {}, {}};
@@ -66,24 +66,25 @@ Tree load_tree(Library library, const CompareOptions& options, const Tree* known
   return tree;
 }
 
-const nlohmann::json* GateMeasurements::timer(const std::string& backend) const {
-  const nlohmann::json* last = nullptr;
-  for (const nlohmann::json& timer : timers)
-    if (timer.at("backend") == backend) last = &timer;
+const TimerRow* GateMeasurements::timer(const std::string& backend) const {
+  const TimerRow* last = nullptr;
+  for (const TimerRow& timer : timers)
+    if (timer.backend == backend) last = &timer;
   return last;
 }
 
 bool GateMeasurements::certified(const std::string& backend) const {
-  const nlohmann::json* last = timer(backend);
-  return last && last->at("ok");
+  const TimerRow* last = timer(backend);
+  return last && last->ok;
 }
 
 void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements& measured) {
   for (const nlohmann::json& line : child.lines) {
-    if (line.contains("timer")) measured.timers.push_back(line["timer"]);
+    if (line.contains("timer")) measured.timers.push_back(row_of<TimerRow>(line["timer"], task.backend));
     if (line.contains("cell"))
-      (line.value("side", "after") == "before" ? measured.cells_before : measured.cells_after).push_back(line["cell"]);
-    if (line.contains("pairs")) measured.pairs.push_back(pairs_from_json(line["pairs"]));
+      (line.value("side", "after") == "before" ? measured.cells_before : measured.cells_after)
+          .push_back(row_of<CellRow>(line["cell"], task.backend));
+    if (line.contains("pairs")) measured.pairs.push_back(row_of<PairsRow>(line["pairs"], task.backend));
     if (line.contains("change")) {
       const nlohmann::json& of = line["change"];
       measured.changes[{task.backend, of.at("effect"), of.at("variant"), of.at("view")}] = of.at("most");
@@ -102,15 +103,15 @@ void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements
   row.sentence = fmt::format("{}: nothing could be measured: {}", task.backend, child.failure);
 }
 
-VerdictRow judge_timer(const nlohmann::json& timer) {
+VerdictRow judge_timer(const TimerRow& timer) {
   VerdictRow row;
-  row.backend = timer.at("backend"), row.what = "timer";
-  row.verdict = timer.at("ok") ? Verdict::same : Verdict::ambiguous;
-  row.sentence = timer.at("ok") ? fmt::format("{}: the timer's certificate holds", row.backend)
-                                : fmt::format(
-                                      "{}: the timer's certificate failed ({}), so no time is judged; run again on a "
-                                      "quieter machine",
-                                      row.backend, timer.at("reason").get<std::string>());
+  row.backend = timer.backend, row.what = "timer";
+  row.verdict = timer.ok ? Verdict::same : Verdict::ambiguous;
+  row.sentence = timer.ok ? fmt::format("{}: the timer's certificate holds", row.backend)
+                          : fmt::format(
+                                "{}: the timer's certificate failed ({}), so no time is judged; run again on a "
+                                "quieter machine",
+                                row.backend, timer.reason);
   return row;
 }
 
@@ -142,7 +143,7 @@ TreePair pair_trees(Library library_before, Library library_after, const GateOpt
       look_at_code(pair, trees.before, trees.after);
       pairs.push_back(std::move(pair));
     }
-    // Errors are against a baseline, and a truth that some variants tell what the pixels show.
+    // Errors are against a baseline, and against a truth, for which some variants draw what the pixels show.
     const auto is_reference = [](const VariantManifest* variant) {
       return variant && (variant->baseline || has_truth_passes(*variant));
     };
@@ -174,13 +175,11 @@ GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, cons
       [&](const std::vector<PairsRow>& pairs) { return judge_pairs(pairs, limits, options.family_error).undecided; });
 }
 
-nlohmann::json find_cell(const std::vector<nlohmann::json>& cells, const std::string& backend, const std::string& effect,
-                         const std::string& variant, const std::string& view) {
-  for (const nlohmann::json& cell : cells)
-    if (cell.at("backend") == backend && cell.at("effect") == effect && cell.at("variant") == variant &&
-        cell.at("view") == view)
-      return cell;
-  return nullptr;
+std::optional<CellRow> find_cell(const std::vector<CellRow>& cells, const std::string& backend, const std::string& effect,
+                                 const std::string& variant, const std::string& view) {
+  for (const CellRow& cell : cells)
+    if (cell.backend == backend && cell.effect == effect && cell.variant == variant && cell.view == view) return cell;
+  return std::nullopt;
 }
 
 namespace {
@@ -226,15 +225,15 @@ GateResult judge_trees(const TreePair& trees, const GateMeasurements& measured, 
   GateResult result;
   result.rows = measured.failures;
   for (const std::string& backend : options.compare.backends) {
-    if (const nlohmann::json* timer = measured.timer(backend)) result.rows.push_back(judge_timer(*timer));
+    if (const TimerRow* timer = measured.timer(backend)) result.rows.push_back(judge_timer(*timer));
     for (const VariantPair& pair : trees.variants) {
       if (auto row = judge_code(pair, backend)) result.rows.push_back(std::move(*row));
       const VariantManifest& variant = pair.after ? *pair.after : *pair.before;
       const Limits allowed = limits.of(variant.effect, variant.name, backend);
       if (!is_drawn(pair, allowed)) continue;
       const CellPair cells = cells_of(pair, backend, measured, *trees.after.scene);
-      const auto missing = [](const std::vector<nlohmann::json>& side) {
-        return std::all_of(side.begin(), side.end(), [](const nlohmann::json& cell) { return cell.is_null(); });
+      const auto missing = [](const std::vector<std::optional<CellRow>>& side) {
+        return std::ranges::none_of(side, [](const std::optional<CellRow>& cell) { return cell.has_value(); });
       };
       if (missing(cells.after) && missing(cells.before)) {
         result.rows.push_back(

@@ -3,11 +3,19 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
+
 #include "harness/cli/commands.h"
 #include "harness/core/text.h"
 #include "harness/history/history_reports.h"
 
 namespace lamina {
+namespace {
+
+struct HistoryOptions {
+  std::vector<std::filesystem::path> records;  // run folders or record files
+  std::filesystem::path csv;                   // empty: none
+};
 
 int run_history(const HistoryOptions& options) {
   const History history = load_history(options.records);
@@ -16,6 +24,16 @@ int run_history(const HistoryOptions& options) {
   write_file_atomically(options.csv, history_csv(history));
   fmt::print("\ntable: {}\n", options.csv.string());
   return 0;
+}
+
+}  // namespace
+
+Command add_history(CLI::App& program) {
+  auto options = std::make_shared<HistoryOptions>();
+  CLI::App& command = *program.add_subcommand("history", "How each cell's figures changed over records, and at which commit");
+  command.add_option("record", options->records, "Run folders or their record.jsonl, two or more")->required();
+  command.add_option("--csv", options->csv, "File for every point of every trend");
+  return {&command, [=](const std::string&) { return run_history(*options); }};
 }
 
 }  // namespace lamina

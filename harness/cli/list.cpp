@@ -2,10 +2,15 @@
 // lamina list: effects, variants and their parameters, built-in scenes, backends and devices.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
+#include "harness/backend/backend.h"
 #include "harness/cli/commands.h"
+#include "harness/cli/common.h"
 #include "harness/sweep/parameters.h"
 
 namespace lamina {
+namespace {
 
 int run_list(const SceneOptions& options) {
   const Library library = load_library_for(options);
@@ -36,6 +41,18 @@ int run_list_parameters(const SceneOptions& options) {
                parameter.value ? fmt::format("{:.6g}", *parameter.value) : "-", parameter.min, parameter.max, parameter.unit,
                parameter.unit.empty() || parameter.title.empty() ? "" : ", ", parameter.title);
   return 0;
+}
+
+}  // namespace
+
+Command add_list(CLI::App& program) {
+  auto options = std::make_shared<SceneOptions>();
+  auto parameters = std::make_shared<bool>(false);
+  CLI::App& command = *program.add_subcommand("list", "Effects, variants, parameters, scenes, backends, devices");
+  add_scene_name(command, *options, "Scene whose parameters are listed");
+  command.add_flag("--parameters", *parameters, "Every parameter that 'lamina sweep' can set, and nothing else");
+  add_variants_dir(command, *options, "Folder with variants of your own (may be given again)");
+  return {&command, [=](const std::string&) { return *parameters ? run_list_parameters(*options) : run_list(*options); }};
 }
 
 }  // namespace lamina

@@ -2,7 +2,10 @@
 // lamina merge: the records of a sweep's shards to one, with answers and reports of the whole.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include "harness/cli/commands.h"
+#include "harness/cli/common.h"
 #include "harness/cli/sweep_end.h"
 #include "harness/core/error.h"
 #include "harness/core/text.h"
@@ -20,7 +23,7 @@ void copy_pictures(const std::vector<std::filesystem::path>& folders, const std:
   }
 }
 
-// A folder's record; what is no folder is one itself.
+// The record of a folder; a path that is not a folder is a record itself.
 std::filesystem::path record_of(const std::filesystem::path& given) {
   if (std::filesystem::is_directory(given)) return given / "record.jsonl";
   if (!std::filesystem::exists(given))
@@ -28,7 +31,7 @@ std::filesystem::path record_of(const std::filesystem::path& given) {
   return given;
 }
 
-// What `out` holds may go only where it is in the joined record: an earlier join of the same sweep.
+// A record in `out` is replaced only where all its cells are in the joined record: an earlier join of the same sweep.
 void check_nothing_is_lost(const std::filesystem::path& out, std::vector<std::filesystem::path> files, const Joined& joined) {
   const std::filesystem::path there = out / "record.jsonl";
   if (!std::filesystem::exists(there) || std::filesystem::is_empty(there)) return;
@@ -44,8 +47,6 @@ void check_nothing_is_lost(const std::filesystem::path& out, std::vector<std::fi
   }
   if (cells > joined.cells) refuse(fmt::format("holds {} cells that these records lack", cells - joined.cells));
 }
-
-}  // namespace
 
 int run_merge(const std::vector<std::filesystem::path>& records, const std::filesystem::path& out) {
   std::vector<std::filesystem::path> folders, files;
@@ -68,6 +69,21 @@ int run_merge(const std::vector<std::filesystem::path>& records, const std::file
              joined.duplicates > 0 ? fmt::format("; {} were there twice, and agree", joined.duplicates) : "");
   for (const std::string& missing : joined.missing) fmt::print(stderr, "lamina: {}\n", missing);
   return failed || !joined.missing.empty() ? 1 : 0;
+}
+
+}  // namespace
+
+Command add_merge(CLI::App& program) {
+  struct Options {
+    std::vector<std::filesystem::path> records;
+    std::filesystem::path out = "lamina-sweep";
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App& command =
+      *program.add_subcommand("merge", "Joins the records of a sweep's shards, and gives the answers of the whole sweep");
+  command.add_option("record", options->records, "Run folders or their record.jsonl")->required();
+  add_out(command, options->out, "Folder for the joined record, report and pictures");
+  return {&command, [=](const std::string&) { return run_merge(options->records, options->out); }};
 }
 
 }  // namespace lamina

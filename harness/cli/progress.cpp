@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "harness/cli/progress.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-
-#include "harness/cli/commands.h"
 
 namespace lamina {
 namespace {

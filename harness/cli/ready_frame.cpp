@@ -3,12 +3,15 @@
 
 namespace lamina {
 
-ReadyFrame::ReadyFrame(SceneResources& resources, const Plan& plan, const VariantManifest& variant, ShaderCache& shaders)
-    : graph(make_graph(plan, configuration_with(plan, variant), resources.scene(), shaders)),
+ReadyFrame::ReadyFrame(SceneResources& resources, const Plan& plan, const VariantManifest& variant, ShaderCache& shaders,
+                       const Parameters& parameters, Timing timing)
+    : graph(make_graph(plan, configuration_with(plan, variant), resources.scene(), shaders, Purpose::frame, parameters)),
       frame(resources, graph, Build::timed),
       view(resources.scene().views.front().name) {
-  frame.run_once(Timing::off);
-  pass_ms = frame.run(0, Timing::bracketed).pass_ms;
+  wall_ms = frame.run_once(Timing::off).wall_ms;
+  const FrameTimes first = frame.run(0, timing);
+  pass_ms = first.pass_ms;
+  wall_ms += first.wall_ms;
 }
 
 }  // namespace lamina

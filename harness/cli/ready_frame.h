@@ -9,12 +9,14 @@ namespace lamina {
 
 struct ReadyFrame {
   // Everything given must outlive this. Throws Error where the variant does not compile or the device refuses.
-  ReadyFrame(SceneResources& resources, const Plan& plan, const VariantManifest& variant, ShaderCache& shaders);
+  ReadyFrame(SceneResources& resources, const Plan& plan, const VariantManifest& variant, ShaderCache& shaders,
+             const Parameters& parameters = {}, Timing timing = Timing::bracketed);
 
   Graph graph;
   Frame frame;
   std::string view;             // that was drawn: the scene's first
-  std::vector<double> pass_ms;  // of that first frame, beside frame.frame_names(): compiling is in it
+  std::vector<double> pass_ms;  // of that first frame, beside frame.frame_names(): compiling is in it; empty without timing
+  double wall_ms = 0;           // of running it, with what is done once
 };
 
 }  // namespace lamina

@@ -3,14 +3,22 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
+
 #include "harness/cli/commands.h"
+#include "harness/core/error.h"
 #include "harness/history/history_reports.h"
-#include "reports/gate.h"
+#include "reports/gate/gate.h"
 #include "reports/reports.h"
 
 namespace lamina {
-
 namespace {
+
+struct ReportCommand {
+  std::vector<std::filesystem::path> records;  // folders of runs, or their record.jsonl
+  std::filesystem::path out;                   // empty: each run's own folder
+  bool single_file = false;
+};
 
 // How the records' figures went, where they have any in common.
 std::string history_of(const std::vector<std::filesystem::path>& given) {
@@ -20,8 +28,6 @@ std::string history_of(const std::vector<std::filesystem::path>& given) {
     return "";
   }
 }
-
-}  // namespace
 
 int run_report(const ReportCommand& options) {
   std::vector<std::filesystem::path> folders;
@@ -46,6 +52,18 @@ int run_report(const ReportCommand& options) {
     fmt::print("report: {}\n",
                write_reports(folders, {options.single_file, options.out, history_of(options.records)}).string());
   return 0;
+}
+
+}  // namespace
+
+Command add_report(CLI::App& program) {
+  auto options = std::make_shared<ReportCommand>();
+  CLI::App& command =
+      *program.add_subcommand("report", "Writes reports again from records; several records side by side with --out");
+  command.add_option("record", options->records, "Run folders or their record.jsonl")->required();
+  command.add_option("--out", options->out, "Folder for one report of all records (default: each beside its record)");
+  command.add_flag("--single-file", options->single_file, "Put the pictures into the page, so that one file is all");
+  return {&command, [=](const std::string&) { return run_report(*options); }};
 }
 
 }  // namespace lamina

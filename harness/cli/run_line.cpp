@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "commit.h"
+#include "harness/cli/cell.h"
+#include "harness/cli/common.h"
 #include "harness/graph/graph.h"
 #include "harness/record/record.h"
 
@@ -24,47 +26,21 @@ std::string environment(const char* name) {
   return value ? value : "";
 }
 
-Json passes_of(const std::vector<GraphPass>& passes, const Scene& scene, bool runs) {
-  Json rows = Json::array();
+std::vector<PlanRow::Pass> planned(const std::vector<GraphPass>& passes, const Scene& scene, bool runs) {
+  std::vector<PlanRow::Pass> rows;
   for (const GraphPass& pass : passes) {
-    Json objects = Json::array(), textures = Json::array();
+    PlanRow::Pass& row = rows.emplace_back();
+    row.pass = pass.pass->name, row.effect = pass.variant->effect;
+    row.runs = runs, row.once = pass.once, row.reason = pass.reason;
     std::set<std::string> names;
     for (const GraphDraw& draw : pass.draws) {
-      if (draw.object) objects.push_back(scene.objects[*draw.object].name);
+      if (draw.object) row.objects.push_back(scene.objects[*draw.object].name);
       for (const ResolvedRead& read : draw.reads) names.insert(read.source.name);
     }
-    for (const std::string& name : names) textures.push_back(name);
-    std::vector<std::string> written = pass.pass->writes;
-    if (!pass.pass->depth_target.empty()) written.push_back(pass.pass->depth_target);
-    rows.push_back({{"pass", pass.pass->name},
-                    {"effect", pass.variant->effect},
-                    {"runs", runs},
-                    {"once", pass.once},
-                    {"reason", pass.reason},
-                    {"objects", objects},
-                    {"reads", textures},
-                    {"writes", written}});
+    row.reads.assign(names.begin(), names.end());
+    row.writes = pass.pass->written();
   }
   return rows;
-}
-
-// What the run lines of all commands have in common.
-Json start(const std::string& command, const std::vector<DeviceInfo>& devices) {
-  Json rows = Json::array();
-  for (const DeviceInfo& device : devices) rows.push_back(to_json(device));
-  return {{"kind", "run"},
-          {"schema", record_schema},
-          {"lamina", LAMINA_VERSION},
-          {"commit", LAMINA_COMMIT},
-          {"commit_date", *LAMINA_COMMIT_DATE ? Json(LAMINA_COMMIT_DATE) : Json(nullptr)},
-          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(started))},
-          {"build", LAMINA_BUILD_NAME},
-          {"command", command},
-          {"machine",
-           {{"cpu", cpu_model()},
-            {"threads", std::thread::hardware_concurrency()},
-            {"lp_num_threads", environment("LP_NUM_THREADS")}}},
-          {"devices", rows}};
 }
 
 }  // namespace
@@ -99,11 +75,30 @@ std::string cpu_model() {
   return "unknown";
 }
 
-Json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices) {
-  Json line = start(options.command, devices);
+Json run_line(const std::string& command, const std::vector<DeviceInfo>& devices) {
+  Json rows = Json::array();
+  for (const DeviceInfo& device : devices) rows.push_back(to_json(device));
+  return {{"kind", "run"},
+          {"schema", record_schema},
+          {"lamina", LAMINA_VERSION},
+          {"commit", LAMINA_COMMIT},
+          {"commit_date", *LAMINA_COMMIT_DATE ? Json(LAMINA_COMMIT_DATE) : Json(nullptr)},
+          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(started))},
+          {"build", LAMINA_BUILD_NAME},
+          {"command", command},
+          {"machine",
+           {{"cpu", cpu_model()},
+            {"threads", std::thread::hardware_concurrency()},
+            {"lp_num_threads", environment("LP_NUM_THREADS")}}},
+          {"devices", rows}};
+}
+
+Json run_line(const CellOptions& options, const RoundOptions& rounds, bool quick, const Scene& scene,
+              const std::vector<DeviceInfo>& devices) {
+  Json line = run_line(options.command, devices);
   line["settings"] = {
-      {"width", options.width_px},        {"height", options.height_px},        {"quick", options.quick},
-      {"budget_s", options.budget_s},     {"precision", options.precision},     {"seed", options.seed},
+      {"width", options.width_px},        {"height", options.height_px},        {"quick", quick},
+      {"budget_s", rounds.budget_s},      {"precision", rounds.precision},      {"seed", rounds.seed},
       {"truth_rays", options.truth_rays}, {"difference_gain", difference_gain}, {"validation", options.validation}};
   line["scene"] = scene.name;
   line["source"] = scene.source;
@@ -112,59 +107,28 @@ Json run_line(const CompareOptions& options, const Scene& scene, const std::vect
   return line;
 }
 
-Json run_line(const SweepOptions& options, const Scene& scene, const std::vector<const EffectManifest*>& effects,
-              const std::vector<DeviceInfo>& devices, const std::string& inputs) {
-  Json line = run_line(options.compare, scene, devices);
-  Json& settings = line["settings"];
-  settings["backends"] = options.compare.backends;
-  settings["effects"] = settings["variants"] = settings["views"] = Json::array();
-  for (const EffectManifest* effect : effects) {
-    settings["effects"].push_back(effect->name);
-    for (const VariantManifest& variant : effect->variants)
-      if (is_compared(variant, options.compare)) settings["variants"].push_back(effect->name + "/" + variant.name);
-  }
-  for (const View& view : scene.views) settings["views"].push_back(view.name);
-  settings["time"] = words_of(options.time);
-  settings["fetches"] = words_of(options.fetches);
-  settings["pictures"] = words_of(options.pictures);
-  line["inputs"] = inputs;
-  return line;
-}
-
-Json run_line(const StressOptions& options, const std::vector<DeviceInfo>& devices) {
-  Json line = start(options.command, devices);
-  line["settings"] = {{"count", options.count}, {"seed", options.seed}, {"validation", options.validation}};
-  if (!options.points.empty()) line["settings"]["points"] = options.points.string();
-  line["warnings"] = Json::array();
-  return line;
-}
-
-Json plan_line(const Plan& plan, const Scene& scene, ShaderCache& shaders) {
-  Json effects = Json::array();
+PlanRow plan_row(const Plan& plan, const Scene& scene, ShaderCache& shaders) {
+  PlanRow row;
   for (const EffectPlan& entry : plan.effects) {
-    Json features = Json::array(), variants = Json::array();
-    for (const FeaturePlan& feature : entry.features)
-      features.push_back({{"feature", feature.define}, {"on", feature.on}, {"reason", feature.reason}});
-    for (const VariantManifest& variant : entry.effect->variants) {
+    PlanRow::Effect& effect = row.effects.emplace_back();
+    effect.effect = entry.effect->name, effect.called_for = entry.called_for, effect.reason = entry.reason;
+    effect.objects = entry.objects.size();
+    for (const FeaturePlan& feature : entry.features) effect.features.push_back({feature.define, feature.on, feature.reason});
+    for (const VariantManifest& manifest : entry.effect->variants) {
       if (!entry.called_for) break;
+      PlanRow::Variant& variant = effect.variants.emplace_back();
+      variant.variant = manifest.name, variant.baseline = manifest.baseline;
       try {
-        const Graph graph = make_graph(plan, {&variant}, scene, shaders);
-        Json passes = passes_of(graph.passes, scene, true);
-        for (const Json& dropped : passes_of(graph.dropped, scene, false)) passes.push_back(dropped);
-        variants.push_back({{"variant", variant.name}, {"baseline", variant.baseline}, {"passes", passes}});
+        const Graph graph = make_graph(plan, {&manifest}, scene, shaders);
+        variant.passes = planned(graph.passes, scene, true);
+        for (PlanRow::Pass& dropped : planned(graph.dropped, scene, false)) variant.passes.push_back(std::move(dropped));
       } catch (const Error& error) {
         if (error.kind() == ErrorKind::bad_input && error.stage() == "variants") throw;  // a mistake of a manifest
-        variants.push_back({{"variant", variant.name}, {"baseline", variant.baseline}, {"error", error.what()}});
+        variant.error = error.what();
       }
     }
-    effects.push_back({{"effect", entry.effect->name},
-                       {"called_for", entry.called_for},
-                       {"reason", entry.reason},
-                       {"objects", entry.objects.size()},
-                       {"features", features},
-                       {"variants", variants}});
   }
-  return {{"kind", "plan"}, {"effects", effects}};
+  return row;
 }
 
 }  // namespace lamina

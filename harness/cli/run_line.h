@@ -6,8 +6,9 @@
 #include <span>
 #include <string>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/options.h"
 #include "harness/graph/graph.h"
+#include "harness/record/plan_row.h"
 
 namespace lamina {
 
@@ -17,14 +18,12 @@ nlohmann::ordered_json to_json(const DeviceInfo& device);
 std::string command_line(std::span<const char* const> arguments);
 // As /proc/cpuinfo names it.
 std::string cpu_model();
-nlohmann::ordered_json run_line(const CompareOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices);
-// The same for a sweep; `inputs` is a hash of all that its cells follow from.
-nlohmann::ordered_json run_line(const SweepOptions& options, const Scene& scene,
-                                const std::vector<const EffectManifest*>& effects, const std::vector<DeviceInfo>& devices,
-                                const std::string& inputs);
-// The same for a record that holds functions alone.
-nlohmann::ordered_json run_line(const StressOptions& options, const std::vector<DeviceInfo>& devices);
-// {"kind":"plan", "effects":[...]}: each effect with called_for and why, its features, and the passes of every variant.
-nlohmann::ordered_json plan_line(const Plan& plan, const Scene& scene, ShaderCache& shaders);
+// What was run, and on what.
+nlohmann::ordered_json run_line(const std::string& command, const std::vector<DeviceInfo>& devices);
+// The same with the scene and the settings of a command that leaves cells.
+nlohmann::ordered_json run_line(const CellOptions& options, const RoundOptions& rounds, bool quick, const Scene& scene,
+                                const std::vector<DeviceInfo>& devices);
+// Each effect with called_for and why, its features, and the passes of every variant.
+PlanRow plan_row(const Plan& plan, const Scene& scene, ShaderCache& shaders);
 
 }  // namespace lamina

@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "commit.h"
+#include "harness/cli/commands.h"
+#include "harness/cli/common.h"
+#include "harness/cli/devices.h"
+#include "harness/cli/progress.h"
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
 #include "harness/manifest/effect_code.h"
@@ -17,6 +22,17 @@
 
 namespace lamina {
 namespace {
+
+struct StressOptions : DeviceOptions {
+  std::string family;            // by name, or a family.toml; empty: all
+  std::filesystem::path points;  // a file of inputs
+  size_t grid_steps = 0;         // of make_grid(); 0 and no file: the sets of the family
+  size_t count = 100000;         // inputs a set
+  std::vector<std::string> variants;
+  std::filesystem::path out = "lamina-out";
+  uint64_t seed = 1;
+  std::string command;  // as the user typed it
+};
 
 constexpr size_t timing_rounds = 12;
 constexpr size_t timed_points = 1 << 16;
@@ -53,7 +69,7 @@ FunctionRow row_of(const FunctionSubject& subject, const Family& family, const P
                   .not_zero = e.not_zero,
                   .worst_over = e.worst_over,
                   .worst_under = e.worst_under,
-                  .first_fault = e.first_fault};
+                  .first_fault = e.first_fault.value_or(std::vector<double>{})};
   if (claim) row.bounds = FunctionBounds{claim->over, claim->under, claim->eps_kappa};
   return row;
 }
@@ -66,9 +82,10 @@ void write_csv(const std::filesystem::path& file, const FamilyRun& run) {
   text += ",ns_per_call,ns_low,ns_high\n";
   for (const FunctionRow& row : run.errors) {
     const FunctionSubject& subject = row.subject;
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", subject.backend, subject.variant, row.set, row.points,
-                        row.max_over, row.max_under, row.mean_absolute, row.rms, row.most_eps, row.most_eps_kappa, row.negative,
-                        row.nonfinite, row.not_zero, fmt::join(row.worst_over, ","), fmt::join(row.worst_under, ","));
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", subject.backend, subject.variant, row.set, row.points,
+                    *row.max_over, *row.max_under, *row.mean_absolute, *row.rms, *row.most_eps, *row.most_eps_kappa,
+                    row.negative, row.nonfinite, row.not_zero, fmt::join(row.worst_over, ","), fmt::join(row.worst_under, ","));
     const auto time = std::ranges::find_if(run.times, [&](const FunctionTimeRow& t) {
       return t.subject.backend == subject.backend && t.subject.variant == subject.variant;
     });
@@ -86,8 +103,9 @@ void print_set(const PointSet& set, const FamilyRun& run) {
   for (const FunctionRow& row : run.errors) {
     if (row.set != set.name) continue;
     fmt::print("{:<16} {:<8} {:>9.3g} {:>9.3g} {:>9.2g} {:>9.2g} {:>10.3g} {:>10.3g} {:>9} {:>10}  {}\n", row.subject.variant,
-               row.subject.backend, row.max_over, row.max_under, row.mean_absolute, row.rms, row.most_eps, row.most_eps_kappa,
-               row.negative, row.nonfinite, fmt::join(row.max_over > -row.max_under ? row.worst_over : row.worst_under, " "));
+               row.subject.backend, *row.max_over, *row.max_under, *row.mean_absolute, *row.rms, *row.most_eps,
+               *row.most_eps_kappa, row.negative, row.nonfinite,
+               fmt::join(*row.max_over > -*row.max_under ? row.worst_over : row.worst_under, " "));
   }
 }
 
@@ -172,9 +190,13 @@ void write_record(const StressOptions& options, const std::vector<DeviceInfo>& d
   std::vector<nlohmann::ordered_json> lines;
   for (const FunctionRow& row : run.errors) lines.push_back(to_json(row));
   for (const FunctionTimeRow& row : run.times) lines.push_back(to_json(row));
-  for (const TimerRow& timer : run.timers) lines.push_back(function_timer_line(function, timer));
+  for (const TimerRow& timer : run.timers) lines.push_back(to_json(FunctionTimerRow{timer, function}));
   for (const FunctionPictureRow& row : run.pictures) lines.push_back(to_json(row));
-  replace_function_lines(options.out / "record.jsonl", function, run_line(options, devices), lines);
+  nlohmann::ordered_json line = run_line(options.command, devices);
+  line["settings"] = {{"count", options.count}, {"seed", options.seed}, {"validation", options.validation}};
+  if (!options.points.empty()) line["settings"]["points"] = options.points.string();
+  line["warnings"] = nlohmann::ordered_json::array();
+  replace_function_lines(options.out / "record.jsonl", function, line, lines);
 }
 
 // The one that is asked for, by its name or by its file; all without a name.
@@ -219,33 +241,30 @@ std::vector<FamilyRun> planned_runs(const StressOptions& options, const std::fil
   return runs;
 }
 
-}  // namespace
-
 int run_stress(const StressOptions& options) {
+  pin_rasterizer_threads();
   const std::filesystem::path shaders = home_folder() / "shaders";
   const std::filesystem::path record = options.out / "record.jsonl";
   if (std::filesystem::exists(record)) read_record(record);  // what cannot be added to is said before the work, not after it
   std::vector<FamilyRun> runs = planned_runs(options, shaders);
+  const std::vector<ProbedBackend> backends = probe_backends(options);
+  require_any("stress", backends);
+  const std::vector<DeviceInfo> devices = devices_of(backends);
   make_run_folder("stress", options.out);
   for (FamilyRun& run : runs) {
     for (const PointSet& set : run.sets) run.truths.push_back(truth_of(*run.family.oracle, set));
     if (options.points.empty()) run.slices = make_slices(run.family);
   }
 
-  std::vector<DeviceInfo> devices;
   bool complained = false;
-  for (const std::string& name : options.backends) {
-    std::string failure;
-    const auto backend = try_open_backend(name, {options.device, options.validation}, failure);
-    if (!backend) continue;
-    devices.push_back(backend->info());
+  for (const DeviceInfo& device : devices) {
+    const auto backend = open_backend(device.backend, {options.device, options.validation});
     for (FamilyRun& run : runs) run_functions(*backend, shaders, options, run);
     for (const std::string& message : backend->take_messages()) {
-      fmt::print(stderr, "lamina: {}: {}\n", name, message);
+      fmt::print(stderr, "lamina: {}: {}\n", device.backend, message);
       complained = true;
     }
   }
-  if (devices.empty()) throw_no_backend("stress");
 
   bool uncertified = false;
   std::vector<std::filesystem::path> tables;
@@ -263,6 +282,37 @@ int run_stress(const StressOptions& options) {
   for (const std::filesystem::path& table : tables) fmt::print("table: {}\n", table.string());
   fmt::print("report: {}\n", (options.out / "index.html").string());
   return complained || uncertified ? 1 : 0;
+}
+
+}  // namespace
+
+Command add_stress(CLI::App& program) {
+  auto options = std::make_shared<StressOptions>();
+  CLI::App& command =
+      *program.add_subcommand("stress", "Runs the shaders' functions on hard inputs, and compares them with exact values");
+  command.add_option(
+      "family", options->family,
+      "A family of functions, such as caps (the area that two spherical caps share), or a family.toml; all without a name");
+  CLI::Option* points =
+      command.add_option("--points", options->points,
+                         "File of inputs and, if known, their right value (caps: r0,r1,d[,area]) instead of the sets");
+  CLI::Option* count =
+      command.add_option("--count", options->count, "Inputs a set")->capture_default_str()->check(CLI::Range(1000, 4000000));
+  command
+      .add_option("--grid", options->grid_steps,
+                  "An even grid of N values of each input, N from 2 (caps: to 160), instead of the sets")
+      ->check(CLI::PositiveNumber)
+      ->excludes(points)
+      ->excludes(count);
+  add_variant(command, options->variants, "Only this function (may be given again)");
+  add_backends(command, *options);
+  add_out(command, options->out, "Folder of a run, or a new one: functions are added to its record and report");
+  add_seed(command, options->seed, "Seed of the inputs");
+  add_validation(command, *options);
+  return {&command, [=](const std::string& typed) {
+            options->command = typed;
+            return run_stress(*options);
+          }};
 }
 
 }  // namespace lamina

@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 
-#include "harness/cli/point_run.h"
+#include "harness/cli/commands.h"
+#include "harness/cli/devices.h"
+#include "harness/cli/effect_run.h"
 #include "harness/cli/run_line.h"
 #include "harness/cli/sweep_end.h"
 #include "harness/core/text.h"
@@ -19,6 +22,17 @@
 namespace lamina {
 namespace {
 
+struct SweepOptions {
+  CellOptions compare;
+  RoundOptions rounds{.budget_s = 4, .precision = 0.05};  // of a timed point
+  std::vector<std::string> sets;                          // PATH=VALUES
+  bool zip = false;
+  std::vector<std::string> views;                   // by name; empty: all
+  std::vector<std::string> limits = {"ssim=0.98"};  // METRIC=NUMBER
+  Shard shard;
+  Schedule time{0}, fetches{8}, pictures{8};  // which points get rounds, counts, pictures
+};
+
 // The signal that asked to stop; the cell that runs is finished first. A second one ends the program at once, which loses that
 // cell and nothing else.
 volatile std::sig_atomic_t stopped_by = 0;
@@ -26,7 +40,7 @@ volatile std::sig_atomic_t stopped_by = 0;
 void ask_to_stop(int signal) {
   stopped_by = signal;
   std::signal(signal, SIG_DFL);
-  constexpr char said[] = "\nlamina: finishing the cell; once more stops at once\n";
+  constexpr char said[] = "\nlamina: finishing the cell; a second Ctrl-C stops at once\n";
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, said, sizeof said - 1);
 }
 
@@ -79,18 +93,14 @@ std::string inputs_hash(const SweepOptions& options, const Scene& scene) {
 }
 
 // All must open here: a backend that is missing is known before anything runs.
-std::vector<DeviceInfo> devices_of(const SweepOptions& options) {
-  std::vector<DeviceInfo> devices;
-  for (const std::string& name : options.compare.backends) {
-    try {
-      devices.push_back(open_backend(name, {options.compare.device, options.compare.validation})->info());
-    } catch (const Error& error) {
-      if (error.kind() == ErrorKind::bad_input) throw;
-      throw Error(ErrorKind::no_device, "sweep", name,
-                  fmt::format("{}; name those that are here with --backend", error.what()));
-    }
-    check_size("sweep", options.compare, devices.back());
-  }
+std::vector<DeviceInfo> all_devices(const SweepOptions& options) {
+  const std::vector<ProbedBackend> backends = probe_backends(options.compare);
+  for (const ProbedBackend& backend : backends)
+    if (!backend.device)
+      throw Error(ErrorKind::no_device, "sweep", backend.name,
+                  fmt::format("{}; name those that are here with --backend", backend.failure));
+  std::vector<DeviceInfo> devices = devices_of(backends);
+  check_size("sweep", options.compare, devices);
   return devices;
 }
 
@@ -101,8 +111,29 @@ SweepRow sweep_row(const SweepOptions& options, const SweepPoints& points, const
   row.zip = points.zip;
   row.points = points.count();
   row.shard_index = options.shard.index, row.shard_count = options.shard.count;
-  for (const Limit& limit : limits) row.limits.emplace_back(limit.metric, limit.value);
+  row.limits = limits;
   return row;
+}
+
+// `inputs` is a hash of all that the cells follow from.
+nlohmann::ordered_json sweep_run_line(const SweepOptions& options, const Scene& scene,
+                                      const std::vector<const EffectManifest*>& effects, const std::vector<DeviceInfo>& devices,
+                                      const std::string& inputs) {
+  nlohmann::ordered_json line = run_line(options.compare, options.rounds, false, scene, devices);
+  nlohmann::ordered_json& settings = line["settings"];
+  settings["backends"] = options.compare.backends;
+  settings["effects"] = settings["variants"] = settings["views"] = nlohmann::ordered_json::array();
+  for (const EffectManifest* effect : effects) {
+    settings["effects"].push_back(effect->name);
+    for (const VariantManifest& variant : effect->variants)
+      if (is_compared(variant, options.compare)) settings["variants"].push_back(effect->name + "/" + variant.name);
+  }
+  for (const View& view : scene.views) settings["views"].push_back(view.name);
+  settings["time"] = words_of(options.time);
+  settings["fetches"] = words_of(options.fetches);
+  settings["pictures"] = words_of(options.pictures);
+  line["inputs"] = inputs;
+  return line;
 }
 
 // What is done, what is left, and the worst error, for the progress line.
@@ -115,6 +146,7 @@ struct Tally {
     failed += row.failed;
     if (row.error_covered) worst_ssim = std::min(worst_ssim, row.error_covered->ssim);
   }
+  double fraction() const { return static_cast<double>(done) / static_cast<double>(all); }
   std::string words(const std::string& point) const {
     return fmt::format("{} of {} cells, at {}, worst SSIM {:.4f}", done, all, point, worst_ssim);
   }
@@ -135,26 +167,37 @@ bool is_left(const Sweep& sweep, const std::string& backend, const EffectManifes
   return !sweep.earlier.contains({backend, effect.name, variant, view, point});
 }
 
-bool anything_left(const Sweep& sweep, const std::string& backend, const EffectManifest& effect, size_t point) {
+size_t cells_left(const Sweep& sweep, const std::string& backend, const EffectManifest& effect, size_t point) {
+  size_t cells = 0;
+  if (!sweep.options.shard.has(point)) return cells;
   for (const VariantManifest& variant : effect.variants)
     for (const View& view : sweep.scenes.scene().views)
-      if (is_compared(variant, sweep.options.compare) && is_left(sweep, backend, effect, variant.name, view.name, point))
-        return true;
-  return false;
+      cells += is_compared(variant, sweep.options.compare) && is_left(sweep, backend, effect, variant.name, view.name, point);
+  return cells;
+}
+
+size_t cells_left(const Sweep& sweep, const std::string& backend) {
+  size_t cells = 0;
+  for (const EffectManifest* effect : sweep.effects)
+    for (size_t point = 0; point < sweep.scenes.points().count(); ++point) cells += cells_left(sweep, backend, *effect, point);
+  return cells;
+}
+
+MeasuredPoint measured_point(const Sweep& sweep, size_t point, bool timer_ok) {
+  const SweepOptions& options = sweep.options;
+  return {.params = sweep.scenes.params(point),
+          .words = sweep.scenes.words_at(point),
+          .timed = options.time.has(point) && timer_ok,
+          .counted = options.fetches.has(point) || options.time.has(point),
+          .pictured = options.pictures.has(point),
+          .picture_suffix = fmt::format("-{}", point)};
 }
 
 // One backend: every point of the shard, every effect. Pictures are kept before the line that names them. Returns false where a
 // signal stopped it.
 bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress) {
   const SweepOptions& options = sweep.options;
-  const auto left = [&](const EffectManifest& effect) {
-    size_t points = 0;
-    for (size_t point = 0; point < sweep.scenes.points().count(); ++point)
-      points += options.shard.has(point) && anything_left(sweep, name, effect, point);
-    return points;
-  };
-  if (std::none_of(sweep.effects.begin(), sweep.effects.end(), [&](const EffectManifest* effect) { return left(*effect) > 0; }))
-    return true;
+  if (cells_left(sweep, name) == 0) return true;
   const std::unique_ptr<Backend> backend = open_backend(name, {options.compare.device, options.compare.validation});
   bool timer_ok = false;
   if (options.time.every > 0) {
@@ -168,25 +211,36 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
                  "into another folder, on a machine that is less busy\n",
                  name, timer.reason);
   }
+  SweptSceneOnDevice there(*backend, sweep.scenes, sweep.library, options.compare);
   ShaderCache shaders(backend->info().api, sweep.library.shaders);
+  const Tell tell = [&](double, const std::string& what) { progress.show(sweep.tally.fraction(), what); };
   bool go_on = true;
   for (const EffectManifest* effect : sweep.effects) {
     const auto start = std::chrono::steady_clock::now();
     size_t cells = 0;
-    PointRun run(*backend, sweep.scenes, sweep.library, *effect, shaders, options, timer_ok);
+    EffectRun run(*backend, *effect, shaders, options.compare, "images", tell);
     for (size_t point = 0; point < sweep.scenes.points().count() && go_on; ++point) {
-      if (!options.shard.has(point) || !anything_left(sweep, name, *effect, point)) continue;
+      if (cells_left(sweep, name, *effect, point) == 0) continue;
+      std::string failure;  // of the point: all its cells fail, the next points go on
+      try {
+        there.go_to(point, [&] { run.release(); });
+      } catch (const std::exception& error) {
+        failure = error.what();
+      }
+      run.start(there.here(), measured_point(sweep, point, timer_ok), failure);
+      run.prepare();
+      run.count();
+      run.time(options.rounds);
       const auto wanted = [&](const std::string& variant, const std::string& view) {
         return is_left(sweep, name, *effect, variant, view, point);
       };
-      go_on = run.run(point, wanted, progress, [&](const CellRow& row, const std::vector<PointRun::Picture>& pictures) {
-        for (const auto& [file, picture] : pictures) write_png((options.compare.out / "images" / file).string(), picture);
+      const auto done = [&](const CellRow& row) {
         append_row(sweep.record, row);
         sweep.tally.add(row), ++cells;
-        progress.show(static_cast<double>(sweep.tally.done) / static_cast<double>(sweep.tally.all),
-                      sweep.tally.words(sweep.scenes.words(point)));
+        progress.show(sweep.tally.fraction(), sweep.tally.words(sweep.scenes.words(point)));
         return stopped_by == 0;
-      });
+      };
+      go_on = run.score({.wanted = wanted, .done = done});
     }
     if (cells == 0) continue;
     const double wall_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -202,10 +256,9 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
   return go_on;
 }
 
-}  // namespace
-
 int run_sweep(const SweepOptions& options) {
   const StopSignals signals;
+  pin_rasterizer_threads();
   const Library library = load_library_for(options.compare.scene);
   SweptScene scenes(scene_of(options, library), library, points_from(options));
   const Scene& scene = scenes.scene();
@@ -214,30 +267,27 @@ int run_sweep(const SweepOptions& options) {
   check_variant_names("sweep", options.compare.variants, variant_names(effects));
   std::vector<Limit> limits;
   for (const std::string& text : options.limits) limits.push_back(parse_limit(text));
-  const std::vector<DeviceInfo> devices = devices_of(options);
-  ShaderCache shaders(Api::vulkan, library.shaders);
-  const nlohmann::ordered_json planned = plan_line(plan, scene, shaders);
+  const std::vector<DeviceInfo> devices = all_devices(options);
 
   make_run_folder("sweep", options.compare.out);
   const FolderLock lock("sweep", options.compare.out);
   const std::filesystem::path file = options.compare.out / "record.jsonl";
-  const nlohmann::ordered_json run = run_line(options, scene, effects, devices, inputs_hash(options, scene));
-  const nlohmann::ordered_json sweep_line = to_json(sweep_row(options, scenes.points(), limits));
-  const std::optional<Earlier> earlier = continue_record(file, run, sweep_line, scenes.points());
+  const nlohmann::ordered_json run = sweep_run_line(options, scene, effects, devices, inputs_hash(options, scene));
+  const SweepRow swept = sweep_row(options, scenes.points(), limits);
+  const std::optional<Earlier> earlier = continue_record(file, run, swept, scenes.points());
+  std::optional<PlanRow> planned;  // before the record is begun: a mistake of a manifest leaves none
+  if (!earlier || !earlier->kinds.contains("plan")) {
+    ShaderCache shaders(Api::vulkan, library.shaders);
+    planned = plan_row(plan, scene, shaders);
+  }
   RecordWriter record(file, earlier.has_value());
-  if (!earlier) record.append(run), record.append(sweep_line);
-  if (!earlier || !earlier->kinds.contains("plan")) record.append(planned);
+  if (!earlier) record.append(run), record.append(to_json(swept));
+  if (planned) record.append(to_json(*planned));
 
   Tally tally;
   const std::set<CellKey> known = earlier ? earlier->cells : std::set<CellKey>{};
   const Sweep sweep{options, library, scenes, effects, known, record, tally};
-  for (const std::string& backend : options.compare.backends)
-    for (const EffectManifest* effect : effects)
-      for (const VariantManifest& variant : effect->variants)
-        for (size_t point = 0; point < scenes.points().count(); ++point)
-          for (const View& view : scene.views)
-            tally.all += options.shard.has(point) && is_compared(variant, options.compare) &&
-                         is_left(sweep, backend, *effect, variant.name, view.name, point);
+  for (const std::string& backend : options.compare.backends) tally.all += cells_left(sweep, backend);
   if (earlier)
     fmt::print("resuming {}: {} cells are there, {} to go{}\n", file.string(), known.size(), tally.all,
                earlier->cut_bytes > 0 ? fmt::format("; a line cut short ({} bytes) was taken off", earlier->cut_bytes) : "");
@@ -251,6 +301,53 @@ int run_sweep(const SweepOptions& options) {
     }
   const bool failed = end_sweep(options.compare.out, record);
   return failed || tally.messages > 0 ? 1 : 0;
+}
+
+void add_schedule(CLI::App& command, const std::string& name, Schedule& schedule, const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          name, [name, &schedule](const std::string& text) { schedule = parse_schedule(name, text); }, help)
+      ->default_str(words_of(schedule));
+}
+
+}  // namespace
+
+Command add_sweep(CLI::App& program) {
+  auto options = std::make_shared<SweepOptions>();
+  options->compare.out = "lamina-sweep";
+  CLI::App& command =
+      *program.add_subcommand("sweep", "Errors and cost of every variant along parameters; resumes where it was stopped");
+  add_scene_name(command, options->compare.scene);
+  command
+      .add_option(
+          "--set", options->sets,
+          "PATH=FROM:TO:STEP, PATH=FROM:TO:xFACTOR or PATH=A,B,C (may be given again, for a grid); the moment of the scene "
+          "is scene.time, in seconds; 'lamina list --parameters SCENE' names the paths")
+      ->required();
+  command.add_flag("--zip", options->zip, "Values of several --set in pairs, not as a grid");
+  add_schedule(command, "--time", options->time, "Points whose cost is timed: none, all or every:N");
+  add_schedule(command, "--fetches", options->fetches,
+               "Points whose fetches are counted, besides timed ones: none, all or every:N");
+  add_schedule(command, "--pictures", options->pictures, "Points whose pictures are kept: none, all or every:N");
+  command.add_option("--limit", options->limits, "METRIC=NUMBER that is good enough (may be given again)")
+      ->capture_default_str();
+  command.add_option_function<std::string>(
+      "--shard", [options = options.get()](const std::string& text) { options->shard = parse_shard(text); },
+      "K/N: the K-th part of N, K from 1; 'lamina merge' joins them");
+  add_out(command, options->compare.out, "Folder for record, report and pictures; one that holds a part of this sweep");
+  add_backends(command, options->compare);
+  add_variant(command, options->compare.variants);
+  command.add_option("--view", options->views, "Only this view (may be given again)");
+  add_variants_dir(command, options->compare.scene);
+  add_size(command, options->compare);
+  add_rounds(command, options->rounds, "a timed point");
+  add_truth(command, options->compare);
+  add_seed(command, options->rounds.seed);
+  add_validation(command, options->compare);
+  return {&command, [=](const std::string& typed) {
+            options->compare.command = typed;
+            return run_sweep(*options);
+          }};
 }
 
 }  // namespace lamina

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "harness/sweep/answers.h"
-#include "reports/sweep_text.h"
+#include "reports/sweep/sweep_text.h"
 
 namespace lamina {
 
@@ -15,19 +15,10 @@ bool end_sweep(const std::filesystem::path& out, RecordWriter& record) {
   bool failed = false;
   {
     Record read = read_record(file);
-    std::vector<Limit> limits;
-    for (const nlohmann::json& limit : read.sweeps.front().at("limits"))
-      limits.push_back({limit.at("metric"), limit.at("limit")});
     const std::vector<Curve> curves = curves_of(read);
-    const std::vector<CrossoverRow> found = answers(curves, limits);
-    read.crossovers.clear();
-    for (const CrossoverRow& row : found) {
-      record.append(to_json(row));
-      read.crossovers.push_back(to_json(row));
-    }
-    failed =
-        std::any_of(read.cells.begin(), read.cells.end(), [](const auto& cell) { return cell.at("status") == "failed"; }) ||
-        std::any_of(read.timers.begin(), read.timers.end(), [](const auto& timer) { return !timer.at("ok"); });
+    read.crossovers = answers(curves, read.sweeps.front().limits);
+    for (const CrossoverRow& row : read.crossovers) record.append(to_json(row));
+    failed = std::ranges::any_of(read.cells, &CellRow::failed) || !std::ranges::all_of(read.timers, &TimerRow::ok);
     fmt::print("{}\n{}", sweep_terminal(curves), answers_terminal(read, out / "summary.md"));
   }
   write_reports(out);

@@ -24,10 +24,10 @@ Mask covered_by(const TruthAnswer& answer, const Image& picture) {
 }  // namespace
 
 TruthRun::TruthRun(SceneResources& resources, const Plan& plan, const EffectManifest& effect, ShaderCache& shaders,
-                   Bakes& bakes, const CompareOptions& options)
+                   Bakes& bakes, const CellOptions& options)
     : resources_(resources), plan_(plan), effect_(effect), shaders_(shaders), bakes_(bakes), options_(options) {}
 
-// The variant whose passes for the truth tell of bakes like this one's.
+// The variant that has passes for the truth and the same bake options as this one.
 const VariantManifest* TruthRun::teller(const VariantManifest& variant) const {
   if (effect_.truth.empty()) return nullptr;
   for (const VariantManifest& candidate : effect_.variants)
@@ -64,7 +64,7 @@ TruthRun::Answered& TruthRun::answered(const VariantManifest& told, size_t view,
   return made;
 }
 
-void TruthRun::score(const VariantManifest& variant, size_t view, const Image& picture, CellRow& row, const Write& write,
+void TruthRun::score(const VariantManifest& variant, size_t view, const Image& picture, CellRow& row, const KeepPicture& keep,
                      const std::function<void(double)>& progress) {
   const VariantManifest* told = teller(variant);
   if (!told || options_.truth_rays == 0) return;
@@ -74,9 +74,9 @@ void TruthRun::score(const VariantManifest& variant, size_t view, const Image& p
   const Mask covered = covered_by(with.answer, picture);
   const auto lit_by = [&](const TruthStep& step) { return with_light(picture, with.answer, step.light); };
   const auto assumption = [&](const TruthStep& step, const Image& made, const Image& without) {
-    const DisplayImage difference = difference_picture(to_display(made), to_display(without), difference_gain);
-    return AssumptionRow{step.name, step.title, measure_error(made, without, covered).covered,
-                         write("-" + step.name, difference)};
+    AssumptionRow found{step.name, step.title, measure_error(made, without, covered).covered, ""};
+    if (keep) found.image = keep("-" + step.name, difference_picture(to_display(made), to_display(without), difference_gain));
+    return found;
   };
   const Image first = lit_by(steps.front()), truth = lit_by(steps.back());
   row.error_truth = measure_error(picture, truth, covered).covered;
@@ -85,7 +85,7 @@ void TruthRun::score(const VariantManifest& variant, size_t view, const Image& p
     with.has_shared = true;
     for (size_t i = 1; i < steps.size(); ++i)
       with.shared.push_back(assumption(steps[i], lit_by(steps[i - 1]), lit_by(steps[i])));
-    with.image = write("-truth", to_display(truth));
+    if (keep) with.image = keep("-truth", to_display(truth));
   }
   row.assumptions.insert(row.assumptions.end(), with.shared.begin(), with.shared.end());
   row.truth_image = with.image;

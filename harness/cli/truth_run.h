@@ -7,7 +7,7 @@
 #include <map>
 #include <memory>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/cell.h"
 #include "harness/graph/frame.h"
 #include "harness/record/record.h"
 #include "harness/truth/truth.h"
@@ -18,22 +18,20 @@ class TruthRun {
  public:
   // Everything must outlive this.
   TruthRun(SceneResources& resources, const Plan& plan, const EffectManifest& effect, ShaderCache& shaders, Bakes& bakes,
-           const CompareOptions& options);
+           const CellOptions& options);
 
-  // Writes a picture and returns its path for the record.
-  using Write = std::function<std::string(const std::string& suffix, const DisplayImage& image)>;
   // The scene's numbers have changed: what was answered is another scene's.
   void forget();
   // Fills in the row's truth and assumptions, where the effect has a truth for variants like this one and this view shows any
   // of it. `picture`: the variant's, of this view, all finite.
-  void score(const VariantManifest& variant, size_t view, const Image& picture, CellRow& row, const Write& write,
+  void score(const VariantManifest& variant, size_t view, const Image& picture, CellRow& row, const KeepPicture& keep,
              const std::function<void(double)>& progress);
 
  private:
-  // What a view shows, as one variant's passes tell it.
+  // What a view shows, as one variant's passes for the truth draw it.
   struct Answered {
     TruthAnswer answer;
-    std::vector<AssumptionRow> shared;  // the assumptions that all variants that are told alike make
+    std::vector<AssumptionRow> shared;  // the assumptions of all variants with the same truth passes
     std::string image;
     bool has_shared = false;
   };
@@ -45,7 +43,7 @@ class TruthRun {
   const EffectManifest& effect_;
   ShaderCache& shaders_;
   Bakes& bakes_;
-  const CompareOptions& options_;
+  const CellOptions& options_;
   std::unique_ptr<Truth> truth_;  // started when it is first asked
   std::map<const VariantManifest*, std::unique_ptr<Graph>> graphs_;
   std::map<const VariantManifest*, std::unique_ptr<Frame>> frames_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results that take long to make, kept on disk under the hash of all that they follow from.
+// Results that take long to make, kept on disk. The cache key is a hash of everything that they depend on.
 #pragma once
 
 #include <filesystem>
@@ -15,9 +15,9 @@ class DiskCache {
   // An empty folder keeps nothing. The folder is made when the first result is kept.
   explicit DiskCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  // What was kept as `key` (a file name without its ending). A damaged file is as good as none, and warned of.
+  // The result that was kept as `key` (a file name without its ending). A damaged file counts as missing, with a warning.
   std::optional<std::string> find(std::string_view key);
-  // Written beside and renamed, so that nobody reads half of it. What cannot be written is warned of, and not an error.
+  // Written to another name and renamed, so that nobody reads half of it. A failed write is a warning, not an error.
   void keep(std::string_view key, std::string_view bytes);
 
   // Sentences for the user, since the last call.

@@ -27,15 +27,6 @@ constexpr std::array<FormatRow, 12> formats = {{
     {Format::r32_uint, "r32_uint", 4, 1},
     {Format::d32_float, "d32_float", 4, 1},
 }};
-constexpr std::array<std::string_view, 3> filters = {"nearest", "linear", "trilinear"};
-constexpr std::array<std::string_view, 2> wraps = {"clamp", "repeat"};
-
-template <class Value>
-std::optional<Value> value_named(const auto& names, std::string_view name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<Value>(found - names.begin());
-}
 
 }  // namespace
 
@@ -49,9 +40,7 @@ std::optional<Format> format_named(std::string_view name) {
   return std::nullopt;
 }
 
-std::string_view name_of(Filter filter) { return filters[static_cast<size_t>(filter)]; }
-std::optional<Filter> filter_named(std::string_view name) { return value_named<Filter>(filters, name); }
-std::optional<Wrap> wrap_named(std::string_view name) { return value_named<Wrap>(wraps, name); }
+std::string_view name_of(Filter filter) { return filter_names[static_cast<size_t>(filter)]; }
 
 uint32_t full_mip_levels(uint32_t width, uint32_t height) {
   return static_cast<uint32_t>(std::bit_width(std::max(width, height)));

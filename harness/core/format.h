@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace lamina {
 
@@ -30,6 +32,7 @@ std::optional<Format> format_named(std::string_view name);
 // Size of one texel.
 uint32_t bytes_per_texel(Format format);
 uint32_t channels_of(Format format);
+inline bool is_depth(Format format) { return format == Format::d32_float; }
 
 enum class Filter : uint8_t {
   nearest,    // one texel of the base level
@@ -42,9 +45,10 @@ struct Sampler {
   Wrap wrap = Wrap::clamp;
   bool operator==(const Sampler&) const = default;
 };
+// As manifests and records say them, in the order of the enumerators.
+inline const std::vector<std::string> filter_names = {"nearest", "linear", "trilinear"};
+inline const std::vector<std::string> wrap_names = {"clamp", "repeat"};
 std::string_view name_of(Filter filter);
-std::optional<Filter> filter_named(std::string_view name);
-std::optional<Wrap> wrap_named(std::string_view name);
 
 // Levels of a full mip chain: floor(log2(max(width, height))) + 1.
 uint32_t full_mip_levels(uint32_t width, uint32_t height);

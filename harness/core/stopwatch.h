@@ -5,12 +5,17 @@
 
 namespace lamina {
 
-// Seconds of wall time since it was made.
+// Wall time since it was made.
 class Stopwatch {
  public:
-  double elapsed_s() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  double elapsed_s() const { return elapsed<std::ratio<1>>(); }
+  double elapsed_ms() const { return elapsed<std::milli>(); }
 
  private:
+  template <class Unit>
+  double elapsed() const {
+    return std::chrono::duration<double, Unit>(std::chrono::steady_clock::now() - start_).count();
+  }
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

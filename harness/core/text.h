@@ -20,7 +20,7 @@ std::string unknown_name(std::string_view what, std::string_view name, std::span
 // Whole file as bytes. Throws Error(bad_input) of `stage` when it is missing or unreadable.
 std::string read_file(const std::filesystem::path& path, std::string_view stage);
 
-// Writes beside the target and renames over it, so that a reader never sees half a file. Throws Error(failed).
+// Writes to another name and renames it over the target, so that a reader never sees half a file. Throws Error(failed).
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 // The double that is written as shortly as this float: 10.24, not 10.239999771118164.

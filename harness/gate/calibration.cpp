@@ -7,6 +7,8 @@
 #include <fstream>
 #include <map>
 
+#include "harness/gate/verdict.h"
+
 namespace lamina {
 namespace {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the gates of a calibration ended: as lines of its file, by which it goes on where it was stopped, and as a table of the
-// gate's error rates.
+// How the gates of a calibration ended: as lines of its file, from which it resumes, and as a table of the gate's error rates.
 #pragma once
 
 #include <filesystem>

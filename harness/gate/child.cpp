@@ -39,27 +39,27 @@ void* map_untouched(size_t bytes) {
   return at;
 }
 
-// A forked process would map libraries, code and memory where its siblings do, and times depend on where by a percent or two:
-// so each sets aside some of either, untouched, before anything else. Pages move what is mapped later, the heap's part of a
-// page what is allocated. Small mappings would still go where they do in the siblings, into holes between those that all have
-// from the parent: the holes are closed.
+// A forked process would place libraries, code and memory where its siblings do, and times depend on the place by a percent or
+// two. So each child first reserves some pages and some heap, which it never touches: the pages move what is mapped later, the
+// heap moves what is allocated later. Small mappings would still go into holes that all children inherit from the parent, so
+// the holes are filled.
 void lay_out_anew() {
   std::random_device random;
   const auto page = static_cast<size_t>(::sysconf(_SC_PAGESIZE));
-  constexpr size_t most_pages = 1 << 16;
-  const size_t pages = 1 + random() % most_pages, heap_bytes = 16 * (1 + random() % 4096);
+  constexpr size_t max_pages = 1 << 16;
+  const size_t pages = 1 + random() % max_pages, heap_bytes = 16 * (1 + random() % 4096);
   [[maybe_unused]] static void* volatile kept;  // or a compiler leaves the allocation out
   kept = std::malloc(heap_bytes);
   // The kernel maps downwards, but into a hole where one is large enough; this is the first address below all smaller holes.
-  auto* const free = static_cast<std::byte*>(map_untouched(most_pages * page));
-  for (size_t hole = most_pages / 2; hole >= 1; hole /= 2)
+  auto* const free = static_cast<std::byte*>(map_untouched(max_pages * page));
+  for (size_t hole = max_pages / 2; hole >= 1; hole /= 2)
     for (;;) {
       auto* const in_hole = static_cast<std::byte*>(map_untouched(hole * page));
       if (in_hole > free) continue;
       ::munmap(in_hole, hole * page);
       break;
     }
-  if (pages < most_pages) ::munmap(free, (most_pages - pages) * page);
+  if (pages < max_pages) ::munmap(free, (max_pages - pages) * page);
 }
 
 [[noreturn]] void be_child(int to, const std::function<void(const EmitLine&)>& work) {

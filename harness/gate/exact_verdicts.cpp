@@ -12,8 +12,6 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr double blank_range = 1e-4;  // below any difference that a display shows
 
 struct Subject {
@@ -41,22 +39,19 @@ struct Count {
   std::string what, pass, texture;
   auto operator<=>(const Count&) const = default;
 };
-std::map<Count, double> counts_of(const Json& cell) {
-  const auto value = [](const Json& count) { return count.is_null() ? 0.0 : count.get<double>(); };
+std::map<Count, double> counts_of(const CellRow& cell) {
   std::map<Count, double> counts;
-  for (const Json& pass : cell.at("passes")) {
-    const std::string name = pass.at("name");
-    counts[{"fragments", name, ""}] += value(pass.at("fragments"));
-    counts[{"vertices", name, ""}] += value(pass.at("vertices"));
-    for (const Json& fetched : pass.at("by_texture"))
-      counts[{"fetches", name,
-              fmt::format("{} ({}, {})", fetched.at("texture").get<std::string>(), fetched.at("format").get<std::string>(),
-                          fetched.at("filter").get<std::string>())}] += value(fetched.at("fetches"));
+  for (const PassRow& pass : cell.passes) {
+    counts[{"fragments", pass.name, ""}] += static_cast<double>(pass.fragments.value_or(0));
+    counts[{"vertices", pass.name, ""}] += static_cast<double>(pass.vertices.value_or(0));
+    for (const TextureFetches& fetched : pass.by_texture)
+      counts[{"fetches", pass.name, fmt::format("{} ({}, {})", fetched.texture, fetched.format, fetched.filter)}] +=
+          static_cast<double>(fetched.fetches);
   }
   return counts;
 }
 
-void judge_counts(const Subject& subject, const Json& before, const Json& after, std::set<std::string>& changed) {
+void judge_counts(const Subject& subject, const CellRow& before, const CellRow& after, std::set<std::string>& changed) {
   const std::map<Count, double> old_counts = counts_of(before), new_counts = counts_of(after);
   std::set<Count> all;
   for (const auto& [count, value] : old_counts) all.insert(count);
@@ -65,7 +60,7 @@ void judge_counts(const Subject& subject, const Json& before, const Json& after,
     const auto found = counts.find(count);
     return found == counts.end() ? 0.0 : found->second;
   };
-  const std::string view = after.at("view");
+  const std::string& view = after.view;
   for (const Count& count : all) {
     const double old_count = of(old_counts, count), new_count = of(new_counts, count);
     if (old_count == new_count) continue;
@@ -85,53 +80,63 @@ void judge_counts(const Subject& subject, const Json& before, const Json& after,
 
 struct Figure {
   const char* name;
+  double ErrorFigures::*value;
   bool more_is_better;
   double ErrorTolerance::*tolerance;
   std::optional<double> ErrorLimits::*bound;
 };
-constexpr Figure figures[] = {{"psnr_db", true, &ErrorTolerance::psnr_db, &ErrorLimits::min_psnr_db},
-                              {"ssim", true, &ErrorTolerance::ssim, &ErrorLimits::min_ssim},
-                              {"flip", false, &ErrorTolerance::flip, &ErrorLimits::max_flip},
-                              {"rmse_linear", false, &ErrorTolerance::rmse_linear, &ErrorLimits::max_rmse_linear},
-                              {"max_linear", false, &ErrorTolerance::max_linear, &ErrorLimits::max_max_linear}};
+constexpr Figure figures[] = {
+    {"psnr_db", &ErrorFigures::psnr_db, true, &ErrorTolerance::psnr_db, &ErrorLimits::min_psnr_db},
+    {"ssim", &ErrorFigures::ssim, true, &ErrorTolerance::ssim, &ErrorLimits::min_ssim},
+    {"flip", &ErrorFigures::flip, false, &ErrorTolerance::flip, &ErrorLimits::max_flip},
+    {"rmse_linear", &ErrorFigures::rmse_linear, false, &ErrorTolerance::rmse_linear, &ErrorLimits::max_rmse_linear},
+    {"max_linear", &ErrorFigures::max_linear, false, &ErrorTolerance::max_linear, &ErrorLimits::max_max_linear}};
 
-// Null PSNR is that of identical pictures.
-double value_of(const Json& error, const Figure& figure) {
-  const Json& value = error.at(figure.name);
-  return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
-}
+// What errors are measured against.
+struct Reference {
+  const char* name;
+  std::optional<ErrorFigures> CellRow::*error;
+};
+constexpr Reference to_baseline = {"baseline", &CellRow::error_covered}, to_truth = {"truth", &CellRow::error_truth};
+
+// What the errors of a view came to.
+struct ErrorsFound {
+  bool better = false, worse = false;  // some of them
+};
 
 // `before` may be null, here and below: then only what holds for every picture is judged.
-void judge_errors(const Subject& subject, const Json& before, const Json& after, const char* against, const ErrorLimits& bounds,
-                  std::set<std::string>& changed) {
-  const Json old_error = before.is_null() ? Json() : before.at("error").at(against);
-  const Json& new_error = after.at("error").at(against);
-  const std::string view = after.at("view");
-  if (new_error.is_null()) {
-    if (old_error.is_null()) return;
+void judge_errors(const Subject& subject, const CellRow* before, const CellRow& after, const Reference& against,
+                  const ErrorLimits& bounds, std::set<std::string>& changed, ErrorsFound& found) {
+  const std::optional<ErrorFigures> old_error = before ? before->*against.error : std::nullopt;
+  const std::optional<ErrorFigures>& new_error = after.*against.error;
+  const std::string& view = after.view;
+  if (!new_error) {
+    if (!old_error) return;
     changed.insert("errors");
-    add(subject, fmt::format("error to {}", against), Verdict::failed,
-        fmt::format("{}: its error to the {} could be measured before, now it cannot", name_of_cell(subject, view), against),
+    add(subject, fmt::format("error to {}", against.name), Verdict::failed,
+        fmt::format("{}: its error to the {} could be measured before, now it cannot", name_of_cell(subject, view),
+                    against.name),
         view);
     return;
   }
   for (const Figure& figure : figures) {
-    const std::string what = std::string(figure.name) + (std::string_view(against) == "truth" ? " to truth" : "");
-    const double now = value_of(new_error, figure), sign = figure.more_is_better ? 1 : -1;
+    const std::string what = std::string(figure.name) + (against.error == to_truth.error ? " to truth" : "");
+    const double now = (*new_error).*figure.value, sign = figure.more_is_better ? 1 : -1;
     const auto report = [&](Verdict verdict, std::optional<double> old_value, std::optional<double> limit,
                             std::string sentence) {
       changed.insert("errors");
+      (verdict == Verdict::better ? found.better : found.worse) = true;
       VerdictRow& row = add(subject, what, verdict, std::move(sentence), view);
       row.before = old_value, row.after = now, row.limit = limit;
     };
     if (const std::optional<double>& bound = bounds.*figure.bound; bound && sign * now < sign * *bound) {
-      report(Verdict::failed, old_error.is_null() ? std::nullopt : std::optional(value_of(old_error, figure)), bound,
+      report(Verdict::failed, old_error ? std::optional((*old_error).*figure.value) : std::nullopt, bound,
              fmt::format("{}: {} is {:.6g}, the gate file asks for {} {:.6g}", name_of_cell(subject, view), what, now,
                          figure.more_is_better ? "at least" : "at most", *bound));
       continue;
     }
-    if (old_error.is_null()) continue;
-    const double was = value_of(old_error, figure), tolerance = subject.limits.tolerance.*figure.tolerance;
+    if (!old_error) continue;
+    const double was = (*old_error).*figure.value, tolerance = subject.limits.tolerance.*figure.tolerance;
     if (now == was || std::abs(now - was) <= tolerance) continue;
     const bool worse = sign * now < sign * was;
     report(worse ? Verdict::worse : Verdict::better, was, was - sign * tolerance,
@@ -139,14 +144,12 @@ void judge_errors(const Subject& subject, const Json& before, const Json& after,
   }
 }
 
-uint64_t count_at(const Json& cell, const char* field) { return cell.at(field).is_null() ? 0 : cell.at(field).get<uint64_t>(); }
-
-bool shows_something(const Json& cell) { return cell.contains("range_linear") && cell.at("range_linear") >= blank_range; }
+bool shows_something(const CellRow& cell) { return cell.range_linear >= blank_range; }
 
 // Whether the picture shows something, and something finite.
-void judge_content(const Subject& subject, const Json& before, const Json& after, std::set<std::string>& changed) {
-  const std::string view = after.at("view");
-  const uint64_t nonfinite = count_at(after, "nonfinite_pixels"), covered = count_at(after, "covered_pixels");
+void judge_content(const Subject& subject, const CellRow* before, const CellRow& after, std::set<std::string>& changed) {
+  const std::string& view = after.view;
+  const uint64_t nonfinite = after.nonfinite_pixels.value_or(0), covered = after.covered_pixels.value_or(0);
   if (nonfinite > subject.limits.max_nonfinite_pixels) {
     changed.insert("nonfinite");
     VerdictRow& row =
@@ -154,13 +157,14 @@ void judge_content(const Subject& subject, const Json& before, const Json& after
             fmt::format("{}: {} pixels are infinite or not a number", name_of_cell(subject, view), nonfinite), view);
     row.after = static_cast<double>(nonfinite), row.limit = static_cast<double>(subject.limits.max_nonfinite_pixels);
   }
-  if (before.is_null()) return;
-  const uint64_t covered_before = count_at(before, "covered_pixels");
+  if (!before) return;
+  const uint64_t covered_before = before->covered_pixels.value_or(0);
   if (covered == 0 && covered_before > 0) {
     changed.insert("blank");
     add(subject, "blank", Verdict::failed,
-        fmt::format("{}: the effect covers no pixel, it covered {}", name_of_cell(subject, view), covered_before), view);
-  } else if (shows_something(before) && !shows_something(after) && nonfinite == 0) {
+        fmt::format("{}: the effect covers no pixel; before, it covered {}", name_of_cell(subject, view), covered_before),
+        view);
+  } else if (shows_something(*before) && !shows_something(after) && nonfinite == 0) {
     changed.insert("blank");
     add(subject, "blank", Verdict::failed,
         fmt::format("{}: the picture is blank: all pixels that the effect covers are of one colour",
@@ -170,10 +174,10 @@ void judge_content(const Subject& subject, const Json& before, const Json& after
 }
 
 // Whether it is the picture that was there before.
-void judge_change(const Subject& subject, const Json& before, const Json& after, const std::optional<double>& change,
-                  bool hashes_tell, std::set<std::string>& changed) {
-  const std::string view = after.at("view");
-  const bool same_hash = before.at("image_hash") == after.at("image_hash");
+void judge_change(const Subject& subject, const CellRow& before, const CellRow& after, const std::optional<double>& change,
+                  bool hashes_tell, const ErrorsFound& errors, std::set<std::string>& changed) {
+  const std::string& view = after.view;
+  const bool same_hash = before.image_hash == after.image_hash;
   if (subject.limits.same_image && !same_hash) {
     changed.insert("image_hash");
     add(subject, "image_hash", Verdict::failed,
@@ -181,20 +185,11 @@ void judge_change(const Subject& subject, const Json& before, const Json& after,
         view);
   }
   const double most = subject.limits.max_picture_change;
-  if (same_hash || count_at(after, "nonfinite_pixels") > 0 || (change ? *change <= most : !hashes_tell)) return;
-  // Its errors have been judged before: rows of this view.
-  bool better = false, worse = false;
-  for (const VerdictRow& row : subject.rows) {
-    const bool is_error = std::any_of(std::begin(figures), std::end(figures),
-                                      [&](const Figure& figure) { return row.what.starts_with(figure.name); });
-    if (row.view != view || !is_error) continue;
-    better = better || row.verdict == Verdict::better;
-    worse = worse || row.verdict != Verdict::better;
-  }
-  if (better && !worse) return;
+  if (same_hash || after.nonfinite_pixels.value_or(0) > 0 || (change ? *change <= most : !hashes_tell)) return;
+  if (errors.better && !errors.worse) return;
   changed.insert("picture");
   const std::string by = change ? fmt::format(" by up to {:.4g} in linear light", *change) : ", as its hash did";
-  const char* why = after.at("baseline").get<bool>() ? "it is what other variants are held to" : "no error got better by it";
+  const char* why = after.baseline ? "it is what other variants are held to" : "no error got better by it";
   VerdictRow& row = add(subject, "picture", Verdict::worse,
                         fmt::format("{}: the picture changed{}, and {}", name_of_cell(subject, view), by, why), view);
   row.after = change;
@@ -204,8 +199,8 @@ void judge_change(const Subject& subject, const Json& before, const Json& after,
 // A variant that was not there before.
 void judge_presence(const Subject& subject, const CellPair& pair) {
   add(subject, "cell", Verdict::not_compared, name_of_cell(subject) + " is new: there is nothing to compare it with");
-  const auto drawn = [](const Json& cell) { return !cell.is_null() && cell.at("status") != "failed"; };
-  const auto covers = [&](const Json& cell) { return drawn(cell) && count_at(cell, "covered_pixels") > 0; };
+  const auto drawn = [](const std::optional<CellRow>& cell) { return cell && !cell->failed; };
+  const auto covers = [&](const std::optional<CellRow>& cell) { return drawn(cell) && cell->covered_pixels.value_or(0) > 0; };
   if (std::ranges::any_of(pair.after, drawn) && std::ranges::none_of(pair.after, covers))
     add(subject, "blank", Verdict::failed, name_of_cell(subject) + ": the effect covers no pixel in any view");
 }
@@ -214,20 +209,20 @@ void judge_presence(const Subject& subject, const CellPair& pair) {
 void judge_staleness(const Subject& subject, const CellPair& pair, std::set<std::string>& changed) {
   for (size_t i = 0; i < pair.after.size(); ++i)
     for (size_t j = i + 1; j < pair.after.size(); ++j) {
-      const Json &a = pair.after[i], &b = pair.after[j];
-      if (a.is_null() || b.is_null() || pair.before[i].is_null() || pair.before[j].is_null()) continue;
-      if (a.at("image_hash") != b.at("image_hash") || a.at("image_hash") == "") continue;
-      if (pair.before[i].at("image_hash") == pair.before[j].at("image_hash")) continue;
+      const std::optional<CellRow>&a = pair.after[i], &b = pair.after[j];
+      if (!a || !b || !pair.before[i] || !pair.before[j]) continue;
+      if (a->image_hash != b->image_hash || a->image_hash.empty()) continue;
+      if (pair.before[i]->image_hash == pair.before[j]->image_hash) continue;
       changed.insert("blank");
       add(subject, "stale", Verdict::failed,
-          fmt::format("{}: views {} and {} show the same picture, which they did not: a frame is not drawn again",
-                      name_of_cell(subject), a.at("view").get<std::string>(), b.at("view").get<std::string>()));
+          fmt::format("{}: views {} and {} show the same picture, which they did not before: a frame is not drawn again",
+                      name_of_cell(subject), a->view, b->view));
     }
 }
 
 }  // namespace
 
-double most_change(const Image& picture, const Image& before) {
+double max_change(const Image& picture, const Image& before) {
   if (before.width != picture.width || before.height != picture.height)
     throw Error(ErrorKind::failed, "gate", "picture", "the pictures before and after are of different sizes");
   double most = 0;
@@ -238,43 +233,40 @@ double most_change(const Image& picture, const Image& before) {
 
 std::vector<VerdictRow> judge_cells(const CellPair& pair, const Limits& limits) {
   std::vector<VerdictRow> rows;
-  const auto present = [](const std::vector<Json>& cells) {
-    return std::find_if(cells.begin(), cells.end(), [](const Json& cell) { return !cell.is_null(); });
+  const auto present = [](const std::vector<std::optional<CellRow>>& cells) {
+    return std::ranges::find_if(cells, [](const std::optional<CellRow>& cell) { return cell.has_value(); });
   };
-  const auto example = present(pair.before) != pair.before.end() ? present(pair.before) : present(pair.after);
-  Subject subject{limits, {}, rows};
-  subject.blank.backend = example->at("backend"), subject.blank.effect = example->at("effect");
-  subject.blank.variant = example->at("variant");
   const bool all_new = present(pair.before) == pair.before.end();
+  const CellRow& example = **(all_new ? present(pair.after) : present(pair.before));
+  Subject subject{limits, {}, rows};
+  subject.blank.backend = example.backend, subject.blank.effect = example.effect, subject.blank.variant = example.variant;
   std::set<std::string> changed;
   size_t compared = 0;
   for (size_t i = 0; i < pair.after.size(); ++i) {
-    const Json &before = pair.before[i], &after = pair.after[i];
-    if (after.is_null()) {
+    const std::optional<CellRow>&before = pair.before[i], &after = pair.after[i];
+    if (!after) {
+      add(subject, "cell", Verdict::failed, fmt::format("{} is gone: it was there before", name_of_cell(subject, before->view)),
+          before->view);
+    } else if (after->failed) {
       add(subject, "cell", Verdict::failed,
-          fmt::format("{} is gone: it was there before", name_of_cell(subject, before.at("view"))), before.at("view"));
-    } else if (after.at("status") == "failed") {
-      add(subject, "cell", Verdict::failed,
-          fmt::format("{} cannot be measured: {}", name_of_cell(subject, after.at("view")),
-                      after.at("reason").get<std::string>()),
-          after.at("view"));
+          fmt::format("{} cannot be measured: {}", name_of_cell(subject, after->view), after->reason), after->view);
     } else {
-      const bool comparable = !before.is_null() && before.at("status") != "failed";
-      const Json was = comparable ? before : Json();
-      if (comparable) {
+      const CellRow* was = before && !before->failed ? &*before : nullptr;
+      if (was) {
         ++compared;
-        judge_counts(subject, was, after, changed);
+        judge_counts(subject, *was, *after, changed);
       } else if (!all_new) {
         add(subject, "cell", Verdict::not_compared,
-            fmt::format("{} {}, so there is nothing to compare it with", name_of_cell(subject, after.at("view")),
-                        before.is_null() ? "is new" : "could not be measured before"),
-            after.at("view"));
+            fmt::format("{} {}, so there is nothing to compare it with", name_of_cell(subject, after->view),
+                        before ? "could not be measured before" : "is new"),
+            after->view);
       }
-      judge_errors(subject, was, after, "baseline", limits.baseline, changed);
-      judge_errors(subject, was, after, "truth", limits.truth, changed);
-      judge_content(subject, was, after, changed);
+      ErrorsFound errors;
+      judge_errors(subject, was, *after, to_baseline, limits.baseline, changed, errors);
+      judge_errors(subject, was, *after, to_truth, limits.truth, changed, errors);
+      judge_content(subject, was, *after, changed);
       const std::optional<double> change = i < pair.changes.size() ? pair.changes[i] : std::nullopt;
-      if (comparable) judge_change(subject, was, after, change, pair.hashes_tell, changed);
+      if (was) judge_change(subject, *was, *after, change, pair.hashes_tell, errors, changed);
     }
   }
   if (all_new) judge_presence(subject, pair);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "harness/core/bytes.h"
 #include "harness/core/text.h"
 
 namespace lamina {
@@ -13,8 +14,7 @@ std::string code_of(const GraphPass& pass) {
   std::string code;
   for (const GraphDraw& draw : pass.draws)
     for (const auto& stage : draw.stages)
-      code += fmt::format("\n{} {} {}", pass.pass->name, stage->hash,
-                          hash_hex({reinterpret_cast<const char*>(stage->spirv.data()), stage->spirv.size() * 4}));
+      code += fmt::format("\n{} {} {}", pass.pass->name, stage->hash, hash_hex(bytes_of(stage->spirv)));
   return code;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a variant is the same in two trees: byte-identical code run by one harness on one driver cannot differ, and a gate
-// that times it can only raise false alarms. Nor can the passes of a frame before the first whose code differs.
+// Whether a variant is the same in two trees. Byte-identical code on one driver cannot differ in time, so timing it could only
+// raise false alarms. The same holds for the passes of a frame before the first one whose code differs.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace lamina {
 struct Identity {
   std::string whole;  // a hash over the manifests of the variant and its effect, as bytes, and what is done once
   std::vector<std::string> frame_passes;  // a hash over the compiled shaders of each pass of the frame, in order
-  std::string truth;                      // a hash over those that tell the truth what each pixel shows
+  std::string truth;                      // a hash over the passes for the truth
   bool operator==(const Identity&) const = default;
 };
 // `truth` is the variant's graph of that purpose, or null where it has none.

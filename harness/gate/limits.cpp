@@ -11,11 +11,11 @@
 namespace lamina {
 namespace {
 
-constexpr double largest_psnr_db = 1000, largest_linear = 65504, most_pixels = 1e9;
+constexpr double largest_psnr_db = 1000, largest_linear = 65504, max_pixels = 1e9;
 
 enum class Form : uint8_t { number, share, flag };  // share: "3%", or 0.03
 
-struct Key {
+struct LimitKey {
   const char* name;
   Form form;
   double low, high;
@@ -30,15 +30,15 @@ std::function<void(Limits&, double)> in(double ErrorTolerance::*member) {
   return [=](Limits& limits, double value) { limits.tolerance.*member = value; };
 }
 
-const std::vector<Key>& known_keys() {
-  static const std::vector<Key> keys = {
+const std::vector<LimitKey>& known_keys() {
+  static const std::vector<LimitKey> keys = {
       {"max_slowdown", Form::share, 1e-4, 10, [](Limits& l, double v) { l.max_slowdown = v; }},
       {"min_pass_share", Form::share, 0, 1, [](Limits& l, double v) { l.min_pass_share = v; }},
       {"max_drift", Form::share, 1e-4, 10, [](Limits& l, double v) { l.max_drift = v; }},
       {"max_ratio_drift", Form::share, 1e-4, 10, [](Limits& l, double v) { l.max_ratio_drift = v; }},
       {"max_extra_fetches", Form::share, 0, 1000, [](Limits& l, double v) { l.max_extra_fetches = v; }},
       {"max_picture_change", Form::number, 0, largest_linear, [](Limits& l, double v) { l.max_picture_change = v; }},
-      {"max_nonfinite_pixels", Form::number, 0, most_pixels,
+      {"max_nonfinite_pixels", Form::number, 0, max_pixels,
        [](Limits& l, double v) { l.max_nonfinite_pixels = static_cast<uint64_t>(v); }},
       {"same_image", Form::flag, 0, 1, [](Limits& l, double v) { l.same_image = v != 0; }},
       {"min_psnr_db", Form::number, 0, largest_psnr_db, in(&Limits::baseline, &ErrorLimits::min_psnr_db)},
@@ -60,11 +60,11 @@ const std::vector<Key>& known_keys() {
   return keys;
 }
 
-const Key& key_named(const std::string& name) {
-  return *std::find_if(known_keys().begin(), known_keys().end(), [&](const Key& key) { return name == key.name; });
+const LimitKey& key_named(const std::string& name) {
+  return *std::find_if(known_keys().begin(), known_keys().end(), [&](const LimitKey& key) { return name == key.name; });
 }
 
-double read_share(const TomlTable& table, const Key& key) {
+double read_share(const TomlTable& table, const LimitKey& key) {
   const std::string text = table.string(key.name);
   double percent = 0;
   const auto parsed = std::from_chars(text.data(), text.data() + text.size(), percent);
@@ -76,7 +76,7 @@ double read_share(const TomlTable& table, const Key& key) {
   return share;
 }
 
-std::optional<double> read_value(const TomlTable& table, const Key& key) {
+std::optional<double> read_value(const TomlTable& table, const LimitKey& key) {
   if (!table.has(key.name)) return std::nullopt;
   if (key.form == Form::flag) return *table.optional_bool(key.name) ? 1 : 0;
   if (key.form == Form::share && table.is_string(key.name)) return read_share(table, key);
@@ -101,7 +101,7 @@ LimitsFile::LimitsFile(const std::filesystem::path& file, const GateNames& names
       entry.variant = read_name(table, "variant", names.variants);
       entry.backend = read_name(table, "backend", names.backends);
     }
-    for (const Key& key : known_keys())
+    for (const LimitKey& key : known_keys())
       if (const auto value = read_value(table, key)) entry.values.emplace_back(key.name, *value);
     table.refuse_unknown_keys();
     for (const auto& [name, value] : entry.values)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a gate allows. The limits of one cell come from a gate file (TOML): [default] holds for every cell, each [[limit]] for
-// those that its effect, variant and backend name (each may be left out: all), later ones over earlier ones.
+// the cells that its effect, variant and backend name (each may be left out: all). A later entry overrides an earlier one.
 #pragma once
 
 #include <filesystem>
@@ -30,8 +30,8 @@ struct Limits {
   // Against a stored record, where nothing is paired: of a frame's time on the same machine, and of its ratio to the baseline.
   double max_drift = 0.25, max_ratio_drift = 0.05;
   double max_extra_fetches = 0;  // of a pass by texture, as a share
-  // Greatest difference of a picture from the one before, linear light: two steps of a half float just under 1. A picture whose
-  // errors got better, and none worse, may change further; a baseline without a truth has no errors, so it may not.
+  // Greatest difference of a picture from the one before, linear light: two steps of a half float just under 1. A picture may
+  // change further where an error got better and none got worse. A baseline without a truth has no errors, so it may not.
   double max_picture_change = 0.002;
   uint64_t max_nonfinite_pixels = 0;
   bool same_image = false;  // every picture must keep its hash

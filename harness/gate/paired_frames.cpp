@@ -12,14 +12,15 @@ namespace {
 
 // A multiple of rounds_a_frame, so that all rounds take as many strips; 1 where there is no use in cutting.
 uint32_t strips_for(double ms, const PieceOptions& options) {
-  const double wanted = std::min(ms / options.piece_ms, static_cast<double>(options.most_strips)) / rounds_a_frame;
+  const double wanted = std::min(ms / options.piece_ms, static_cast<double>(options.max_strips)) / rounds_a_frame;
   return wanted < 0.5 ? 1 : static_cast<uint32_t>(std::round(wanted)) * static_cast<uint32_t>(rounds_a_frame);
 }
 
-// As often as makes the strips of a whole frame as many as of the longest pass: a short one costs little and is judged alike.
+// Repeats of a short pass, so that it has as many strips in a whole frame as the longest one: it costs little and is judged
+// alike.
 uint32_t repeats_for(uint32_t strips, const PieceOptions& options) {
   const uint32_t once = std::max(strips, static_cast<uint32_t>(rounds_a_frame));  // what is not cut runs in every round
-  return std::clamp(options.most_strips / once, 1u, options.most_repeats);
+  return std::clamp(options.max_strips / once, 1u, options.max_repeats);
 }
 
 }  // namespace
@@ -28,15 +29,15 @@ PairedFrames::PairedFrames(Backend& backend, const std::vector<PairedFrame>& fra
     : backend_(backend) {
   for (const PairedFrame& each : frames) frames_.push_back(each.frame);
   std::vector<std::vector<size_t>> passes;  // [frame]
-  std::vector<double> least_ms;             // beside passes_
+  std::vector<double> min_ms;               // beside passes_
   for (size_t frame = 0; frame < frames.size(); ++frame) {
     passes.push_back(passes_of(frame));
-    least_ms.resize(passes_.size(), std::numeric_limits<double>::infinity());
+    min_ms.resize(passes_.size(), std::numeric_limits<double>::infinity());
     for (size_t i = 0; i < passes[frame].size(); ++i)
-      least_ms[passes[frame][i]] = std::min(least_ms[passes[frame][i]], frames[frame].pass_ms.at(i));
+      min_ms[passes[frame][i]] = std::min(min_ms[passes[frame][i]], frames[frame].pass_ms.at(i));
   }
   for (size_t pass = 0; pass < passes_.size(); ++pass)
-    cuts_[pass].strips = strips_for(least_ms[pass], options), cuts_[pass].repeats = repeats_for(cuts_[pass].strips, options);
+    cuts_[pass].strips = strips_for(min_ms[pass], options), cuts_[pass].repeats = repeats_for(cuts_[pass].strips, options);
   for (size_t frame = 0; frame < frames.size(); ++frame) {
     for (size_t i = 0; i < std::min(frames[frame].same_passes, passes[frame].size()); ++i)
       passes_[passes[frame][i]].same[frame] = true;
@@ -114,7 +115,7 @@ void PairedFrames::run_round(std::mt19937_64& random) {
   for (size_t i = 0; i < owners.size(); ++i) {
     if (!(times.pass_ms[i] > 0))
       throw Error(ErrorKind::failed, "gate", passes_[owners[i].pass].name,
-                  fmt::format("a strip took {} ms: the timer does not tell time", times.pass_ms[i]));
+                  fmt::format("a strip took {} ms: a time must be positive and finite", times.pass_ms[i]));
     strips[owners[i].pass][owners[i].frame].push_back({times.pass_ms[i], owners[i].turn});
   }
   for (size_t pass = 0; pass < passes_.size(); ++pass) add_round(passes_[pass], strips[pass], cuts_[pass].repeats);

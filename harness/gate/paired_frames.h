@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames that should cost the same, or not, timed against each other piece by piece. Every pass is cut into strips that last
-// some milliseconds, and a strip of one frame is timed right beside the same strip of the others, in shuffled order: the speed
-// of a shared machine wanders by tens of percent within a second, but hardly within a strip. What the strips say of a ratio:
-// ratio_estimate.h. A strip runs the pass's vertices again, so that a change of its fragments reads smaller than it is of the
-// whole pass and one of its vertices larger: on the heart at 512x512 64 strips would take a fifth off the former, while 16 take
-// a twentieth and tell as much in the same time.
+// Frames timed against each other, piece by piece. Every pass is cut into strips that last some milliseconds. A strip of one
+// frame is timed right beside the same strip of the others, in shuffled order: the speed of a shared machine wanders by tens of
+// percent within a second, but hardly within a strip. ratio_estimate.h makes a ratio of the strips.
+//
+// A strip runs the pass's vertices again. So a change of the fragment work reads smaller than it is for the whole pass, and a
+// change of the vertex work larger. On the heart at 512x512, 64 strips would take a fifth off a change of fragment work; 16
+// strips take a twentieth off, and are as precise in the same time.
 #pragma once
 
 #include <optional>
@@ -13,41 +14,29 @@
 #include <vector>
 
 #include "harness/graph/frame.h"
-#include "harness/measure/ratio_estimate.h"
+#include "harness/record/gate_rows.h"
 
 namespace lamina {
 
 // One round takes every fourth strip of a pass: a fair sample of the picture, and four times the rounds in the same time.
 inline constexpr size_t rounds_a_frame = 4;
 
-struct PairedPass {
-  std::string name;
-  bool cut = false;  // else every round takes all of it
-  // [frame]: whether it is known to be the same as frame 0's, and so not run for that frame. Where all others are, frame 0's
-  // runs for the first whole frame alone, which tells how much of the frame it is.
-  std::vector<bool> same;
-  // [frame][round]: the sum over the strips of this round; empty for a frame that has no such pass.
-  std::vector<std::vector<double>> ms;
-  // [frame]: its strips in all rounds, beside those of frame 0; empty for frame 0, and where either has no such pass.
-  std::vector<std::vector<StripPair>> strips;
-};
-
 struct PieceOptions {
-  double piece_ms = 5;        // what a strip should last, at least
-  uint32_t most_strips = 16;  // of a pass
-  uint32_t most_repeats = 4;  // of the strips of a short pass, in each round
+  double piece_ms = 5;       // what a strip should last, at least
+  uint32_t max_strips = 16;  // of a pass
+  uint32_t max_repeats = 4;  // of the strips of a short pass, in each round
 };
 
 struct PairedFrame {
-  Frame* frame = nullptr;  // must outlive its pairs and have run once
-  size_t same_passes = 0;  // from its first on, that are known to be the same as those of the first frame
+  Frame* frame = nullptr;       // must outlive its pairs and have run once
+  size_t same_passes = 0;       // from its first on, that are known to be the same as those of the first frame
   std::vector<double> pass_ms;  // what its passes lasted when it ran, beside its frame_names()
 };
 
 class PairedFrames {
  public:
-  // Passes are paired by name, and by order among those of one name. How a pass is cut is decided by the frame in which it lasted
-  // least: another may have been compiled while it ran.
+  // Passes are paired by name, and by order among those of one name. The frame in which a pass was fastest decides how it is
+  // cut: in another frame the time may include compiling.
   PairedFrames(Backend& backend, const std::vector<PairedFrame>& frames, size_t view, const PieceOptions& options = {});
 
   // Times the round's pieces of every frame; a pass that is repeated counts with the mean. Throws Error(failed) on device loss.
@@ -67,7 +56,7 @@ class PairedFrames {
   };
   size_t pass_named(const std::string& name, size_t occurrence);
   std::vector<size_t> passes_of(size_t frame);  // beside its frame_names()
-  bool runs(size_t pass, size_t frame) const;  // in the next round
+  bool runs(size_t pass, size_t frame) const;   // in the next round
   struct Timed {
     double ms = 0;
     size_t turn = 0;  // among the frames of its strip

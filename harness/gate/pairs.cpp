@@ -11,8 +11,6 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 using Part = std::optional<size_t>;  // a pass by its place, or the whole frame
 constexpr Part whole_frame = std::nullopt;
 
@@ -29,12 +27,12 @@ double sum_ms(const PairsRow& row, size_t frame, Part part) {
   return sum;
 }
 
-struct Key {
+struct ViewKey {
   std::string backend, effect, variant, view;
-  auto operator<=>(const Key&) const = default;
+  auto operator<=>(const ViewKey&) const = default;
 };
 
-// What is judged of a frame beside the one before: the passes of both that take enough of it, and may differ.
+// The passes that are judged: those in both frames that take enough of the frame and may differ.
 std::vector<Part> judged_parts(const PairsRow& row, std::string_view frame, const Limits& limits) {
   const size_t before = *index_of(row, frame_before), after = *index_of(row, frame);
   const double whole = sum_ms(row, before, whole_frame);
@@ -100,7 +98,7 @@ RatioEstimate estimate_of(const PairsRow& row, std::string_view frame, Part pass
     square += here.error * here.error;
   }
   if (!(before > 0) || !(after > 0))
-    throw Error(ErrorKind::failed, "gate", row.variant, "has too few rounds to tell the time of a frame");
+    throw Error(ErrorKind::failed, "gate", row.variant, "has too few rounds to make up a whole frame");
   return {std::log(after / before), std::sqrt(square) / after, strips, freedom_of(strips)};
 }
 
@@ -125,13 +123,13 @@ size_t rounds_in(const std::vector<PairsRow>& pairs) {
 }
 
 TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& limits, double family_error) {
-  std::map<Key, std::vector<const PairsRow*>> by_cell;
+  std::map<ViewKey, std::vector<const PairsRow*>> by_cell;
   TimeReport report;
   report.rounds = rounds_in(pairs);
   for (const PairsRow& row : pairs) by_cell[{row.backend, row.effect, row.variant, row.view}].push_back(&row);
 
   std::vector<TimeComparison> comparisons, same_comparisons;
-  std::vector<PooledRatio> passes;  // a whole frame says nothing that its passes do not
+  std::vector<PooledRatio> passes;  // a whole frame adds nothing to its passes
   const auto ratios_of = [](const std::vector<const PairsRow*>& processes, std::string_view frame, Part part) {
     std::vector<RatioEstimate> ratios;
     for (const PairsRow* process : processes) ratios.push_back(estimate_of(*process, frame, part));
@@ -175,48 +173,12 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
     row.sentence = sentence_of(row);
     if (!believable && row.verdict != Verdict::same) {
       row.verdict = Verdict::ambiguous;
-      row.sentence += "; but equal frames differ as much in this run, so it is not believed";
+      row.sentence += "; but the A/A arm differs from itself in this run, so no time is believed";
     }
     if (row.verdict == Verdict::ambiguous) report.undecided.insert(row.backend);
   }
   report.comparisons = comparisons.size();
   return report;
-}
-
-Json to_json(const PairsRow& row) {
-  const auto rounded = [](double ms) { return std::round(ms * 1e6) / 1e6; };  // to the nanosecond
-  Json passes = Json::array();
-  for (const PairedPass& pass : row.passes) {
-    Json strips = Json::array();
-    for (const std::vector<StripPair>& of_frame : pass.strips) {
-      Json& pairs = strips.emplace_back(Json::array());
-      for (const StripPair& pair : of_frame)
-        pairs.push_back({rounded(pair.before), rounded(pair.after), pair.after_first ? 1 : 0});
-    }
-    passes.push_back({{"name", pass.name}, {"cut", pass.cut}, {"same", pass.same}, {"ms", pass.ms}, {"strips", strips}});
-  }
-  return {{"kind", "pairs"},        {"process", row.process}, {"backend", row.backend}, {"effect", row.effect},
-          {"variant", row.variant}, {"view", row.view},       {"frames", row.frames},   {"passes", passes}};
-}
-
-PairsRow pairs_from_json(const nlohmann::json& line) {
-  PairsRow row;
-  row.process = line.at("process");
-  row.backend = line.at("backend"), row.effect = line.at("effect"), row.variant = line.at("variant"),
-  row.view = line.at("view");
-  row.frames = line.at("frames").get<std::vector<std::string>>();
-  for (const nlohmann::json& pass : line.at("passes")) {
-    PairedPass& paired = row.passes.emplace_back(PairedPass{pass.at("name"),
-                                                            pass.at("cut"),
-                                                            pass.at("same").get<std::vector<bool>>(),
-                                                            pass.at("ms").get<std::vector<std::vector<double>>>(),
-                                                            {}});
-    for (const nlohmann::json& of_frame : pass.at("strips")) {
-      std::vector<StripPair>& pairs = paired.strips.emplace_back();
-      for (const nlohmann::json& pair : of_frame) pairs.push_back({pair.at(0), pair.at(1), pair.at(2) == 1});
-    }
-  }
-  return row;
 }
 
 }  // namespace lamina

@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times of paired frames from several processes, as lines of the record, and the verdicts on them.
+// Verdicts on the times of paired frames from several processes.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "harness/gate/limits.h"
 #include "harness/gate/paired_frames.h"
-#include "harness/gate/verdict.h"
+#include "harness/record/gate_rows.h"
 
 namespace lamina {
-
-// What a frame of a pair is.
-inline constexpr std::string_view frame_before = "before", frame_after = "after", frame_again = "again";
-
-struct PairsRow {
-  size_t process = 0;
-  std::string backend, effect, variant, view;
-  std::vector<std::string> frames;  // "before", "after", "again" (before a second time), as there are
-  std::vector<PairedPass> passes;   // ms beside frames
-};
-nlohmann::ordered_json to_json(const PairsRow& row);
-PairsRow pairs_from_json(const nlohmann::json& line);
 
 struct TimeReport {
   std::vector<VerdictRow> rows;  // of frames (pass "") and of passes
@@ -31,13 +18,14 @@ struct TimeReport {
   size_t rounds = 0, comparisons = 0;
   std::set<std::string> undecided;  // backends with an ambiguous row
 };
-// All rows belong to one gate. A row's time before is the median over processes, and after is that times the ratio: what each
-// lasted by itself wanders more than the ratio. `family_error` as for judge_times(). Where frames that are the same read as
-// slower or faster, no time can be believed, and every row that is not the same becomes ambiguous and says so.
+// All rows belong to one gate. A row's time before is the median over processes; its time after is that times the ratio, since
+// absolute times wander more than the ratio. `family_error` as for judge_times(). Where an A/A arm reads as slower or faster,
+// no time can be believed: every row that is not the same becomes ambiguous and says so.
 TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& limits, double family_error);
 
-// The ratio of a frame's times to those of the row's first frame: of one pass, or of the whole, where passes count by their
-// times and those of one frame alone with theirs. Throws as estimate_ratio() does, and where either lacks the pass.
+// The ratio of a frame's time to that of the row's first frame, of one pass or of the whole frame. In the whole frame passes
+// weigh by their times; a pass that only one frame has counts with its own time. Throws as estimate_ratio() does, and where
+// either frame lacks the pass.
 RatioEstimate estimate_of(const PairsRow& row, std::string_view frame, std::optional<size_t> pass = std::nullopt);
 
 // The rounds that the rows hold, all together.

@@ -16,8 +16,8 @@ class PicturesBefore {
   // Null: there was none.
   const Image* of(const std::string& variant, size_t view) const;
 
-  // What the changed tree has drawn; in each view the baseline first. Whether its errors to the baseline are those of before:
-  // its picture, the pixels that it covers, and both of the baseline, are the same to the bit.
+  // Takes what the changed tree has drawn; in each view the baseline first. Returns whether the errors to the baseline are the
+  // same as before: the picture, the pixels that it covers, and both of the baseline are equal to the bit.
   bool same_errors(const std::string& variant, bool baseline, size_t view, const Image& picture, const Mask& covered);
 
  private:

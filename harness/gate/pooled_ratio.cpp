@@ -18,9 +18,9 @@ namespace {
 
 using boost::math::digamma, boost::math::trigamma;
 
-constexpr double least_variance = 1e-18;     // so that exact times can be pooled
-constexpr double cautious = 0.25;            // chance that comparisons differ more than is supposed
-constexpr double least_disagreement = 0.01;  // of the middle one: processes that agree by luck have no logarithm to speak of
+constexpr double min_variance = 1e-18;     // so that exact times can be pooled
+constexpr double cautious = 0.25;          // chance that comparisons differ more than is supposed
+constexpr double min_disagreement = 0.01;  // of the median: processes that agree by luck have a logarithm near minus infinity
 
 // By Newton's method on 1 / trigamma, which is convex (Smyth, appendix).
 double inverse_trigamma(double value) {
@@ -43,7 +43,7 @@ PooledRatio pool(std::span<const RatioEstimate> processes) {
       throw Error(ErrorKind::failed, "gate", "time", "a ratio of times is not finite, which is no measurement");
     variances.push_back(each.error * each.error);
   }
-  const double middle = std::max(median(variances), least_variance);
+  const double middle = std::max(median(variances), min_variance);
   const auto weight = [&](size_t i) { return 1 / std::max(variances[i], middle); };
   PooledRatio pooled;
   pooled.within_freedom = 0;
@@ -71,7 +71,7 @@ SharedDisagreement shared_disagreement(std::span<const PooledRatio> comparisons)
       disagreements.push_back(each.disagreement), freedoms.push_back(each.disagreement_freedom);
   const auto count = static_cast<double>(freedoms.size());
   if (count < 2) return {};
-  const double least = std::max(least_disagreement * median(disagreements), std::numeric_limits<double>::min());
+  const double least = std::max(min_disagreement * median(disagreements), std::numeric_limits<double>::min());
   std::vector<double> logs;  // their mean is that of the logarithm of what is typical, up to its own freedom
   double mean = 0, by_chance = 0, freedom = 0;
   for (size_t i = 0; i < freedoms.size(); ++i) {
@@ -81,7 +81,7 @@ SharedDisagreement shared_disagreement(std::span<const PooledRatio> comparisons)
   }
   double spread = 0;
   for (const double log : logs) spread += std::pow(log - mean, 2) / (count - 1);
-  // A few comparisons may be alike by luck: what is supposed of them is more than they show.
+  // A few comparisons may be alike by luck, so a larger spread is assumed than they show.
   spread *= (count - 1) / boost::math::quantile(boost::math::chi_squared(count - 1), cautious);
   const double of_others = freedom * (count - 1) / count;
   if (spread <= by_chance) return {std::exp(mean), of_others};

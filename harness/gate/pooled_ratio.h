@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One ratio of times from several processes. Repeats in one process are not independent: each has its own layout of code and
-// memory, which moves its ratio by a percent or two, and on a busy machine bursts of other work do. So what counts is how the
-// processes scatter, of which five tell little; but the comparisons of one gate ran in the same processes, and tell it
-// together.
+// One ratio of times from several processes. Repeats within one process are not independent: each process has its own layout
+// of code and memory, which moves its ratio by a percent or two; on a busy machine, bursts of other work move it too. So the
+// variance of a ratio is estimated from the scatter between processes. Five processes estimate a variance badly. The
+// comparisons of one gate ran in the same processes, so their variances are pooled: Smyth's moderated t.
 #pragma once
 
 #include <span>
@@ -16,32 +16,35 @@ struct PooledRatio {
   size_t strips = 0;
   double within = 0;  // variance of log_ratio by the processes' own errors
   double within_freedom = 1;
-  double disagreement = 1;          // its variance by how the processes scatter, over `within`: 1 where their errors explain it
-  double disagreement_freedom = 0;  // degrees of freedom of that; 0: one process says nothing of it
+  double disagreement = 1;          // variance between processes over `within`: 1 where the processes' own errors explain it
+  double disagreement_freedom = 0;  // degrees of freedom of `disagreement`; 0: one process has no scatter
 };
 
-// Weighted by the processes' errors, but none more than the middle one: an error that was taken from a few strips may be small
-// by luck, and must not decide alone. The scatter is that of the weighted mean with residuals in place of the errors (H. White,
-// "A heteroskedasticity-consistent covariance matrix estimator and a direct test for heteroskedasticity", Econometrica 48,
-// 1980, with the correction for few residuals). Throws Error(failed) for no process, or an estimate that is not finite.
+// The weighted mean of the processes' ratios. Weights follow from their errors, but no process weighs more than the middle one:
+// an error from few strips may be small by luck and must not decide alone. The scatter is the variance of the weighted mean,
+// with residuals in place of the errors (H. White, "A heteroskedasticity-consistent covariance matrix estimator and a direct
+// test for heteroskedasticity", Econometrica 48, 1980, with the correction for few residuals). Throws Error(failed) for no
+// process, or an estimate that is not finite.
 PooledRatio pool(std::span<const RatioEstimate> processes);
 
-// What comparisons that share their processes say of each other: how much processes typically disagree, and how many degrees of
-// freedom that is worth to one of them. 0: nothing.
+// The prior that comparisons with the same processes give each other: how much processes typically disagree, and how many
+// degrees of freedom this prior is worth. 0: it is worth nothing.
 struct SharedDisagreement {
   double typical = 1;
   double freedom = 0;
 };
 
-// The fewer degrees of freedom the more the comparisons differ in it beyond what chance does: a scaled F distribution fitted by
-// moments of the logarithms (G. K. Smyth, "Linear models and empirical Bayes methods for assessing differential expression in
-// microarray experiments", Statistical Applications in Genetics and Molecular Biology 3, 2004, section 6.2). Their spread
-// enters as its upper quartile, since a few comparisons may be alike by luck. Never more than the other comparisons have.
+// Fits a scaled F distribution to the comparisons' disagreements, by moments of the logarithms (G. K. Smyth, "Linear models and
+// empirical Bayes methods for assessing differential expression in microarray experiments", Statistical Applications in
+// Genetics and Molecular Biology 3, 2004, section 6.2). Where the disagreements differ more than chance explains, the prior has
+// fewer degrees of freedom. Their spread enters as its upper quartile, since a few comparisons may be alike by luck. The prior
+// never has more degrees of freedom than the other comparisons together.
 SharedDisagreement shared_disagreement(std::span<const PooledRatio> comparisons);
 
-// The ratio with its error: `within`, times the disagreement where that is above 1, which is this comparison's own moderated by
-// what the others say (Smyth, section 3). Its degrees of freedom are the disagreement's even where that is below 1: processes
-// that agree by luck must not be believed the more for it. Those of one process alone are its own.
+// The ratio with its error. The variance is `within`, times the moderated disagreement where that is above 1. The moderated
+// disagreement combines this comparison's own with the prior of the others (Smyth, section 3). The degrees of freedom are the
+// disagreement's even where it is below 1: processes that agree by luck must not make the result look surer. With one process
+// they are that process's own.
 RatioEstimate settle(const PooledRatio& pooled, const SharedDisagreement& others = {});
 
 }  // namespace lamina

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "harness/core/error.h"
 #include "harness/gate/exact_verdicts.h"
 #include "harness/record/record.h"
 
@@ -14,11 +15,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-struct Key {
+struct VariantKey {
   std::string backend, effect, variant;
-  auto operator<=>(const Key&) const = default;
+  auto operator<=>(const VariantKey&) const = default;
 };
-Key key_of(const Json& cell) { return {cell.at("backend"), cell.at("effect"), cell.at("variant")}; }
+VariantKey key_of(const CellRow& cell) { return {cell.backend, cell.effect, cell.variant}; }
+
+bool has_times(const CellRow& cell) { return cell.timed && !frame_samples_ms(cell.passes).empty(); }
 
 const Json* device_of(const Record& record, const std::string& backend) {
   if (!record.run.contains("devices")) return nullptr;
@@ -34,19 +37,19 @@ std::string text_of(const Json& object, const char* first, const char* second = 
 }
 
 // The cells of both, by variant and backend, views in the order of the record and then of the run.
-std::map<Key, CellPair> pairs_of(const Record& stored, const Record& run) {
-  std::map<Key, std::vector<std::string>> views;
+std::map<VariantKey, CellPair> pairs_of(const Record& stored, const Record& run) {
+  std::map<VariantKey, std::vector<std::string>> views;
   for (const Record* record : {&stored, &run})
-    for (const Json& cell : record->cells) {
+    for (const CellRow& cell : record->cells) {
       std::vector<std::string>& of_key = views[key_of(cell)];
-      if (std::find(of_key.begin(), of_key.end(), cell.at("view")) == of_key.end()) of_key.push_back(cell.at("view"));
+      if (std::find(of_key.begin(), of_key.end(), cell.view) == of_key.end()) of_key.push_back(cell.view);
     }
-  const auto find = [](const Record& record, const Key& key, const std::string& view) -> Json {
-    for (const Json& cell : record.cells)
-      if (key_of(cell) == key && cell.at("view") == view) return cell;
-    return nullptr;
+  const auto find = [](const Record& record, const VariantKey& key, const std::string& view) -> std::optional<CellRow> {
+    for (const CellRow& cell : record.cells)
+      if (key_of(cell) == key && cell.view == view) return cell;
+    return std::nullopt;
   };
-  std::map<Key, CellPair> pairs;
+  std::map<VariantKey, CellPair> pairs;
   for (const auto& [key, names] : views)
     for (const std::string& view : names) {
       pairs[key].before.push_back(find(stored, key, view));
@@ -74,15 +77,15 @@ struct Judge {
   double confidence;  // of each of the two intervals
   std::vector<VerdictRow>& rows;
 
-  VerdictRow& add(const Json& cell, const char* what, const std::string& pass) {
+  VerdictRow& add(const CellRow& cell, const char* what, const std::string& pass) {
     VerdictRow& row = rows.emplace_back();
-    const Key key = key_of(cell);
+    const VariantKey key = key_of(cell);
     row.backend = key.backend, row.effect = key.effect, row.variant = key.variant;
-    row.view = cell.at("view"), row.what = what, row.pass = pass;
+    row.view = cell.view, row.what = what, row.pass = pass;
     return row;
   }
 
-  void compare(const Json& cell, const char* what, const std::string& pass, const Interval& now, const Interval& then,
+  void compare(const CellRow& cell, const char* what, const std::string& pass, const Interval& now, const Interval& then,
                double margin) {
     const auto [ratio, verdict] = quotient(now, then, margin);
     VerdictRow& row = add(cell, what, pass);
@@ -92,9 +95,9 @@ struct Judge {
                                (ratio.median - 1) * 100, (ratio.low - 1) * 100, (ratio.high - 1) * 100, margin * 100);
   }
 
-  // Samples that are no times are refused: neither a record nor a run may pass by having measured nothing. Too few of them, as
-  // on a busy machine, tell nothing either way.
-  std::optional<Interval> interval_in(const Json& cell, const char* whose, const std::string& pass,
+  // Samples that are not positive are refused: neither a record nor a run may pass by having measured nothing. Too few samples,
+  // as on a busy machine, decide nothing.
+  std::optional<Interval> interval_in(const CellRow& cell, const char* whose, const std::string& pass,
                                       const std::vector<double>& ms) {
     const bool are_times = !ms.empty() && std::all_of(ms.begin(), ms.end(), [](double each) { return each > 0; });
     if (are_times && ms.size() >= min_rounds_for_95) return widest_interval(ms, confidence);
@@ -106,24 +109,22 @@ struct Judge {
     return std::nullopt;
   }
 
-  void times(const Json& before, const Json& after, double margin) {
-    const std::vector<PassRow> old_passes = passes_of(before), new_passes = passes_of(after);
-    const auto then = interval_in(before, "the record's", "", frame_samples_ms(old_passes));
-    const auto now = interval_in(after, "this run's", "", frame_samples_ms(new_passes));
+  void times(const CellRow& before, const CellRow& after, double margin) {
+    const auto then = interval_in(before, "the record's", "", frame_samples_ms(before.passes));
+    const auto now = interval_in(after, "this run's", "", frame_samples_ms(after.passes));
     if (then && now) compare(after, "time", "", *now, *then, margin);
   }
 
-  void ratio(const Json& before, const Json& after, double margin) {
-    const Json &was = before.at("ratio_to_baseline"), &is = after.at("ratio_to_baseline");
-    if (was.is_null() || is.is_null()) return;
-    const Interval then = *interval_of(was), now = *interval_of(is);
-    if (!(then.low > 0) || !(now.low > 0)) {
+  void ratio(const CellRow& before, const CellRow& after, double margin) {
+    const std::optional<Interval>&then = before.ratio_to_baseline, &now = after.ratio_to_baseline;
+    if (!then || !now) return;
+    if (!(then->low > 0) || !(now->low > 0)) {
       VerdictRow& row = add(after, "ratio", "");
       row.verdict = Verdict::failed;
       row.sentence = fmt::format("{} on {}: a ratio to the baseline is 0, which is no measurement", row.variant, row.backend);
       return;
     }
-    compare(after, "ratio", "", now, then, margin);
+    compare(after, "ratio", "", *now, *then, margin);
   }
 };
 
@@ -159,16 +160,16 @@ void check_comparable(const Record& stored, const Record& run, const std::filesy
   differ("moment", text_of(stored.run, "time_s"), text_of(run.run, "time_s"));
   differ("width", text_of(stored.run, "settings", "width"), text_of(run.run, "settings", "width"));
   differ("height", text_of(stored.run, "settings", "height"), text_of(run.run, "settings", "height"));
-  std::set<Key> known;
-  for (const Json& cell : stored.cells) known.insert(key_of(cell));
-  if (std::none_of(run.cells.begin(), run.cells.end(), [&](const Json& cell) { return known.contains(key_of(cell)); }))
+  std::set<VariantKey> known;
+  for (const CellRow& cell : stored.cells) known.insert(key_of(cell));
+  if (std::none_of(run.cells.begin(), run.cells.end(), [&](const CellRow& cell) { return known.contains(key_of(cell)); }))
     refuse("has no cell in common with this run: no variant on the same backend");
 }
 
 std::vector<VerdictRow> judge_stored(const Record& stored, const Record& run, const LimitsFile& limits, double family_error) {
-  std::map<Key, CellPair> pairs = pairs_of(stored, run);
+  std::map<VariantKey, CellPair> pairs = pairs_of(stored, run);
   std::vector<VerdictRow> rows;
-  // Two intervals a comparison, at most two comparisons a pair: Bonferroni, since intervals of stored ratios are what they are.
+  // Two intervals a comparison, at most two comparisons a pair. Bonferroni, since a stored interval's confidence is fixed.
   Judge judge{1 - family_error / (4 * static_cast<double>(std::max<size_t>(pairs.size(), 1))), rows};
   std::map<std::string, std::string> differences;
   for (auto& [key, pair] : pairs) {
@@ -188,19 +189,19 @@ std::vector<VerdictRow> judge_stored(const Record& stored, const Record& run, co
     pair.hashes_tell = same_machine;
     for (VerdictRow& row : judge_cells(pair, cell_limits)) rows.push_back(std::move(row));
     for (size_t view = 0; view < pair.after.size(); ++view) {
-      const Json &before = pair.before[view], &after = pair.after[view];
-      if (before.is_null() || after.is_null() || before.at("status") == "failed" || after.at("status") == "failed") continue;
-      const auto timed = [](const Json& cell) { return !cell.at("median_ms").is_null(); };
-      if (!timed(after) && !timed(before)) continue;
-      if (timed(before) != timed(after)) {
-        VerdictRow& row = judge.add(after, "time", "");
-        row.verdict = timed(before) && after.at("timed").get<bool>() == false ? Verdict::ambiguous : Verdict::not_compared;
+      const std::optional<CellRow>&before = pair.before[view], &after = pair.after[view];
+      if (!before || !after || before->failed || after->failed) continue;
+      const bool was_timed = has_times(*before), is_timed = has_times(*after);
+      if (!was_timed && !is_timed) continue;
+      if (was_timed != is_timed) {
+        VerdictRow& row = judge.add(*after, "time", "");
+        row.verdict = was_timed && !after->timed ? Verdict::ambiguous : Verdict::not_compared;
         row.sentence = fmt::format("{} on {}: only {} has times of view {}", row.variant, row.backend,
-                                   timed(before) ? "the record" : "this run", row.view);
+                                   was_timed ? "the record" : "this run", row.view);
         continue;
       }
-      judge.ratio(before, after, cell_limits.max_ratio_drift);
-      if (same_machine) judge.times(before, after, cell_limits.max_drift);
+      judge.ratio(*before, *after, cell_limits.max_ratio_drift);
+      if (same_machine) judge.times(*before, *after, cell_limits.max_drift);
     }
   }
   return rows;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verdicts on a run against a stored record, which another day made and perhaps another machine.
+// Verdicts on a run against a stored record, which was made on another day and perhaps on another machine.
 #pragma once
 
 #include <vector>
@@ -18,9 +18,9 @@ void check_comparable(const Record& stored, const Record& run, const std::filesy
 // the same: only then are times themselves compared, and the hashes of pictures.
 std::string difference_of_machines(const Record& stored, const Record& run, const std::string& backend);
 
-// Counts, pictures and errors as judge_cells() has them; each variant's ratio to its baseline; on the same machine times too.
-// Two intervals of samples that are not paired give the ratio's: from the low end of one over the high end of the other, each
-// at a confidence that makes them hold together. The margins are max_ratio_drift and max_drift.
+// Judges counts, pictures and errors as judge_cells() does, each variant's ratio to its baseline, and on the same machine times
+// too. The samples are not paired, so a ratio's interval runs from the low end of one interval over the high end of the other
+// to the reverse, each at a confidence that makes both hold together. The margins are max_ratio_drift and max_drift.
 std::vector<VerdictRow> judge_stored(const Record& stored, const Record& run, const LimitsFile& limits, double family_error);
 
 }  // namespace lamina

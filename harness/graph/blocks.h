@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the uniform blocks of a draw hold: Frame (camera, lights, sizes, time), Object (its transforms), Effect (the numbers and
-// words that its effect declares) and Pass (which repetition it is). shaders/common/frame.glsl tells of the members.
+// words that its effect declares) and Pass (which repetition it is). docs/manifest.md lists the members.
 #pragma once
 
 #include <optional>
@@ -27,9 +27,9 @@ struct BlockContext {
 // The scene's lights that cast, by index.
 std::vector<size_t> casting_lights(const Scene& scene);
 
-// All that is known for the block's members; what takes long to find is right only where the block declares it. Throws
-// Error(bad_input) naming the pass: for a block that there is not, for one of objects in a pass of the whole frame, for a light
-// that no one view shows what it lights of.
+// The values of all members that the block may declare. What takes long to compute is set only where the block declares it.
+// Throws Error(bad_input) naming the pass: for a block of another name, for a block of an object in a pass of the whole frame,
+// for a light inside the scene, since no one view shows everything that it lights.
 BlockValues block_values(const ShaderResource& block, const BlockContext& context);
 
 }  // namespace lamina

@@ -28,9 +28,9 @@ void Frame::release() {
   for (const TextureId id : made_.textures) backend_.destroy(id);
 }
 
-// The passes of a view that run. Where a pass repeats until it draws nothing, it is run in full once for every state of the
-// scene, its samples are counted, and the repetitions behind the first empty one are left out from then on. Where repetitions
-// take turns in two buffers they are left out in pairs, so that later passes read the buffer that they were built for.
+// The passes of a view that run. A pass with until_empty is run in full once for every state of the scene, and its samples are
+// counted. From then on the first empty repetition and all after it are left out. Where repetitions take turns in two buffers,
+// they are left out in pairs, so that later passes read the buffer that they were built for.
 const std::vector<size_t>& Frame::running(Sequence& sequence, size_t view) {
   Sequence::Running& running = sequence.running.at(view);
   const bool known = !running.passes.empty() && (!sequence.stops_early || running.of_update == resources_.updates());

@@ -128,7 +128,7 @@ void FrameBuilder::build_repetition(const Repetition& repetition) {
 
 void FrameBuilder::build_pass(const Repetition& repetition, std::span<const GraphDraw> draws) {
   const PassManifest& manifest = *repetition.pass.pass;
-  // Any object of the pass may read back what it writes; targets turn over after all draws have been told what to read.
+  // Any object of the pass may read back what it writes, so targets are swapped only after the reads of all draws are bound.
   std::vector<FrameTarget*> turning;
   for (const GraphDraw& draw : draws) prepare_read_back(repetition, draw, turning);
   Pass into = begin_pass(repetition, draws.front());
@@ -140,12 +140,11 @@ void FrameBuilder::build_pass(const Repetition& repetition, std::span<const Grap
   repetition.step.turns = repetition.step.turns || !turning.empty();
 }
 
-// Of a draw that reads what it writes: gives what is read a content, and what is written the same where objects are drawn.
+// For a draw that reads what it writes: clears the buffer that it reads, if nothing is in it yet, and copies it into the buffer
+// that it writes where objects are drawn, for these need not cover all.
 void FrameBuilder::prepare_read_back(const Repetition& repetition, const GraphDraw& draw, std::vector<FrameTarget*>& turning) {
   const PassManifest& manifest = *repetition.pass.pass;
-  std::vector<std::string> names = manifest.writes;
-  if (!manifest.depth_target.empty()) names.push_back(manifest.depth_target);
-  for (const std::string& name : names) {
+  for (const std::string& name : manifest.written()) {
     if (!reads_back(repetition.pass, draw, name)) continue;
     FrameTarget& target = targets_.target(repetition.pass, draw, name);
     if (std::find(turning.begin(), turning.end(), &target) != turning.end()) continue;
@@ -311,7 +310,7 @@ PipelineId FrameBuilder::pipeline(const Repetition& repetition, const GraphDraw&
   if (counting) count(repetition, draw, desc, command);
   std::sort(desc.bindings.begin(), desc.bindings.end());
   desc.bindings.erase(std::unique(desc.bindings.begin(), desc.bindings.end()), desc.bindings.end());
-  // A counting pipeline has its draw's own counters built in, so it is never shared.
+  // A counting pipeline has the counters of its draw built in, so it is never shared.
   if (!counting && pipelines_.contains(key)) return pipelines_.at(key);
   const PipelineId id = backend_.create_pipeline(desc);
   frame_.pipelines_.push_back(id);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The passes of one configuration, resolved: shaders compiled with the definitions that each object calls for, every texture
-// and block member that they name traced to its source, and what nobody reads left out. No device is needed; frame.h makes a
-// frame of it.
+// The passes of one configuration, resolved: shaders are compiled with the definitions that each object calls for, every
+// texture and block member that they name has a source, and passes that nothing reads are left out. No device is needed;
+// frame.h makes a frame of it.
 #pragma once
 
 #include <memory>
@@ -57,17 +57,17 @@ enum class Purpose : uint8_t {
   truth,  // a variant that has passes for the truth runs those in place of its others
 };
 
-// Throws Error(bad_input) for a shader that does not compile or names what there is not, for a target that is read before
-// anything wrote it, for a view of a light where none casts; Error(failed) for an object that cannot be drawn as a pass needs
-// it (unwrapped without a unique unwrap).
+// Throws Error(bad_input) for a shader that does not compile or names something unknown, for a target that is read before
+// anything wrote it, for a view of a light where no light casts. Throws Error(failed) for an object that cannot be drawn as a
+// pass needs it (unwrapped without a unique unwrap).
 Graph make_graph(const Plan& plan, const Configuration& configuration, const Scene& scene, ShaderCache& shaders,
                  Purpose purpose = Purpose::frame, const Parameters& parameters = {});
 
-// Whether the variant tells a truth what each pixel shows.
+// Whether the variant has passes for the truth.
 bool has_truth_passes(const VariantManifest& variant);
 
-// A target or buffer that passes hand on: the frame's (no object, no light), or one object's or light's. Targets of a variant
-// and of another with the same name are two, unless both declare them shared.
+// A target or buffer that passes write and read: the frame's (no object, no light), or one object's or light's. Targets of two
+// variants with one name are two targets, unless both declare them shared.
 struct Resource {
   const VariantManifest* variant = nullptr;  // null: shared
   std::string name;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "harness/core/bytes.h"
 #include "harness/core/text.h"
 #include "harness/graph/blocks.h"
 #include "harness/scene/digest.h"
@@ -23,8 +24,7 @@ class Gathered {
         const BlockContext context{
             scene_, *graph_.library, *pass.effect, pass.pass->where, view, pass.pass->view, draw.light, draw.object, 1, 1, {}};
         const std::vector<std::byte> bytes = fill_block(resource, block_values(resource, context), pass.pass->where);
-        for (const ByteRange& range : resource.read)
-          text_.append(reinterpret_cast<const char*>(bytes.data()) + range.offset, range.size);
+        for (const ByteRange& range : resource.read) text_ += bytes_of(bytes).substr(range.offset, range.size);
       }
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What passes take from a scene's numbers, so that after some have changed it is known what must be done again: of every
-// uniform block, only the members that the shaders' code reads (by reflection) count.
+// Cache keys of what passes take from a scene's numbers. After some numbers changed, they show what must be done again. Of
+// every uniform block only the members that the shaders' code reads (by reflection) count.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-// Hashes; where one is as before, so is the outcome, as long as textures, variants' parameters and the size of the frame are.
+// Equal keys mean equal results, as long as textures, variants' parameters and the size of the frame are equal too.
 // Of the passes done once.
 std::string once_inputs(const Graph& graph, const Scene& scene);
 // Of which fragments the frame's passes shade, in all views. `early_tests`: no shader discards or writes depth. Then only

@@ -6,12 +6,6 @@
 namespace lamina {
 namespace {
 
-std::vector<std::string> written_names(const PassManifest& pass) {
-  std::vector<std::string> names = pass.writes;
-  if (!pass.depth_target.empty()) names.push_back(pass.depth_target);
-  return names;
-}
-
 void drop(Graph& graph, GraphPass pass, const std::string& reason) {
   pass.draws.clear();
   pass.reason = reason;
@@ -50,7 +44,7 @@ void leave_out_repeated(Graph& graph) {
   std::vector<GraphPass> kept;
   kept.reserve(graph.passes.size());
   for (GraphPass& pass : graph.passes) {
-    const std::vector<std::string> names = written_names(*pass.pass);
+    const std::vector<std::string> names = pass.pass->written();
     const auto written_by_another = [&](const std::string& name) {
       const TargetManifest* target = pass.variant->target(name);
       if (!target || !target->shared) return false;
@@ -86,7 +80,7 @@ void leave_out_unread(Graph& graph) {
       const std::vector<Resource> buffers = touched_buffers(*pass, draw);
       bool wanted = pass->pass->when == Frequency::truth ||
                     std::any_of(buffers.begin(), buffers.end(), [&](const Resource& r) { return needed.contains(r); });
-      for (const std::string& name : written_names(*pass->pass))
+      for (const std::string& name : pass->pass->written())
         wanted = wanted || name == "frame" || needed.contains(target_of(*pass->variant, name, draw));
       if (!wanted) continue;
       draws.push_back(draw);
@@ -115,7 +109,7 @@ void check_written_before_read(const Graph& graph) {
       for (const GraphDraw& draw : pass.draws)
         for (const ResolvedRead& read : draw.reads) {
           if (read.source.kind != Source::Kind::target) continue;
-          const std::vector<std::string> own = written_names(*pass.pass);
+          const std::vector<std::string> own = pass.pass->written();
           const bool reads_back =
               pass.pass->levels == LevelWalk::none && std::find(own.begin(), own.end(), read.source.name) != own.end();
           if (!reads_back && !written.contains(target_of(*pass.variant, read.source.name, draw, read.source.light)))
@@ -123,7 +117,7 @@ void check_written_before_read(const Graph& graph) {
                         fmt::format("pass '{}' reads '{}' before any pass has written it", pass.pass->name, read.source.name));
         }
       for (const GraphDraw& draw : pass.draws)
-        for (const std::string& name : written_names(*pass.pass)) written.insert(target_of(*pass.variant, name, draw));
+        for (const std::string& name : pass.pass->written()) written.insert(target_of(*pass.variant, name, draw));
     }
 }
 

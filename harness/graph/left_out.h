@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which passes of a graph need not run, and whether those that do find what they read.
+// Leaves out passes that need not run, and checks that the others find what they read.
 #pragma once
 
 #include "harness/graph/graph.h"
 
 namespace lamina {
 
-// A pass whose targets are all shared and that another effect's pass has written already. Throws Error(bad_input) where the two
-// declare such a target differently.
+// Leaves out a pass whose targets are all shared and already written by another effect's pass. Throws Error(bad_input) where
+// the two declare such a target differently.
 void leave_out_repeated(Graph& graph);
 
-// A draw into what no later draw reads and the frame does not show.
+// Leaves out draws into targets that no later draw reads and that are not the frame.
 void leave_out_unread(Graph& graph);
 
 // Throws Error(bad_input) naming the pass that reads a target before anything wrote it. What a pass itself writes it may read

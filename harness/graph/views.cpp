@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is made of several steps is computed in doubles and rounded once.
+// Products of several matrices are computed in doubles and rounded once.
 #include "harness/graph/views.h"
 
 #include <algorithm>
@@ -65,7 +65,7 @@ std::optional<ViewMatrices> light_view(const Light& light, const BoundingSphere&
   if (!(distance > radius)) return std::nullopt;
   const double air = air_around(casters, distance);
   const double tangent = (radius + air) / std::sqrt((distance - radius) * (distance + radius));
-  // Close to the sphere all depth is spent near the light, and its air would be too much.
+  // Close to the sphere nearly all depth values lie near the light, and the free air would take too many of them.
   const double near = distance - radius - std::min(air, (distance - radius) / 32768), far = distance + radius + air;
   const double half = near * tangent;
   return looking(position, (centre - position) / distance, glm::frustumRH_ZO(-half, half, -half, half, near, far));

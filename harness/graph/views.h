@@ -23,16 +23,15 @@ struct ViewMatrices {
 // The view's own, at the aspect of a picture of this size.
 ViewMatrices eye_view(const View& view, uint32_t width_px, uint32_t height_px);
 
-// What the light sees of the sphere around all that casts (radius > 0), as a square map that the sphere touches on four sides,
-// at depth 0 and at depth 1. It depends on the light and the sphere alone, so a map stays as it is while the eye moves. What is
-// outside the sphere may fall outside the map: it casts no shadow, and a reader finds it lit where nothing in the map lies
-// before it.
+// The light's view of the sphere around everything that casts (radius > 0): a square map that the sphere touches on four sides,
+// at depth 0 and at depth 1. It depends only on the light and the sphere, so a map stays valid while the eye moves. A point
+// outside the sphere may fall outside the map: it casts no shadow, and is lit unless something in the map lies before it.
 //
-// A directional light's is parallel, and its eye is where its ray through the centre enters the sphere. A point light's is
-// a square pyramid around the cone of half angle asin(radius / distance); its depth is as uneven as the light is close to the
-// sphere. The light's own size does not count: it is seen from its centre.
+// A directional light's view is parallel; its eye is where its ray through the centre enters the sphere. A point light's view
+// is a square pyramid around the cone of half angle asin(radius / distance); the closer the light is to the sphere, the less
+// even its depth is. The light's own size does not count: it is seen from its centre.
 //
-// None for a point light in the sphere or on it: what casts lies all around it, and no one view shows that.
+// None for a point light in the sphere or on it: casters lie all around it, and no single view shows them.
 std::optional<ViewMatrices> light_view(const Light& light, const BoundingSphere& casters);
 
 // The points p with dot(normal, p) = height.

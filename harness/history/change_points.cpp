@@ -48,7 +48,7 @@ double cost_of(const std::vector<double>& in_order, double limit) {
 
 }  // namespace
 
-std::vector<size_t> noisy_steps(std::span<const double> samples, double least_deviation) {
+std::vector<size_t> noisy_steps(std::span<const double> samples, double min_deviation) {
   for (const double sample : samples)
     if (!std::isfinite(sample)) throw Error(ErrorKind::failed, "history", "steps", "a sample is not finite");
   const size_t n = samples.size();
@@ -56,7 +56,7 @@ std::vector<size_t> noisy_steps(std::span<const double> samples, double least_de
   // Without noise, rounding alone must not make a step.
   double scale = 0;
   for (const double sample : samples) scale = std::max(scale, std::abs(sample));
-  const double deviation = std::max({deviation_of(samples), least_deviation, 1e-12 * scale});
+  const double deviation = std::max({deviation_of(samples), min_deviation, 1e-12 * scale});
   if (deviation == 0) return {};  // all are 0
   const double limit = outlier * deviation;
   const double penalty = (penalty_start + penalty_slope * std::log(static_cast<double>(n))) * deviation * deviation;

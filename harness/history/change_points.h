@@ -16,16 +16,16 @@
 
 namespace lamina {
 
-// Fewest samples that show a change; with fewer the noise cannot be told from it.
+// Fewest samples that can show a change; with fewer, noise and change look the same.
 inline constexpr size_t min_samples_for_steps = 8;
 
-// Indices of the first sample of each level but the first, ascending. A level of two samples can be found
-// among at most 12, of three among at most 115, and later where they scatter: the last sample alone is no change yet. Noise is
-// taken from the differences of neighbours, which one change spoils once, and is never below `least_deviation` (0 or more;
-// where both are 0, every difference between levels counts). On pure normal noise at most 2% of series of any length have a
-// change (tests/history/change_points_test.cpp). Fewer than min_samples_for_steps samples: none. Throws Error(failed) for a
+// Indices of the first sample of each level but the first, ascending. The last sample alone is no change yet: a level of two
+// samples is found among at most 12 samples, one of three among at most 115, and later where the samples scatter. The noise is
+// estimated from differences of neighbours, of which a change spoils only one. It is never taken below `min_deviation` (0 or
+// more; where both are 0, every difference between levels counts). On pure normal noise at most 2% of series of any length have
+// a change (tests/history/change_points_test.cpp). Fewer than min_samples_for_steps samples: none. Throws Error(failed) for a
 // sample that is not finite.
-std::vector<size_t> noisy_steps(std::span<const double> samples, double least_deviation);
+std::vector<size_t> noisy_steps(std::span<const double> samples, double min_deviation);
 
 // The same for figures without noise, such as counts: the first sample and every later one that differs by more than
 // `tolerance` (0 or more) from the first of its level. Infinite samples are equal to each other and differ from all others.

@@ -6,7 +6,7 @@
 
 #include "harness/history/history_reports.h"
 #include "harness/history/history_words.h"
-#include "reports/html.h"
+#include "reports/html/html.h"
 
 namespace lamina {
 namespace {
@@ -38,22 +38,19 @@ std::string chart(const Trend& trend, const History& history, const std::string&
 }
 
 std::string table_of(const CellTrends& cell, const History& history, const HistoryNames& names) {
-  std::string rows;
+  const std::string name = names.of(cell.cell);
+  Table table = {.columns = {words_column("figure"), words_column("over the records"), words_column("first"),
+                             words_column("last"), words_column("change"), words_column("steps")},
+                 .label = "History of " + name};
   for (const Trend* trend : cell.moving) {
     const TrendFigure& figure = *trend->figure;
     const double first = trend->points.front().value, last = trend->points.back().value;
-    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                        escaped_html(names.of(*trend)), chart(*trend, history, names.of(*trend)), words_for(first, figure),
-                        words_for(last, figure), words_for_change(first, last, figure), trend->steps.size());
+    Row& row = table.rows.emplace_back(row_of({names.of(*trend), "", words_for(first, figure), words_for(last, figure),
+                                               words_for_change(first, last, figure), std::to_string(trend->steps.size())}));
+    row.cells[1].html = chart(*trend, history, names.of(*trend));
   }
-  const std::string name = escaped_html(names.of(cell.cell));
-  constexpr std::array columns = {"figure", "over the records", "first", "last", "change", "steps"};
-  std::string html = fmt::format("<h3>{}</h3>\n", name);
-  if (!rows.empty())
-    html += fmt::format(
-        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"History of {}\"><table><thead>{}</thead><tbody>\n"
-        "{}</tbody></table></div>\n",
-        name, header_row(columns, 2), rows);
+  std::string html = fmt::format("<h3>{}</h3>\n", escaped_html(name));
+  if (!table.rows.empty()) html += html_table(table) + "\n";
   if (!cell.still.empty())
     html += fmt::format("<p class=\"note\">Unchanged: {}.</p>\n", escaped_html(fmt::format("{}", fmt::join(cell.still, ", "))));
   return html;

@@ -16,12 +16,12 @@ namespace {
 
 using namespace terminal;
 
-constexpr size_t most_bars = 48;
+constexpr size_t max_bars = 48;
 
 std::string chart(const Trend& trend, size_t records) {
   constexpr std::array<const char*, 8> bars = {"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
   const TrendAxis axis(trend);
-  const size_t first = records > most_bars ? records - most_bars : 0;
+  const size_t first = records > max_bars ? records - max_bars : 0;
   std::vector<std::string> cells(records - first, " ");
   for (const auto& [record, value] : trend.points) {
     if (record < first) continue;
@@ -37,19 +37,18 @@ void add_steps(Lines& lines, const History& history) {
 }
 
 void add_cell(Lines& lines, const CellTrends& cell, size_t records, const HistoryNames& names) {
-  std::vector<Cells> table;
+  Table table = {.columns = std::vector<Column>(7)};
+  for (const size_t figure : {2, 4, 5}) table.columns[figure].right = true;
   for (const Trend* trend : cell.moving) {
     const TrendFigure& figure = *trend->figure;
     const double first = trend->points.front().value, last = trend->points.back().value;
-    table.push_back(
-        {"  " + names.of(*trend), chart(*trend, records), words_for(first, figure), "->", words_for(last, figure),
-         words_for_change(first, last, figure),
-         trend->steps.empty() ? "" : fmt::format("{} step{}", trend->steps.size(), trend->steps.size() == 1 ? "" : "s")});
+    const size_t steps = trend->steps.size();
+    table.rows.push_back(row_of(
+        {names.of(*trend), chart(*trend, records), words_for(first, figure), "->", words_for(last, figure),
+         words_for_change(first, last, figure), steps == 0 ? "" : fmt::format("{} step{}", steps, steps == 1 ? "" : "s")},
+        steps == 0 ? Mark::none : Mark::doubtful));
   }
-  const std::vector<size_t> widths = column_widths(table);
-  for (const Cells& cells : table)
-    lines.add(one_line(aligned(cells, widths, {false, false, true, false, true, true, false})),
-              cells.back().empty() ? "" : yellow);
+  lines.add(table, "  ");
   if (!cell.still.empty()) lines.add(fmt::format("  unchanged: {}", fmt::join(cell.still, ", ")), dim);
 }
 

@@ -76,7 +76,7 @@ std::vector<StepWords> words_for_steps(const History& history) {
 }
 
 TrendAxis::TrendAxis(const Trend& trend) {
-  constexpr double least_span = 0.05;
+  constexpr double min_span = 0.05;
   least_ = INFINITY;
   double greatest = -INFINITY;
   for (const Trend::Point& point : trend.points) {
@@ -84,7 +84,7 @@ TrendAxis::TrendAxis(const Trend& trend) {
     least_ = std::min(least_, point.value);
     greatest = std::max(greatest, point.value);
   }
-  span_ = std::max(greatest - least_, trend.figure->noisy ? least_span * std::abs(greatest) : 0);
+  span_ = std::max(greatest - least_, trend.figure->noisy ? min_span * std::abs(greatest) : 0);
 }
 
 double TrendAxis::height(double value) const { return value == INFINITY ? 1 : span_ > 0 ? (value - least_) / span_ : 0; }

@@ -12,7 +12,6 @@
 
 #include "harness/core/error.h"
 #include "harness/history/change_points.h"
-#include "reports/words.h"
 
 namespace lamina {
 namespace {
@@ -31,45 +30,45 @@ constexpr std::array<TrendFigure, 7> figures = {{
     {"PSNR to truth", "dB", 1, false, false, 0.05},
 }};
 
-TrendCell cell_of(const Json& cell) {
-  return {.scene = cell.at("scene"),
-          .effect = cell.at("effect"),
-          .variant = cell.at("variant"),
-          .backend = cell.at("backend"),
-          .view = cell.at("view"),
-          .width = cell.at("width"),
-          .height = cell.at("height"),
-          .params = entries_of(cell.at("params"))};
+TrendCell cell_of(const CellRow& cell) {
+  return {.scene = cell.scene,
+          .effect = cell.effect,
+          .variant = cell.variant,
+          .backend = cell.backend,
+          .view = cell.view,
+          .width = cell.width,
+          .height = cell.height,
+          .params = entries_of(cell.params)};
 }
 
 // What a time depends on beside the program: "Example CPU, 2 threads, llvmpipe, Mesa 22.3.6".
-std::string machine_of(const Record& record, const Json& cell) {
+std::string machine_of(const Record& record, const CellRow& cell) {
   std::string words = fmt::format("{}, {} threads, {}", text_at(record.run, "/machine/cpu"),
-                                  text_at(record.run, "/machine/lp_num_threads"), text_at(cell, "/device"));
+                                  text_at(record.run, "/machine/lp_num_threads"), cell.device);
   const auto devices = record.run.find("devices");
   if (devices == record.run.end() || !devices->is_array()) return words;
   for (const Json& device : *devices)
-    if (text_at(device, "/backend") == text_at(cell, "/backend")) words += ", " + text_at(device, "/driver");
+    if (text_at(device, "/backend") == cell.backend) words += ", " + text_at(device, "/driver");
   return words;
 }
 
 bool is_release(const Record& record) { return text_at(record.run, "/build") == "release"; }
 
 // What is not known is not there.
-std::array<std::optional<double>, figures.size()> figures_of_cell(const Record& record, const Json& cell) {
+std::array<std::optional<double>, figures.size()> figures_of_cell(const Record& record, const CellRow& cell) {
   std::array<std::optional<double>, figures.size()> values;
-  if (cell.at("status") == "failed") return values;
+  if (cell.failed) return values;
   if (const std::vector<double> samples = shown_samples_ms(record, cell); is_release(record) && !samples.empty()) {
     values[frame_ms] = median(samples);
-    if (const auto interval = interval_of(cell.at("ratio_to_baseline"))) values[ratio] = interval->median;
+    if (cell.ratio_to_baseline) values[ratio] = cell.ratio_to_baseline->median;
   }
-  if (!cell.at("fetches").is_null()) values[fetches] = cell.at("fetches").get<double>();
-  if (const auto error = figures_of(cell.at("error").at("baseline"))) {
+  if (cell.fetches) values[fetches] = static_cast<double>(*cell.fetches);
+  if (const auto& error = cell.error_covered) {
     values[ssim] = error->ssim;
     values[psnr] = error->psnr_db;
     values[flip] = error->flip;
   }
-  if (const auto error = figures_of(cell.at("error").at("truth"))) values[psnr_to_truth] = error->psnr_db;
+  if (cell.error_truth) values[psnr_to_truth] = cell.error_truth->psnr_db;
   return values;
 }
 
@@ -102,12 +101,11 @@ std::vector<std::string> notes_of(const std::vector<HistoryRecord>& records) {
     if (!is_release(one.record))
       notes.push_back(fmt::format("{}: the build is not 'release', so its times are left out", one.name));
     if (one.record.cells.empty()) notes.push_back(fmt::format("{} holds no cells", one.name));
-    const auto failed = std::ranges::count_if(one.record.cells, [](const Json& cell) { return cell.at("status") == "failed"; });
+    const auto failed = std::ranges::count_if(one.record.cells, &CellRow::failed);
     if (failed > 0)
       notes.push_back(fmt::format("{}: {} of {} cells failed and are left out", one.name, failed, one.record.cells.size()));
     std::set<std::string> own;
-    for (const Json& cell : one.record.cells)
-      own.insert(fmt::format("{} at {}x{}", text_at(cell, "/scene"), cell.at("width").dump(), cell.at("height").dump()));
+    for (const CellRow& cell : one.record.cells) own.insert(fmt::format("{} at {}x{}", cell.scene, cell.width, cell.height));
     for (const std::string& scene : own) ++scenes[scene];
   }
   if (scenes.size() > 1) {
@@ -144,8 +142,6 @@ void find_steps(Series& series) {
 
 }  // namespace
 
-std::span<const TrendFigure> trend_figures() { return figures; }
-
 std::string commit_of(const HistoryRecord& record) {
   const std::string commit = text_at(record.record.run, "/commit");
   return commit.empty() ? "unknown" : commit;
@@ -167,16 +163,16 @@ History make_history(std::vector<HistoryRecord> records) {
   std::map<TrendCell, std::set<size_t>> records_of;
   std::map<std::tuple<TrendCell, size_t, std::string>, Series> all;
   for (size_t i = 0; i < records.size(); ++i)
-    for (const Json& line : records[i].record.cells) {
-      const TrendCell cell = cell_of(line);
+    for (const CellRow& row : records[i].record.cells) {
+      const TrendCell cell = cell_of(row);
       if (!records_of.contains(cell)) cells.push_back(cell);
       if (!records_of[cell].insert(i).second) {
         history.notes.push_back(fmt::format("{} holds {} on {}, view '{}', twice; the first is used", records[i].name,
                                             cell.variant, cell.backend, cell.view));
         continue;
       }
-      const std::string machine = machine_of(records[i].record, line);
-      const auto values = figures_of_cell(records[i].record, line);
+      const std::string machine = machine_of(records[i].record, row);
+      const auto values = figures_of_cell(records[i].record, row);
       for (size_t figure = 0; figure < figures.size(); ++figure) {
         if (!values[figure]) continue;
         Series& series = all[{cell, figure, figure == frame_ms ? machine : ""}];

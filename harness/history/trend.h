@@ -21,7 +21,6 @@ struct TrendFigure {
   bool noisy;
   double tolerance;  // in the figure's unit; noisy ones: the least standard deviation that is believed, of their median
 };
-std::span<const TrendFigure> trend_figures();
 
 struct HistoryRecord {
   std::string name;  // the path as it was given
@@ -34,7 +33,7 @@ std::string day_of(const HistoryRecord& record);
 // What is the same thing in two records: everything about a cell but what was measured, and but for the device.
 struct TrendCell {
   std::string scene, effect, variant, backend, view;
-  uint64_t width = 0, height = 0;
+  int width = 0, height = 0;
   std::string params;  // "objects.heart.thickness 6, scene.time 0"
   auto operator<=>(const TrendCell&) const = default;
 };

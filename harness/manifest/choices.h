@@ -24,8 +24,12 @@ Enum choice(const TomlTable& table, std::string_view key, const std::vector<std:
   return static_cast<Enum>(found - names.begin());
 }
 
-inline const std::vector<std::string> filter_names = {"nearest", "linear", "trilinear"};
-inline const std::vector<std::string> wrap_names = {"clamp", "repeat"};
+// The words under 'of', and the place among them of the one under 'value': the first where there is none.
+inline std::pair<std::vector<std::string>, size_t> read_words(const TomlTable& table) {
+  const std::vector<std::string> words = table.optional_strings("of").value_or(std::vector<std::string>{});
+  if (words.empty()) throw table.error(table.has("of") ? "of" : "", "'of' must list the words to choose among");
+  return {words, choice(table, "value", words, size_t{0})};
+}
 
 // 'filter' and 'wrap', where the table has them.
 inline Sampler read_sampler(const TomlTable& table, Sampler otherwise) {

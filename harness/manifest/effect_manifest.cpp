@@ -49,12 +49,18 @@ void read_range(const TomlTable& table, double& min, double& max) {
   min = (*range)[0], max = (*range)[1];
 }
 
+// What numbers and words have in common.
+template <class Row>
+void read_head(const std::string& name, const TomlTable& table, Row& row) {
+  row.name = name;
+  row.key = table.optional_string("key").value_or(name);
+  row.title = table.optional_string("title").value_or("");
+}
+
 NumberManifest read_number(const std::string& name, const TomlTable& table, const Declarations& declared) {
   NumberManifest number;
-  number.name = name;
-  number.key = table.optional_string("key").value_or(name);
+  read_head(name, table, number);
   number.unit = table.optional_string("unit").value_or("");
-  number.title = table.optional_string("title").value_or("");
   number.min = -largest_number, number.max = largest_number;
   read_range(table, number.min, number.max);
   number.or_zero = table.optional_bool("or_zero").value_or(false);
@@ -80,13 +86,10 @@ NumberManifest read_number(const std::string& name, const TomlTable& table, cons
 
 WordManifest read_word(const std::string& name, const TomlTable& table) {
   WordManifest word;
-  word.name = name;
-  word.key = table.optional_string("key").value_or(name);
-  word.title = table.optional_string("title").value_or("");
-  word.of = table.optional_strings("of").value_or(std::vector<std::string>{});
-  if (word.of.empty()) throw table.error({}, "'of' is missing: the words to choose among");
-  word.value = table.optional_string("value").value_or(word.of.front());
-  expect_one_of(table, "value", word.value, word.of);
+  read_head(name, table, word);
+  const auto [words, value] = read_words(table);
+  word.of = words;
+  word.value = words[value];
   table.refuse_unknown_keys();
   return word;
 }

@@ -41,7 +41,7 @@ enum class TextureMeaning : uint8_t {
   colour,       // rgba8_srgb: box filter in linear light, then encoded; alpha linear
   number,       // rgba8_unorm: a file's red channel, or a number, in every channel; box filter
   normal,       // rgba8_unorm: vectors n = 2 t - 1 averaged and made unit again
-  normal_mean,  // rgba8_unorm: the same vectors, averaged only, so that their length tells how much they scatter
+  normal_mean,  // rgba8_unorm: the same vectors, averaged only: a mean's length shows how much they scatter
   data,         // rgba8_unorm: box filter
 };
 

@@ -68,8 +68,6 @@ class Keys {
   std::vector<std::pair<std::string, const EffectManifest*>> owners_;
 };
 
-const std::vector<std::string> own_keys = {"position", "rotation_degrees", "scale"};
-
 void check_keys(const Library& library) {
   Keys keys;
   for (const EffectManifest& effect : library.effects) {
@@ -78,7 +76,7 @@ void check_keys(const Library& library) {
     for (const WordManifest& word : effect.object.words) claimed.push_back(word.key);
     for (const TextureManifest& texture : effect.object.textures) claimed.insert(claimed.end(), {texture.rgb, texture.alpha});
     for (const std::string& key : claimed) {
-      if (std::find(own_keys.begin(), own_keys.end(), key) != own_keys.end())
+      if (std::find(placement_keys.begin(), placement_keys.end(), key) != placement_keys.end())
         throw Error(ErrorKind::bad_input, "variants", effect.file.string(),
                     fmt::format("the key '{}' says where an object is: choose another", key));
       keys.claim(effect, key);

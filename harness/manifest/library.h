@@ -10,6 +10,9 @@
 
 namespace lamina {
 
+// The keys of an object that say where it is; no effect may claim one.
+inline const std::vector<std::string> placement_keys = {"position", "rotation_degrees", "scale"};
+
 struct Library {
   std::vector<EffectManifest> effects;  // in drawing order: those that do not read the frame, then those that do
   std::filesystem::path shaders;        // the folder of the built-in shaders

@@ -124,10 +124,8 @@ void check_shaders(const TomlTable& table, const PassManifest& pass) {
 void check_writes(const TomlTable& table, const VariantManifest& variant, const PassManifest& pass) {
   std::vector<std::string> known = {std::string(frame_target)};
   for (const TargetManifest& target : variant.targets) known.push_back(target.name);
-  std::vector<std::string> written = pass.writes;
-  if (!pass.depth_target.empty()) written.push_back(pass.depth_target);
   std::optional<Scope> scope;
-  for (const std::string& name : written) {
+  for (const std::string& name : pass.written()) {
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw table.error("write", unknown_name("target", name, known));
     const TargetManifest* target = variant.target(name);
@@ -201,6 +199,12 @@ std::vector<Setting> read_settings(const TomlTable& table, std::string_view key,
     settings.push_back({number, {}});
   }
   return settings;
+}
+
+std::vector<std::string> PassManifest::written() const {
+  std::vector<std::string> names = writes;
+  if (!depth_target.empty()) names.push_back(depth_target);
+  return names;
 }
 
 ReadManifest PassManifest::read_of(const std::string& sampler) const {

@@ -91,15 +91,12 @@ ParameterManifest read_parameter(const std::string& name, const TomlTable& table
   parameter.unit = table.optional_string("unit").value_or("");
   parameter.title = table.optional_string("title").value_or("");
   if (!table.has("value")) throw table.error({}, "'value' is missing: the parameter's default");
-  if (const auto words = table.optional_strings("of")) {
-    if (words->empty()) throw table.error("of", "'of' is empty: the words to choose among");
-    parameter.words = *words;
-    parameter.max = static_cast<double>(words->size() - 1);
+  if (table.has("of")) {
+    const auto [words, value] = read_words(table);
+    parameter.words = words;
+    parameter.max = static_cast<double>(words.size() - 1);
     parameter.whole = true;
-    const std::string word = table.string("value");
-    const auto found = std::find(words->begin(), words->end(), word);
-    if (found == words->end()) throw table.error("value", unknown_name("word", word, *words));
-    parameter.value = static_cast<double>(found - words->begin());
+    parameter.value = static_cast<double>(value);
   } else {
     parameter.min = table.optional_number("min", -largest_number, largest_number).value_or(-largest_number);
     parameter.max = table.optional_number("max", parameter.min, largest_number).value_or(largest_number);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A variant as data: targets, buffers, parameters and passes, read from TOML. Names are checked here, once, with file and line;
-// after this they are known good. docs/effects.md explains every key.
+// after this they are known good. docs/manifest.md explains every key.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ enum class Frequency : uint8_t {
   frame,                // every frame
   mesh_or_lights_move,  // every frame while a mesh or a light moves, else once
   once,                 // once for a scene
-  truth,                // never in a frame: tells the offline truth what each pixel shows
+  truth,                // never in a frame: draws for the offline truth what each pixel shows
 };
 enum class DrawKind : uint8_t {
   objects,     // objects on screen
@@ -112,6 +112,8 @@ struct PassManifest {
   std::string threads_over;                     // compute: one thread a texel of this target ...
   std::array<uint32_t, 2> local_size = {8, 8};  // ... in groups of this size, as the shader declares it
 
+  // What the pass leaves something in: `writes`, and a depth target of its own.
+  std::vector<std::string> written() const;
   // The texture that a sampler of the pass's shaders reads, where it says no other.
   ReadManifest read_of(const std::string& sampler) const;
 };

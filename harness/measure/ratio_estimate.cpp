@@ -14,8 +14,8 @@ namespace {
 // Where Huber's function bends, in deviations. The usual 1.345 is best for noise that is nearly normal; that of a shared
 // machine has long tails, for which a bend nearer to the median takes a sixth to a third off the error.
 constexpr double bend = 0.7;
-constexpr size_t least_strips = 3;
-constexpr size_t least_of_an_order = 4;  // fewer tell nothing of the order
+constexpr size_t min_strips = 3;
+constexpr size_t min_per_order = 4;  // fewer do not show what the order does
 constexpr double median_to_sigma = 1.4826;
 constexpr double mean_to_sigma = 1.2533;
 
@@ -25,15 +25,15 @@ struct Weighted {
 };
 
 std::vector<Weighted> log_ratios(std::span<const StripPair> strips) {
-  if (strips.size() < least_strips)
+  if (strips.size() < min_strips)
     throw Error(ErrorKind::failed, "gate", "time",
-                fmt::format("{} strips tell nothing of their spread; measure at least {}", strips.size(), least_strips));
+                fmt::format("{} strips are too few to estimate their spread; measure at least {}", strips.size(), min_strips));
   std::vector<Weighted> ratios;
   double whole = 0;
   for (const auto& [before, after, after_first] : strips) {
     if (!(before > 0) || !(after > 0) || !std::isfinite(before) || !std::isfinite(after))
       throw Error(ErrorKind::failed, "gate", "time",
-                  fmt::format("a strip took {} ms and {} ms: the timer does not tell time", before, after));
+                  fmt::format("a strip took {} ms and {} ms: a time must be positive and finite", before, after));
     ratios.push_back({std::log(after / before), 2 / (1 / before + 1 / after), after_first});
     whole += ratios.back().weight;
   }
@@ -52,7 +52,7 @@ std::vector<double> values(const std::vector<Weighted>& ratios, Keep&& keep) {
 void take_out_order(std::vector<Weighted>& ratios) {
   const std::vector<double> first = values(ratios, [](const Weighted& ratio) { return ratio.after_first; });
   const std::vector<double> second = values(ratios, [](const Weighted& ratio) { return !ratio.after_first; });
-  if (std::min(first.size(), second.size()) < least_of_an_order) return;
+  if (std::min(first.size(), second.size()) < min_per_order) return;
   const double half = (median(first) - median(second)) / 2;
   for (Weighted& ratio : ratios) ratio.log_ratio -= ratio.after_first ? half : -half;
 }
@@ -95,7 +95,7 @@ RatioEstimate estimate_ratio(std::span<const StripPair> strips) {
     whole_square += std::pow(ratio.weight * away(ratio), 2);
     if (std::abs(away(ratio)) <= bend) slope += ratio.weight;
   }
-  // No strip near the middle: two heaps, of which the mean's error speaks.
+  // No strip is near the middle: there are two clusters, and the error of the mean describes them.
   estimate.error =
       scale * (slope > 0 ? std::sqrt(square) / slope : std::sqrt(whole_square) / static_cast<double>(ratios.size()));
   return estimate;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ratio of two times from many short strips that were timed beside each other, and how far it can be trusted.
+// The ratio of two times, and its standard error, from many short strips that were timed beside each other.
 #pragma once
 
 #include <cstddef>
@@ -20,12 +20,12 @@ struct RatioEstimate {
   double freedom = 1;  // degrees of freedom of that error
 };
 
-// Huber's estimate of location of the strips' log ratios, weighted by the harmonic mean of their times (P. J. Huber, "Robust
-// estimation of a location parameter", Annals of Mathematical Statistics 35, 1964), its scale the median deviation, with its
-// asymptotic standard error: a strip during which something else ran counts as much as one that is a little off, not more, and
-// a change of a few strips still counts as a little. Before that, the medians of the strips in either order are brought
-// together: what the second of two gains by warm caches is no difference between them. Throws Error(failed) for fewer than
-// three strips, or a time that is not positive and finite.
+// Huber's estimate of location of the strips' log ratios (P. J. Huber, "Robust estimation of a location parameter", Annals of
+// Mathematical Statistics 35, 1964), weighted by the harmonic mean of their times, with the median deviation as its scale and
+// with its asymptotic standard error. A strip during which something else ran then counts no more than one that is a little
+// off, and a change of a few strips still counts a little. Strips that ran first and strips that ran second are first shifted
+// to one median: the advantage of warm caches is no difference between the frames. Throws Error(failed) for fewer than three
+// strips, or a time that is not positive and finite.
 RatioEstimate estimate_ratio(std::span<const StripPair> strips);
 
 // The degrees of freedom of an estimate from so many strips.

@@ -2,15 +2,13 @@
 #include "harness/measure/rounds.h"
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 #include <random>
 
+#include "harness/core/stopwatch.h"
+
 namespace lamina {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double since_ms(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
 
 // Whether every ratio to a baseline is known to `precision`.
 bool precise_enough(const std::vector<Arm>& arms, const std::vector<ArmSamples>& samples, double precision) {
@@ -46,10 +44,10 @@ RoundsResult run_rounds(const std::vector<Arm>& arms, const RoundOptions& option
   std::vector<size_t> order(arms.size());
   std::iota(order.begin(), order.end(), size_t{0});
   std::mt19937_64 random(options.seed);
-  const size_t least = std::max(options.least_rounds, min_rounds_for_95);
-  const auto start = Clock::now();
-  while (result.rounds < options.most_rounds) {
-    const double elapsed_s = since_ms(start) / 1000;
+  const size_t least = std::max(options.min_rounds, min_rounds_for_95);
+  const Stopwatch watch;
+  while (result.rounds < options.max_rounds) {
+    const double elapsed_s = watch.elapsed_s();
     if (result.rounds >= least && (elapsed_s > options.budget_s || precise_enough(arms, result.arms, options.precision))) break;
     if (progress) progress(std::max(elapsed_s / options.budget_s, 0.0));
     for (size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);  // Fisher and Yates
@@ -57,7 +55,7 @@ RoundsResult run_rounds(const std::vector<Arm>& arms, const RoundOptions& option
       if (result.arms[arm].failure.empty()) run_arm(arms[arm], result.arms[arm], result.device_ms);
     ++result.rounds;
   }
-  result.wall_ms = since_ms(start);
+  result.wall_ms = watch.elapsed_ms();
   return result;
 }
 

@@ -26,8 +26,8 @@ struct ArmSamples {
 };
 
 struct RoundOptions {
-  size_t least_rounds = min_rounds_for_95;  // fewer are not accepted
-  size_t most_rounds = 1000;
+  size_t min_rounds = min_rounds_for_95;  // fewer are not accepted
+  size_t max_rounds = 1000;
   double budget_s = 20;     // no round starts later than this
   double precision = 0.01;  // half width of every ratio's 95% interval, relative to its median
   uint64_t seed = 1;        // of the order

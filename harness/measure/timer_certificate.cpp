@@ -18,8 +18,8 @@ constexpr uint32_t size_px = 256;
 // What the 1x pass lasts. A pass has a fixed cost too (waking threads: half a millisecond, up to three on a busy machine);
 // where that shows, the work is made longer before the timer is blamed.
 constexpr std::array<double, 2> one_ms = {40, 120};
-constexpr int first_taps = 16, most_taps = 1 << 20;
-constexpr size_t least_rounds = 5, most_rounds = 7;
+constexpr int first_taps = 16, max_taps = 1 << 20;
+constexpr size_t min_rounds = 5, max_rounds = 7;
 
 // The passes and all that they need on the device, given back at the end.
 class Workload {
@@ -94,8 +94,8 @@ void set_duration(Workload& work, double ms_wanted) {
     work.set_base_taps(taps);
     work.run(first);
     const double ms = std::min(work.run(first).first[0], work.run(first).first[0]);
-    if (ms < ms_wanted / 4 && taps < most_taps) continue;
-    if (ms > 0) work.set_base_taps(static_cast<int>(std::clamp(taps * ms_wanted / ms, 1.0, static_cast<double>(most_taps))));
+    if (ms < ms_wanted / 4 && taps < max_taps) continue;
+    if (ms > 0) work.set_base_taps(static_cast<int>(std::clamp(taps * ms_wanted / ms, 1.0, static_cast<double>(max_taps))));
     break;
   }
   work.run(all);
@@ -107,12 +107,12 @@ TimerRow measure(Workload& work, std::mt19937& random) {
   std::vector<double> wall_ms;
   std::array<size_t, multiples> order = {0, 1, 2, 3};
   TimerRow row;
-  while (times_ms.size() < most_rounds && !row.ok) {
+  while (times_ms.size() < max_rounds && !row.ok) {
     for (size_t i = multiples - 1; i > 0; --i) std::swap(order[i], order[random() % (i + 1)]);
     const auto [times, wall] = work.run(order);
     times_ms.push_back(times);
     wall_ms.push_back(wall);
-    if (times_ms.size() >= least_rounds) row = judge_timer(times_ms, wall_ms);
+    if (times_ms.size() >= min_rounds) row = judge_timer(times_ms, wall_ms);
   }
   return row;
 }
@@ -135,17 +135,19 @@ TimerRow judge_timer(const std::vector<std::vector<double>>& times_ms, const std
   const double one = median(shares[0]);
   const double whole = (1 << multiples) - 1;
   bool linear = one > 0;
+  double attribution = 0;
   for (size_t k = 0; k < multiples; ++k) {
     const double multiple = 1 << k, share = median(shares[k]);
     row.linearity.push_back(one > 0 ? share / (multiple * one) : 0);
     linear = linear && std::abs(row.linearity.back() - 1) <= linearity_tolerance;
-    row.attribution = std::max(row.attribution, std::abs(share * whole / multiple - 1));
+    attribution = std::max(attribution, std::abs(share * whole / multiple - 1));
   }
   row.one_ms = median(ones_ms);
   row.additivity = median(sums_over_wall);
+  row.attribution = attribution;
   if (!linear)
     row.reason = "time is not proportional to work";
-  else if (std::abs(row.additivity - 1) > additivity_tolerance)
+  else if (std::abs(*row.additivity - 1) > additivity_tolerance)
     row.reason = "the passes' times do not add up to the wall time";
   row.ok = row.reason.empty();
   return row;

@@ -1,35 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proof that a backend's timer can be believed: passes of known relative work through the same timer that measures variants.
+// Certifies a backend's timer: it times passes of known relative work with the same timer that measures variants.
 // Software rasterizers and tile-based devices have reported the last tile's time, or another pass's, for a pass's.
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "harness/backend/backend.h"
+#include "harness/record/timer_row.h"
 
 namespace lamina {
-
-struct TimerRow {
-  std::string backend;
-  bool ok = false;
-  std::vector<double> linearity;  // time of 1x, 2x, 4x, 8x work over that multiple of the 1x time: 1 is perfect
-  double one_ms = 0;              // what the pass of 1x work lasted
-  double additivity = 0;          // sum of passes over the wall time
-  double attribution = 0;  // greatest relative error of a pass's share of the frame, the passes' order shuffled every round; a
-                           // time given to the wrong pass breaks linearity, so this one is reported, not judged
-  std::string reason;  // why not ok
-};
 
 // Bounds that a certificate holds to.
 inline constexpr double linearity_tolerance = 0.05;
 inline constexpr double additivity_tolerance = 0.05;
 
-// What the certificate says of measured rounds. times_ms[round][k] is the time given to the pass of multiple 1 << k;
-// wall_ms[round] the frame's wall time. All three are medians over rounds of what a round shows within itself (a pass's share
-// of its frame), so that a machine whose speed drifts from round to round is not taken for a bad timer. Throws Error(failed)
-// where there are no rounds.
+// The certificate of measured rounds. times_ms[round][k] is the time of the pass of multiple 1 << k; wall_ms[round] is the
+// frame's wall time. Linearity, additivity and attribution are medians over rounds of ratios within a round, so a machine whose
+// speed drifts from round to round is not taken for a bad timer. Throws Error(failed) where there are no rounds.
 TimerRow judge_timer(const std::vector<std::vector<double>>& times_ms, const std::vector<double>& wall_ms);
 
 // Measures (some seconds; up to twenty on a machine too busy to pass) and judges. `shaders` is the folder of the

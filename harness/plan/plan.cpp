@@ -8,13 +8,9 @@
 namespace lamina {
 namespace {
 
-bool is_needed(const EffectManifest& effect, const Scene& scene, const Object* object) {
-  return std::all_of(effect.needs.begin(), effect.needs.end(),
-                     [&](const std::string& need) { return needed_value(effect, scene, object, need) > 0; });
-}
-
-bool is_on(const FeatureManifest& feature, const EffectManifest& effect, const Scene& scene, const Object* object) {
-  return std::all_of(feature.needs.begin(), feature.needs.end(),
+// Whether every fact and number of `needs`, the effect's own or those of one of its features, is above 0.
+bool are_met(const std::vector<std::string>& needs, const EffectManifest& effect, const Scene& scene, const Object* object) {
+  return std::all_of(needs.begin(), needs.end(),
                      [&](const std::string& need) { return needed_value(effect, scene, object, need) > 0; });
 }
 
@@ -28,7 +24,7 @@ void add_object(Plan& plan, const Scene& scene, size_t index) {
   const Object& object = scene.objects[index];
   bool drawn = false, over_frame = false;
   for (const EffectManifest* effect : effects_of(object, *plan.library)) {
-    if (!is_needed(*effect, scene, &object)) continue;
+    if (!are_met(effect->needs, *effect, scene, &object)) continue;
     of_effect(plan, *effect).objects.push_back(index);
     drawn = true;
     over_frame = over_frame || effect->reads_frame;
@@ -43,8 +39,8 @@ void add_object(Plan& plan, const Scene& scene, size_t index) {
 void settle_features(EffectPlan& entry, const Scene& scene) {
   for (const FeatureManifest& feature : entry.effect->features) {
     size_t on = 0;
-    for (const size_t object : entry.objects) on += is_on(feature, *entry.effect, scene, &scene.objects[object]);
-    if (entry.objects.empty()) on = is_on(feature, *entry.effect, scene, nullptr);
+    for (const size_t object : entry.objects) on += are_met(feature.needs, *entry.effect, scene, &scene.objects[object]);
+    if (entry.objects.empty()) on = are_met(feature.needs, *entry.effect, scene, nullptr);
     std::string reason = on > 0 ? feature.because : feature.not_because;
     if (on > 0 && on < entry.objects.size()) reason += fmt::format(" (on {} of {} objects)", on, entry.objects.size());
     entry.features.push_back({feature.define, on > 0, reason});
@@ -70,7 +66,7 @@ double needed_value(const EffectManifest& effect, const Scene& scene, const Obje
 std::map<std::string, std::string> feature_defines(const EffectManifest& effect, const Scene& scene, const Object* object) {
   std::map<std::string, std::string> defines;
   for (const FeatureManifest& feature : effect.features)
-    if (is_on(feature, effect, scene, object)) defines[feature.define] = "1";
+    if (are_met(feature.needs, effect, scene, object)) defines[feature.define] = "1";
   return defines;
 }
 
@@ -81,8 +77,9 @@ Plan make_plan(const Library& library, const Scene& scene) {
   for (size_t i = 0; i < scene.objects.size(); ++i) add_object(plan, scene, i);
   for (EffectPlan& entry : plan.effects) {
     const EffectManifest& effect = *entry.effect;
-    entry.called_for =
-        effect.of_objects() ? !entry.objects.empty() : scene.effects.contains(effect.name) && is_needed(effect, scene, nullptr);
+    entry.called_for = effect.of_objects()
+                           ? !entry.objects.empty()
+                           : scene.effects.contains(effect.name) && are_met(effect.needs, effect, scene, nullptr);
     entry.reason = entry.called_for ? effect.because : effect.not_because;
     if (entry.called_for) settle_features(entry, scene);
   }

@@ -41,7 +41,8 @@ double flip_mean(const std::vector<float>& map, const Mask* mask = nullptr);
 // Root of the mean squared difference and greatest absolute difference over r, g and b, linear light.
 double rmse_linear(const Image& test, const Image& reference, const Mask* mask = nullptr);
 double max_linear(const Image& test, const Image& reference, const Mask* mask = nullptr);
-// Greatest less least value, of the channel of r, g and b in which that is most, linear light: 0 for one colour all over.
+// Maximum minus minimum of a channel, for the channel of r, g and b where it is greatest, linear light. 0: one colour
+// everywhere.
 double range_linear(const Image& picture, const Mask* mask = nullptr);
 // Pixels with a NaN or infinity in any of r, g, b, a.
 size_t nonfinite_pixels(const Image& image);
@@ -52,7 +53,8 @@ size_t nonfinite_pixels(const Image& image);
 inline constexpr int worst_tile_px = 32;
 struct WorstTile {
   int x = 0, y = 0;  // of its upper left pixel
-  double flip = 0;   // mean over the tile's pixels
+  int size = worst_tile_px;
+  double flip = 0;  // mean over the tile's pixels
 };
 WorstTile worst_tile(const std::vector<float>& map, int width, int height);
 

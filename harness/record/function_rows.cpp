@@ -4,96 +4,100 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "harness/core/text.h"
-#include "harness/record/finite.h"
+#include "harness/record/fields.h"
 #include "harness/record/record.h"
 
 namespace lamina {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using namespace lines;
 
 std::string name_of(const FunctionSubject& subject) {
   return fmt::format("{} as {} on {}", subject.function, subject.variant, subject.backend);
 }
 
-Json start(const char* kind, const FunctionSubject& subject) {
-  return {{"kind", kind},
-          {"function", subject.function},
-          {"title", subject.title},
-          {"variant", subject.variant},
-          {"baseline", subject.baseline},
-          {"backend", subject.backend},
-          {"device", subject.device}};
-}
+constexpr std::array errors_of_functions = {
+    std::pair("max_over", &FunctionRow::max_over),           std::pair("max_under", &FunctionRow::max_under),
+    std::pair("mean_absolute", &FunctionRow::mean_absolute), std::pair("rms", &FunctionRow::rms),
+    std::pair("most_eps", &FunctionRow::most_eps),           std::pair("most_eps_kappa", &FunctionRow::most_eps_kappa)};
 
 }  // namespace
 
-Json to_json(const FunctionRow& row) {
-  const std::string owner = name_of(row.subject) + ", set " + row.set;
-  const bool any = row.points > row.nonfinite;
-  const auto error = [&](double value, const char* what) { return any ? finite(value, owner, what) : Json(nullptr); };
-  Json line = start("function", row.subject);
-  line["scale"] = row.scale;
-  line["set"] = row.set;
-  line["what"] = row.what;
-  line["points"] = row.points;
-  line["max_over"] = error(row.max_over, "max_over");
-  line["max_under"] = error(row.max_under, "max_under");
-  line["mean_absolute"] = error(row.mean_absolute, "mean_absolute");
-  line["rms"] = error(row.rms, "rms");
-  line["most_eps"] = error(row.most_eps, "most_eps");
-  line["most_eps_kappa"] = error(row.most_eps_kappa, "most_eps_kappa");
-  line["negative"] = row.negative;
-  line["nonfinite"] = row.nonfinite;
-  line["not_zero"] = row.not_zero;
-  line["worst_over"] = any && row.max_over > 0 ? Json(row.worst_over) : Json(nullptr);
-  line["worst_under"] = any && row.max_under < 0 ? Json(row.worst_under) : Json(nullptr);
-  if (row.first_fault) line["first_fault"] = *row.first_fault;
-  if (row.bounds) {
-    line["bounds"] = {{"over", finite(row.bounds->over, owner, "bounds.over")},
-                      {"under", finite(row.bounds->under, owner, "bounds.under")},
-                      {"eps_kappa", nullptr}};
-    if (row.bounds->eps_kappa) line["bounds"]["eps_kappa"] = finite(*row.bounds->eps_kappa, owner, "bounds.eps_kappa");
-  }
-  return line;
+constexpr auto fields(const FunctionSubject*) {
+  using Row = FunctionSubject;
+  return std::tuple(field("function", &Row::function), field("title", &Row::title), field("variant", &Row::variant),
+                    field("baseline", &Row::baseline), field("backend", &Row::backend), field("device", &Row::device));
 }
 
-Json to_json(const FunctionTimeRow& row) {
-  Json line = start("function_time", row.subject);
-  line["ns_per_call"] = interval_to_json(row.ns_per_call, name_of(row.subject), "ns_per_call");
-  if (!row.ns.empty()) {
-    Json samples = Json::array();  // six digits are more than any timer tells
-    for (const double ns : row.ns)
-      samples.push_back(std::stod(fmt::format("{:.6g}", finite(ns, name_of(row.subject), "ns").get<double>())));
-    line["ns"] = samples;
-  }
-  line["reason"] = row.reason;
-  line["commit"] = row.commit;
-  line["build"] = row.build;
-  return line;
+constexpr auto fields(const FunctionBounds*) {
+  using Row = FunctionBounds;
+  return std::tuple(field("over", &Row::over), field("under", &Row::under), field("eps_kappa", &Row::eps_kappa));
 }
 
-Json to_json(const FunctionPictureRow& row) {
-  Json line = start("function_picture", row.subject);
-  line["slice"] = row.slice;
-  line["axes"] = row.axes;
-  line["image"] = row.image;
-  line["full_error"] = finite(row.full_error, name_of(row.subject), "full_error");
-  return line;
+constexpr auto fields(const FunctionRow*) {
+  using Row = FunctionRow;
+  return std::tuple(part(&Row::subject), field("scale", &Row::scale), field("set", &Row::set), field("what", &Row::what),
+                    field("points", &Row::points), field("max_over", &Row::max_over), field("max_under", &Row::max_under),
+                    field("mean_absolute", &Row::mean_absolute), field("rms", &Row::rms), field("most_eps", &Row::most_eps),
+                    field("most_eps_kappa", &Row::most_eps_kappa), field("negative", &Row::negative),
+                    field("nonfinite", &Row::nonfinite), field("not_zero", &Row::not_zero),
+                    field<Point>("worst_over", &Row::worst_over), field<Point>("worst_under", &Row::worst_under),
+                    left_out<Point>("first_fault", &Row::first_fault), left_out("bounds", &Row::bounds));
 }
 
-Json function_timer_line(const std::string& function, const TimerRow& timer) {
-  Json line = to_json(timer);
-  line["kind"] = "function_timer";
-  line["function"] = function;
-  return line;
+void check(const FunctionRow& row, const At& at) {
+  for (const auto& [name, error] : errors_of_functions)
+    if ((row.*error).has_value() == (row.points == row.nonfinite))
+      refuse(at, fmt::format("'{}' must be null where no value is finite and nowhere else", name));
 }
 
-void replace_function_lines(const std::filesystem::path& file, const std::string& function, const Json& run_line,
-                            const std::vector<Json>& lines) {
-  const auto text_of = [](const auto& line) { return line.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; };
+constexpr auto fields(const FunctionTimeRow*) {
+  using Row = FunctionTimeRow;
+  return std::tuple(part(&Row::subject), field("ns_per_call", &Row::ns_per_call),
+                    left_out("ns", &Row::ns),  // records had none before
+                    field("reason", &Row::reason), field("commit", &Row::commit), field("build", &Row::build));
+}
+
+void check(const FunctionTimeRow& row, const At& at) {
+  if (!row.ns.empty() && (!row.ns_per_call || row.ns.size() != row.ns_per_call->rounds))
+    refuse(at, "'ns' must hold a number for each round of 'ns_per_call'");
+}
+
+constexpr auto fields(const FunctionPictureRow*) {
+  using Row = FunctionPictureRow;
+  return std::tuple(part(&Row::subject), field("slice", &Row::slice), field("axes", &Row::axes), field("image", &Row::image),
+                    field("full_error", &Row::full_error));
+}
+
+Line to_json(const FunctionRow& judged) {
+  FunctionRow row = judged;
+  if (row.points <= row.nonfinite)
+    for (const auto& [name, error] : errors_of_functions) (row.*error).reset();
+  if (!(row.max_over > 0)) row.worst_over.clear();
+  if (!(row.max_under && *row.max_under < 0)) row.worst_under.clear();
+  return line_of("function", row, name_of(row.subject) + ", set " + row.set);
+}
+
+Line to_json(const FunctionTimeRow& timed) {
+  FunctionTimeRow row = timed;
+  for (double& ns : row.ns)
+    if (std::isfinite(ns)) ns = std::stod(fmt::format("{:.6g}", ns));
+  return line_of("function_time", row, name_of(row.subject));
+}
+
+Line to_json(const FunctionPictureRow& row) { return line_of("function_picture", row, name_of(row.subject)); }
+
+template FunctionRow row_of(const Json& line, const std::string& where);
+template FunctionTimeRow row_of(const Json& line, const std::string& where);
+template FunctionPictureRow row_of(const Json& line, const std::string& where);
+
+void replace_function_lines(const std::filesystem::path& file, const std::string& function, const Line& run_line,
+                            const std::vector<Line>& new_lines) {
+  const auto text_of = [](const auto& line) { return line.dump(-1, ' ', false, Line::error_handler_t::replace) + '\n'; };
   std::string content;
   if (!std::filesystem::exists(file)) {
     content = text_of(run_line);
@@ -114,7 +118,7 @@ void replace_function_lines(const std::filesystem::path& file, const std::string
       begin = newline + 1;
     }
   }
-  for (const Json& line : lines) content += text_of(line);
+  for (const Line& line : new_lines) content += text_of(line);
   write_file_atomically(file, content);
 }
 

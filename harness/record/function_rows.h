@@ -3,13 +3,12 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "harness/measure/statistics.h"
-#include "harness/measure/timer_certificate.h"
 
 namespace lamina {
 
@@ -32,16 +31,18 @@ struct FunctionRow {
   std::string scale;      // "the smaller cap's area"
   std::string set, what;  // the set's name, and what is in it
   uint64_t points = 0;
-  double max_over = 0, max_under = 0;           // greatest and least error, so 0 or more and 0 or less
-  double mean_absolute = 0, rms = 0;            // over the values that are finite
-  double most_eps = 0;                          // greatest |error| in units of 2^-23
-  double most_eps_kappa = 0;                    // greatest |value - truth| / truth in units of 2^-23 max(1, condition number)
-  uint64_t negative = 0, nonfinite = 0;         // of the points; negative where the truth is not
-  uint64_t not_zero = 0;                        // points whose truth is 0, but whose value is not
-  std::vector<double> worst_over, worst_under;  // the inputs of max_over and max_under, in the function's order
-  // The first inputs whose value is not finite, is negative, or is not 0 where 0 is right.
-  std::optional<std::vector<double>> first_fault;
-  std::optional<FunctionBounds> bounds;  // absent where the variant claims none on this set
+  // Over the values that are finite; absent where none is.
+  std::optional<double> max_over, max_under;  // greatest and least error, so 0 or more and 0 or less
+  std::optional<double> mean_absolute, rms;
+  std::optional<double> most_eps;        // greatest |error| in units of 2^-23
+  std::optional<double> most_eps_kappa;  // greatest |value - truth| / truth in units of 2^-23 max(1, condition number)
+  uint64_t negative = 0, nonfinite = 0;  // of the points; negative where the truth is not
+  uint64_t not_zero = 0;                 // points whose truth is 0, but whose value is not
+  // The inputs of max_over and max_under, in the function's order; empty where no value errs that way.
+  std::vector<double> worst_over, worst_under;
+  // The first inputs whose value is not finite, is negative, or is not 0 where 0 is right; empty where there are none.
+  std::vector<double> first_fault{};
+  std::optional<FunctionBounds> bounds{};  // absent where the variant claims none on this set
 };
 
 struct FunctionTimeRow {
@@ -60,14 +61,11 @@ struct FunctionPictureRow {
   double full_error = 0;    // the error, in the unit above, that has full colour
 };
 
-// One line of the record each. Errors are null where no value was finite, an input of the worst where no value errs that way.
-// "first_fault", "bounds" and "ns" are left out where there are none. Throws Error(failed) for a number that is not finite.
+// One line of the record each; samples to six digits, more than any timer resolves. Errors of a row without a finite value, and
+// inputs of the worst where no value errs that way, are left absent. Throws Error(failed) for a number that is not finite.
 nlohmann::ordered_json to_json(const FunctionRow& row);
 nlohmann::ordered_json to_json(const FunctionTimeRow& row);
 nlohmann::ordered_json to_json(const FunctionPictureRow& row);
-// The certificate of the timer that timed the variants of `function` on its backend, of kind "function_timer": a record of
-// frames has one of its own for them.
-nlohmann::ordered_json function_timer_line(const std::string& function, const TimerRow& timer);
 
 // Puts `lines` at the end of the record in `file` and takes those on `function` out that were there, atomically; every other
 // line stays byte for byte, but for one cut short at the end, which goes, and the run line then says so. Where there is no

@@ -1,48 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/record/sweep_rows.h"
 
-#include "harness/record/finite.h"
+#include "harness/record/fields.h"
 
 namespace lamina {
-namespace {
 
-using Json = nlohmann::ordered_json;
+using lines::field;
 
-Json number_or_null(const std::optional<double>& value, const std::string& owner, const char* what) {
-  return value ? finite(*value, owner, what) : Json(nullptr);
+constexpr auto fields(const SweepRow::Parameter*) {
+  using Row = SweepRow::Parameter;
+  return std::tuple(field("path", &Row::path), field("unit", &Row::unit), field("values", &Row::values));
 }
 
-}  // namespace
-
-Json to_json(const SweepRow& row) {
-  Json parameters = Json::array(), limits = Json::array();
-  for (const SweepRow::Parameter& parameter : row.parameters) {
-    for (const double value : parameter.values) finite(value, "sweep of " + parameter.path, "a value");
-    parameters.push_back({{"path", parameter.path}, {"unit", parameter.unit}, {"values", parameter.values}});
-  }
-  for (const auto& [metric, value] : row.limits)
-    limits.push_back({{"metric", metric}, {"limit", finite(value, "sweep", metric)}});
-  return {{"kind", "sweep"},
-          {"parameters", parameters},
-          {"zip", row.zip},
-          {"points", row.points},
-          {"shard", {{"index", row.shard_index}, {"count", row.shard_count}}},
-          {"limits", limits}};
+constexpr auto fields(const SweepRow::Limit*) {
+  using Row = SweepRow::Limit;
+  return std::tuple(field("metric", &Row::metric), field("limit", &Row::value));
 }
 
-Json to_json(const CrossoverRow& row) {
-  const std::string owner = "crossover of " + row.variant + " on " + row.backend;
-  return {{"kind", "crossover"},
-          {"parameter", row.parameter},
-          {"backend", row.backend},
-          {"effect", row.effect},
-          {"variant", row.variant},
-          {"other", row.other},
-          {"metric", row.metric},
-          {"limit", number_or_null(row.limit, owner, "limit")},
-          {"at", number_or_null(row.at, owner, "at")},
-          {"tolerance", finite(row.tolerance, owner, "tolerance")},
-          {"sentence", row.sentence}};
+constexpr auto fields(const SweepRow*) {
+  using Row = SweepRow;
+  return std::tuple(field("parameters", &Row::parameters), field("zip", &Row::zip), field("points", &Row::points),
+                    lines::group("shard", field("index", &Row::shard_index), field("count", &Row::shard_count)),
+                    field("limits", &Row::limits));
 }
+
+constexpr auto fields(const CrossoverRow*) {
+  using Row = CrossoverRow;
+  return std::tuple(field("parameter", &Row::parameter), field("backend", &Row::backend), field("effect", &Row::effect),
+                    field("variant", &Row::variant), field("other", &Row::other), field("metric", &Row::metric),
+                    field("limit", &Row::limit), field("at", &Row::at), field("tolerance", &Row::tolerance),
+                    field("sentence", &Row::sentence), lines::left_out("held", &Row::held),
+                    lines::left_out("claim", &Row::claim), lines::left_out("remark", &Row::remark));
+}
+
+lines::Line to_json(const SweepRow& row) { return lines::line_of("sweep", row, "sweep"); }
+lines::Line to_json(const CrossoverRow& row) {
+  return lines::line_of("crossover", row, "crossover of " + row.variant + " on " + row.backend);
+}
+
+template SweepRow row_of(const lines::Json& line, const std::string& where);
+template CrossoverRow row_of(const lines::Json& line, const std::string& where);
 
 }  // namespace lamina

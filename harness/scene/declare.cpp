@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "harness/core/text.h"
-#include "harness/scene/hull_check.h"
+#include "harness/scene/mesh/hull_check.h"
 #include "harness/scene/make_texture.h"
-#include "harness/scene/texel_density.h"
+#include "harness/scene/mesh/texel_density.h"
 
 namespace lamina {
 namespace {

@@ -3,21 +3,12 @@
 
 #include <map>
 #include <mutex>
-#include <span>
 
+#include "harness/core/bytes.h"
 #include "harness/core/text.h"
 
 namespace lamina {
 namespace {
-
-template <class T>
-std::string_view bytes_of(const T& value) {
-  return {reinterpret_cast<const char*>(&value), sizeof value};
-}
-template <class T>
-std::string_view bytes_of(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
 
 void add_numbers(std::string& text, const EffectValues& values) {
   for (const auto& [name, value] : values.numbers) text += fmt::format(" {}={}", name, value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Digests of what follows from a scene: they alone decide whether a sweep may be resumed, what a point must make anew, and what
+// Cache keys of what follows from a scene: they alone decide whether a sweep may be resumed, what a point must redo, and what
 // a cache may give back. Everything that effects declare is in them.
 #pragma once
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "harness/scene/seen_alpha.h"
+#include "harness/scene/mesh/seen_alpha.h"
 #include "harness/scene/textures.h"
 
 namespace lamina {

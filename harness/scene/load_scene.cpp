@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what a command line names to a whole scene: read, then completed with default lights and views, then settled, so that
-// what passes ask of it (is anything transparent, can it be unwrapped) is known.
+// Makes a whole scene of what a command line names. Three steps: read it, add default lights and views, and find the facts that
+// passes depend on (is anything transparent, can it be unwrapped).
 #include <algorithm>
 
 #include "harness/core/error.h"
@@ -11,8 +11,8 @@
 #include "harness/scene/made/builtin_scenes.h"
 #include "harness/scene/scene.h"
 #include "harness/scene/scene_file.h"
-#include "harness/scene/split_overlaps.h"
-#include "harness/scene/unwrap_check.h"
+#include "harness/scene/mesh/split_overlaps.h"
+#include "harness/scene/mesh/unwrap_check.h"
 
 namespace lamina {
 namespace {

@@ -3,14 +3,10 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <string>
-#include <vector>
 
 #include "harness/core/toml_table.h"
 
 namespace lamina {
-
-inline const std::vector<std::string> placement_keys = {"position", "rotation_degrees", "scale"};
 
 struct Placement {
   glm::vec3 position{0}, rotation_degrees{0}, scale{1};

@@ -7,7 +7,7 @@
 #include "harness/core/toml_table.h"
 #include "harness/scene/declare.h"
 #include "harness/scene/default_views.h"
-#include "harness/scene/gltf.h"
+#include "harness/scene/gltf/gltf.h"
 #include "harness/scene/made/builtin_scenes.h"
 #include "harness/scene/place_objects.h"
 #include "harness/scene/read_keys.h"
@@ -110,7 +110,7 @@ void read_views(Scene& scene, const TomlTable& root) {
   }
 }
 
-// [objects.NAME]: where it is, and what effects are told of it. "*" holds for all, before the entries that name one.
+// [objects.NAME]: where the object is, and the values of its effects' keys. "*" holds for all, and is applied first.
 void read_objects(Scene& scene, const TomlTable& root, const std::filesystem::path& folder, const Library& library) {
   std::vector<std::string> names;
   for (const Object& object : scene.objects) names.push_back(object.name);
@@ -130,7 +130,7 @@ void read_objects(Scene& scene, const TomlTable& root, const std::filesystem::pa
   }
 }
 
-// [effects.NAME]: what an effect is told of the whole scene.
+// [effects.NAME]: the values of an effect's keys of the whole scene.
 void read_effects(Scene& scene, const TomlTable& root, const std::filesystem::path& folder, const Library& library) {
   std::vector<std::string> known;
   for (const EffectManifest& effect : library.effects)

@@ -18,7 +18,7 @@ namespace {
 // What lavapipe and every desktop driver of Vulkan 1.3 offers (maxImageDimension2D).
 constexpr int max_texels_on_a_side = 16384;
 
-[[noreturn]] void refuse(const std::string& name, const std::string& message) {
+[[noreturn]] void refuse_texture(const std::string& name, const std::string& message) {
   throw Error(ErrorKind::bad_input, "texture", name, message);
 }
 
@@ -56,15 +56,15 @@ OIIO::ImageSpec unassociated_alpha() {
 
 Texels read_texels(OIIO::ImageInput& input, const std::string& name, bool srgb_colour) {
   const OIIO::ImageSpec& spec = input.spec();
-  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) refuse(name, "the picture has no texels");
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) refuse_texture(name, "the picture has no texels");
   if (spec.width > max_texels_on_a_side || spec.height > max_texels_on_a_side)
-    refuse(name,
-           fmt::format("{} x {} texels are too many; at most {} on a side", spec.width, spec.height, max_texels_on_a_side));
+    refuse_texture(
+        name, fmt::format("{} x {} texels are too many; at most {} on a side", spec.width, spec.height, max_texels_on_a_side));
   const size_t channels = static_cast<size_t>(std::min(spec.nchannels, 4));
   const size_t texels = size_t(spec.width) * size_t(spec.height);
   std::vector<float> values(texels * channels);
   if (!input.read_image(0, 0, 0, static_cast<int>(channels), OIIO::TypeDesc::FLOAT, values.data()))
-    refuse(name, "cannot be decoded: " + input.geterror());
+    refuse_texture(name, "cannot be decoded: " + input.geterror());
 
   // Floating-point files (OpenEXR, Radiance) hold linear light by convention; only integer codes are sRGB-encoded.
   const bool decode = srgb_colour && !spec.format.is_floating_point();
@@ -85,7 +85,8 @@ Texels read_texels(OIIO::ImageInput& input, const std::string& name, bool srgb_c
     for (int c = 0; c < 3; ++c) out[c] = colour(in[grey ? 0 : c]);
     out.a = has_alpha ? in[channels - 1] : 1.0f;
     for (int c = 0; c < 4; ++c)
-      if (!std::isfinite(out[c])) refuse(name, fmt::format("texel ({}, {}) is not finite", i % result.width, i / result.width));
+      if (!std::isfinite(out[c]))
+        refuse_texture(name, fmt::format("texel ({}, {}) is not finite", i % result.width, i / result.width));
   }
   return result;
 }
@@ -153,7 +154,7 @@ std::vector<std::byte> encoded(const Texels& level, TexelMeaning meaning) {
 Texels load_texels(const std::filesystem::path& file, bool srgb_colour) {
   const OIIO::ImageSpec config = unassociated_alpha();
   const auto input = OIIO::ImageInput::open(file.string(), &config);
-  if (!input) refuse(file.string(), "cannot be read as a picture: " + OIIO::geterror());
+  if (!input) refuse_texture(file.string(), "cannot be read as a picture: " + OIIO::geterror());
   return read_texels(*input, file.string(), srgb_colour);
 }
 
@@ -169,12 +170,12 @@ Texels decode_texels(std::span<const std::byte> encoded_file, const std::string&
       return read_texels(*input, name, srgb_colour);
     why += fmt::format("; {}: {}", ending, OIIO::geterror());
   }
-  refuse(name, "cannot be read as a picture" + why);
+  refuse_texture(name, "cannot be read as a picture" + why);
 }
 
 std::shared_ptr<const TextureImage> make_texture(std::string name, const Texels& base, TexelMeaning meaning) {
   if (base.width == 0 || base.height == 0 || base.rgba.size() != size_t{base.width} * base.height)
-    refuse(name, fmt::format("{} texels do not fill {} x {}", base.rgba.size(), base.width, base.height));
+    refuse_texture(name, fmt::format("{} texels do not fill {} x {}", base.rgba.size(), base.width, base.height));
   auto texture = std::make_shared<TextureImage>();
   texture->name = std::move(name);
   texture->format = meaning == TexelMeaning::colour ? Format::rgba8_srgb : Format::rgba8_unorm;

@@ -33,7 +33,7 @@ enum class TexelMeaning {
   colour,       // rgba8_srgb: box filter in linear light, then encoded; alpha linear
   normal,       // rgba8_unorm: vectors n = 2 t - 1 averaged and renormalized (zero sums become (0,0,1))
   data,         // rgba8_unorm: box filter
-  normal_mean,  // rgba8_unorm: unit vectors at the base, box filter below: their length tells how much they scatter
+  normal_mean,  // rgba8_unorm: unit vectors at the base, box filter below: a mean's length shows how much they scatter
 };
 // Throws Error(bad_input) where the texels do not fill width * height.
 std::shared_ptr<const TextureImage> make_texture(std::string name, const Texels& base, TexelMeaning meaning);

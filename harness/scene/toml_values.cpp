@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/scene/toml_values.h"
 
-#include <cmath>
-
 namespace lamina {
 
 void expect_keys(const TomlTable& table, std::initializer_list<std::string_view> keys) {
   for (const std::string_view key : keys) table.has(key);
   table.refuse_unknown_keys();
-}
-
-std::optional<int64_t> whole_number(const TomlTable& table, std::string_view key, int64_t low, int64_t high) {
-  const std::optional<double> value = table.optional_number(key, static_cast<double>(low), static_cast<double>(high));
-  if (value && *value != std::floor(*value))
-    throw table.error(key, fmt::format("'{}' must be a whole number from {} to {}", key, low, high));
-  return value ? std::optional(static_cast<int64_t>(*value)) : std::nullopt;
 }
 
 std::optional<glm::vec3> vec3(const TomlTable& table, std::string_view key) {

@@ -2,7 +2,6 @@
 // Values of scene files: vectors and colours out of a TOML table, checked.
 #pragma once
 
-#include <cstdint>
 #include <glm/glm.hpp>
 #include <initializer_list>
 #include <optional>
@@ -13,9 +12,6 @@ namespace lamina {
 
 // Refuses all other keys, before any of these is missed.
 void expect_keys(const TomlTable& table, std::initializer_list<std::string_view> keys);
-
-// A whole number from low to high; nothing where the key is absent.
-std::optional<int64_t> whole_number(const TomlTable& table, std::string_view key, int64_t low, int64_t high);
 
 // Three numbers, each within +-1e9; nothing where the key is absent.
 std::optional<glm::vec3> vec3(const TomlTable& table, std::string_view key);

@@ -44,7 +44,6 @@ std::string preamble_of(const ShaderRequest& request) {
   std::string text = "#extension GL_GOOGLE_include_directive : require\n";
   text += vulkan ? "#define LAMINA_VULKAN 1\n" : "#define LAMINA_OPENGL 1\n";
   text += fmt::format("#define LAMINA_VERTEX_INDEX {}\n", vulkan ? "gl_VertexIndex" : "gl_VertexID");
-  text += fmt::format("#define LAMINA_INSTANCE_INDEX {}\n", vulkan ? "gl_InstanceIndex" : "gl_InstanceID");
   for (const auto& [name, value] : request.defines) {
     // A line break would let a definition smuggle in a line of its own, and shift the reported lines.
     if (name.empty() || (name + value).find_first_of("\r\n") != std::string::npos)

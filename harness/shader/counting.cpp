@@ -20,9 +20,9 @@ namespace {
 
 using Words = std::vector<uint32_t>;
 
-constexpr size_t header_words = 5, bound_word = 3;  // of a module, by the specification's section 2.3
+constexpr size_t bound_word = 3;  // of a module's header
 
-[[noreturn]] void refuse(std::string message) {
+[[noreturn]] void refuse_to_count(std::string message) {
   throw Error(ErrorKind::failed, "shader", "counting build", std::move(message));
 }
 
@@ -45,7 +45,7 @@ Words inlined(const Words& spirv, Api api) {
   options.set_run_validator(false);  // compile_shader() did, and the result is validated as a whole
   Words result;
   if (!optimizer.Run(spirv.data(), spirv.size(), &result, options))
-    refuse("SPIRV-Tools cannot inline the functions: " + complaint);
+    refuse_to_count("SPIRV-Tools cannot inline the functions: " + complaint);
   return result;
 }
 
@@ -63,7 +63,7 @@ uint32_t texture_binding(const SpirvModule& module, const SpirvInstruction& oper
     switch (source.op()) {
       case spv::OpVariable: {
         const auto binding = module.decoration(id, spv::DecorationBinding);
-        if (!binding) refuse(fmt::format("texture '{}' has no binding", module.name(id)));
+        if (!binding) refuse_to_count(fmt::format("texture '{}' has no binding", module.name(id)));
         return *binding;
       }
       case spv::OpLoad:
@@ -75,8 +75,9 @@ uint32_t texture_binding(const SpirvModule& module, const SpirvInstruction& oper
         id = source.words[image_word];
         break;
       default:
-        refuse(fmt::format("cannot tell which texture '{}' is, in a function that cannot be inlined; sample it in the caller",
-                           module.name(id)));
+        refuse_to_count(
+            fmt::format("cannot tell which texture '{}' is, in a function that cannot be inlined; sample it in the caller",
+                        module.name(id)));
     }
   }
 }
@@ -84,7 +85,7 @@ uint32_t texture_binding(const SpirvModule& module, const SpirvInstruction& oper
 class Instrumenter {
  public:
   Instrumenter(std::span<const uint32_t> spirv, Stage stage, const CountingLayout& layout)
-      : header_(spirv.first(header_words)), module_(spirv), stage_(stage), layout_(layout), bound_(spirv[bound_word]) {}
+      : header_(spirv.first(spirv_header_words)), module_(spirv), stage_(stage), layout_(layout), bound_(spirv[bound_word]) {}
 
   CountingShader instrument() {
     read();
@@ -104,8 +105,8 @@ class Instrumenter {
     for (const SpirvInstruction& i : module_.instructions()) {
       if (i.op() == spv::OpEntryPoint) main_ = i.words[2];
       if (i.op() == spv::OpDecorate && i.words[2] == spv::DecorationBinding && i.words[3] == layout_.binding)
-        refuse(fmt::format("binding {} is taken by '{}'; the counters need one of their own", layout_.binding,
-                           module_.name(i.words[1])));
+        refuse_to_count(fmt::format("binding {} is taken by '{}'; the counters need one of their own", layout_.binding,
+                                    module_.name(i.words[1])));
       if (i.op() == spv::OpDecorate && i.words[2] == spv::DecorationBuiltIn && i.words[3] == spv::BuiltInFragCoord)
         frag_coord_ = i.words[1];
       if (is_texture_operation(i.op())) slots_.emplace(texture_binding(module_, i), 0);

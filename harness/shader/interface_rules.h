@@ -9,9 +9,9 @@
 
 namespace lamina {
 
-// Throws Error(bad_input) about `file`, naming the resource, unless every resource, reachable or not, is a 2D texture, a 2D
-// storage image, a uniform block or a storage block, not an array, in set 0, at a binding of its own, and every specialization
-// constant is a 32-bit scalar or a boolean.
+// Throws Error(bad_input) about `file`, naming the resource, unless every resource, reachable or not, is a 2D texture, a 3D
+// texture of floats, a 2D storage image, a uniform block or a storage block, not an array, in set 0, at a binding of its own,
+// and every specialization constant is a 32-bit scalar or a boolean.
 void check_interface(std::span<const uint32_t> spirv, const std::string& file);
 
 }  // namespace lamina

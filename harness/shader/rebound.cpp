@@ -6,15 +6,12 @@ namespace lamina {
 
 CompiledShader rebound(const CompiledShader& shader, uint32_t from, uint32_t to) {
   // Words of OpDecorate: the instruction, its target, the decoration, the binding (specification, section 3.32.3).
-  constexpr size_t header_words = 5, decoration_word = 2, binding_word = 3;
+  constexpr size_t decoration_word = 2, binding_word = 3;
   CompiledShader result = shader;
-  for (size_t at = header_words; at < result.spirv.size();) {
-    const uint32_t op = result.spirv[at] & 0xffff, words = result.spirv[at] >> 16;
-    if (op == spv::OpDecorate && result.spirv[at + decoration_word] == spv::DecorationBinding &&
-        result.spirv[at + binding_word] == from)
-      result.spirv[at + binding_word] = to;
-    at += words;
-  }
+  const SpirvModule module(shader.spirv);
+  for (const SpirvInstruction& i : module.instructions())
+    if (i.op() == spv::OpDecorate && i.words[decoration_word] == spv::DecorationBinding && i.words[binding_word] == from)
+      result.spirv[static_cast<size_t>(&i.words[binding_word] - shader.spirv.data())] = to;
   for (ShaderResource& resource : result.reflection.resources)
     if (resource.binding == from) resource.binding = to;
   return result;

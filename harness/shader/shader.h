@@ -4,8 +4,7 @@
 // Sources: no `set=`, no push constants, combined samplers, 2D textures and images, 3D textures of floats, std140 uniform
 // blocks, no arrays of resources, no uniforms outside blocks, explicit locations and bindings, bindings unique across kinds.
 // #include "path" is looked up beside the including file, then in the include folders. LAMINA_VULKAN or LAMINA_OPENGL is
-// defined (1), LAMINA_VERTEX_INDEX stands for gl_VertexIndex / gl_VertexID and LAMINA_INSTANCE_INDEX for gl_InstanceIndex /
-// gl_InstanceID.
+// defined (1), and LAMINA_VERTEX_INDEX stands for gl_VertexIndex / gl_VertexID.
 #pragma once
 
 #include <cstdint>

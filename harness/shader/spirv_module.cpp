@@ -7,9 +7,7 @@
 namespace lamina {
 namespace {
 
-constexpr size_t header_words = 5;  // magic number, version, generator, bound of ids, schema
-
-[[noreturn]] void refuse(std::string message) { throw Error(ErrorKind::failed, "shader", "SPIR-V", std::move(message)); }
+[[noreturn]] void refuse_module(std::string message) { throw Error(ErrorKind::failed, "shader", "SPIR-V", std::move(message)); }
 
 // A string literal: UTF-8, four bytes a word, closed by a zero byte.
 std::string literal_string(std::span<const uint32_t> words) {
@@ -26,20 +24,20 @@ std::string literal_string(std::span<const uint32_t> words) {
 }  // namespace
 
 SpirvModule::SpirvModule(std::span<const uint32_t> words) {
-  if (words.size() < header_words || words[0] != spv::MagicNumber) refuse("not a SPIR-V module");
+  if (words.size() < spirv_header_words || words[0] != spv::MagicNumber) refuse_module("not a SPIR-V module");
   const uint32_t bound = words[3];
   definitions_.resize(bound);
-  for (size_t at = header_words; at < words.size();) {
+  for (size_t at = spirv_header_words; at < words.size();) {
     const size_t count = words[at] >> spv::WordCountShift;
-    if (count == 0 || count > words.size() - at) refuse("an instruction reaches past the end of the module");
+    if (count == 0 || count > words.size() - at) refuse_module("an instruction reaches past the end of the module");
     SpirvInstruction instruction{.words = words.subspan(at, count)};
     bool has_result = false, has_type = false;
     spv::HasResultAndType(instruction.op(), &has_result, &has_type);
-    if (count < 1u + has_type + has_result) refuse("an instruction lacks its result");
+    if (count < 1u + has_type + has_result) refuse_module("an instruction lacks its result");
     if (has_type) instruction.type = words[at + 1];
     if (has_result) {
       instruction.result = words[at + 1 + has_type];
-      if (instruction.result >= bound) refuse("an id lies over the bound that the header states");
+      if (instruction.result >= bound) refuse_module("an id lies over the bound that the header states");
       definitions_[instruction.result] = instructions_.size() + 1;
     }
     instructions_.push_back(instruction);
@@ -48,7 +46,7 @@ SpirvModule::SpirvModule(std::span<const uint32_t> words) {
 }
 
 const SpirvInstruction& SpirvModule::definition(uint32_t id) const {
-  if (id >= definitions_.size() || definitions_[id] == 0) refuse(fmt::format("nothing makes id %{}", id));
+  if (id >= definitions_.size() || definitions_[id] == 0) refuse_module(fmt::format("nothing makes id %{}", id));
   return instructions_[definitions_[id] - 1];
 }
 

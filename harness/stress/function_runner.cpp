@@ -17,7 +17,7 @@ namespace {
 constexpr uint32_t group_size = 64, points_binding = 0, values_binding = 1, work_binding = 2, first_table_binding = 3;
 
 constexpr double long_run_ms = 40;  // of the timed runs; the short ones make an eighth of the calls
-constexpr int most_calls = 1 << 16;
+constexpr int max_calls = 1 << 16;
 
 TextureId make_texture(Backend& backend, const TextureImage& image) {
   const TextureDesc desc{
@@ -111,13 +111,13 @@ std::vector<std::vector<double>> nanoseconds_per_call(std::span<FunctionRunner* 
   std::vector<double> calls_apart;
   for (FunctionRunner* runner : runners) {
     int calls = 8;
-    while (runner->time_ms(calls) < long_run_ms && calls < most_calls) calls *= 2;
+    while (runner->time_ms(calls) < long_run_ms && calls < max_calls) calls *= 2;
     for (const int of_arm : {calls, calls / 8})
       arms.push_back({[runner, of_arm] { return FrameTimes{{runner->time_ms(of_arm)}, 0}; }, std::nullopt});
     calls_apart.push_back((calls - calls / 8) * static_cast<double>(runner->points()));
   }
   RoundOptions options;
-  options.least_rounds = options.most_rounds = rounds;
+  options.min_rounds = options.max_rounds = rounds;
   options.seed = seed;
   const RoundsResult result = run_rounds(arms, options);
   std::vector<std::vector<double>> all;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a function's values err by, against an oracle.
+// Errors of a function's values, against an oracle.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-// What values are held to, beside a set's points: the right value (the one that a file gives where it gives one), the condition
+// For each point of a set: the exact value (the one in the file of points where it gives one), the condition
 // number, and what errors are divided by. All are NaN at a point that the oracle refuses.
 struct PointTruth {
   std::vector<double> values, conditions, scales;

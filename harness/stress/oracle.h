@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a family of functions is held to: the right value of each point. Effects bring oracles, and family.toml asks for them
-// by name (harness/manifest/effect_code.h).
+// An oracle gives the exact value of a family's function at each point. Effects bring oracles, and family.toml asks for them by
+// name (harness/manifest/effect_code.h).
 #pragma once
 
 #include <cstdint>

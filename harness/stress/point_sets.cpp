@@ -18,10 +18,10 @@ namespace {
 
 // The nearest binary32 in the input's range: pi is none.
 float in_range(double number, const FamilyInput& input) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
+  constexpr float no_bound = std::numeric_limits<float>::infinity();
   const float rounded = static_cast<float>(number);
-  if (rounded > input.to) return std::nextafter(rounded, -infinity);
-  return rounded < input.from ? std::nextafter(rounded, infinity) : rounded;
+  if (rounded > input.to) return std::nextafter(rounded, -no_bound);
+  return rounded < input.from ? std::nextafter(rounded, no_bound) : rounded;
 }
 
 float grid_number(const FamilyInput& input, size_t i, size_t steps) {
@@ -93,7 +93,7 @@ PointSet make_grid(const Family& family, size_t steps) {
   const size_t inputs = family.inputs.size();
   if (steps < 2) refuse("a grid has 2 steps or more");
   const double power = std::pow(static_cast<double>(steps), static_cast<double>(inputs));
-  if (power > most_grid_points) refuse(fmt::format("{}^{} points are more than {}", steps, inputs, most_grid_points));
+  if (power > max_grid_points) refuse(fmt::format("{}^{} points are more than {}", steps, inputs, max_grid_points));
   PointSet set{"grid", grid_words(family, steps), Points(inputs)};
   const auto points = static_cast<size_t>(power);
   std::vector<float> point(inputs);

@@ -11,10 +11,10 @@ namespace lamina {
 // Every set that the family declares, with about `count` points each.
 std::vector<PointSet> make_sets(const Family& family, size_t count, uint64_t seed);
 
-inline constexpr size_t most_grid_points = 160 * 160 * 160;
+inline constexpr size_t max_grid_points = 160 * 160 * 160;
 // One set, "grid": `steps` values of each input, evenly over its range, an end included unless it is open; the last input runs
 // fastest. Points that the oracle refuses are left out. Throws Error(bad_input, "stress", "--grid N", ...) for fewer than 2
-// steps, more than most_grid_points, and where no point is left.
+// steps, more than max_grid_points, and where no point is left.
 PointSet make_grid(const Family& family, size_t steps);
 
 // One set, "points", from a file of comma-separated inputs, a line each, which may have the right value behind them and

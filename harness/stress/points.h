@@ -9,9 +9,9 @@
 
 namespace lamina {
 
-inline constexpr size_t most_inputs = 8;
+inline constexpr size_t max_inputs = 8;
 
-// Each point has the same number of inputs, 1 to most_inputs; binary32, as the shaders take them.
+// Each point has the same number of inputs, 1 to max_inputs; binary32, as the shaders take them.
 class Points {
  public:
   explicit Points(size_t inputs, std::initializer_list<std::initializer_list<float>> points = {}) : inputs_(inputs) {

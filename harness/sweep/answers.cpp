@@ -15,8 +15,6 @@
 namespace lamina {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 // "fov_y_degrees" of "views.front.fov_y_degrees", "position.x" of "lights.rim.position.x", and "key.intensity" of
 // "lights.key.intensity" where the curve has "lights.rim.intensity" too.
 std::string short_name(const std::string& path, const Curve& curve) {
@@ -34,7 +32,7 @@ std::string short_name(const std::string& path, const Curve& curve) {
   return dot == std::string::npos ? path : path.substr(dot + 1);
 }
 
-// How a parameter of the curve is named, and what stands behind its values: " degrees", and then not in the name too.
+// How a parameter of the curve is named, and the unit behind its values. A unit such as " degrees" is then cut from the name.
 struct Named {
   std::string name, unit;
 };
@@ -49,7 +47,7 @@ std::string words(double value) { return fmt::format("{:.4g}", value); }
 
 class Sentence {
  public:
-  explicit Sentence(const Curve& curve) : x_(named(curve.parameter, curve.unit, curve)), tail_(place_words(curve)) {}
+  explicit Sentence(const Curve& curve) : x_(named(curve.parameter, curve.unit, curve)) {}
   std::string at(const Crossing& crossing) const {
     return fmt::format("{} {}{} (within {:.2g})", x_.name, words(crossing.at), x_.unit, crossing.tolerance);
   }
@@ -57,18 +55,23 @@ class Sentence {
     return from == to ? fmt::format("{} {}{}", x_.name, words(from), x_.unit)
                       : fmt::format("{} {} to {}{}", x_.name, words(from), words(to), x_.unit);
   }
-  const std::string& tail() const { return tail_; }
 
  private:
   Named x_;
-  std::string tail_;
 };
 
 CrossoverRow start(const Curve& curve, const std::string& other, const std::string& metric) {
   CrossoverRow row;
   row.parameter = curve.parameter, row.backend = curve.backend, row.effect = curve.effect, row.variant = curve.variant;
   row.other = other, row.metric = metric;
+  for (const Held& held : curve.held) row.held[held.path] = held.value;
   return row;
+}
+
+void tell(CrossoverRow& row, const Curve& curve, const std::string& claim, const std::string& remark) {
+  row.claim = claim + place_words(curve);
+  row.remark = remark;
+  row.sentence = fmt::format("{} on {}{}", row.claim, row.backend, row.remark);
 }
 
 // A curve without the samples that are not known.
@@ -92,13 +95,12 @@ void add_limit(const Curve& curve, const Limit& limit, std::vector<CrossoverRow>
   const Sentence sentence(curve);
   const std::string bound =
       fmt::format("{} at {} {}", metric.words, metric.more_is_better ? "least" : "most", words(limit.value));
-  std::string tail = sentence.tail();
-  if (missing > 0) tail += fmt::format("; {} of {} points are missing", missing, y.size());
+  const std::string remark = missing > 0 ? fmt::format("; {} of {} points are missing", missing, y.size()) : "";
   const auto add = [&](const std::string& text, const Crossing* crossing) {
     CrossoverRow row = start(curve, "", limit.metric);
     row.limit = limit.value;
     if (crossing) row.at = crossing->at, row.tolerance = crossing->tolerance;
-    row.sentence = fmt::format("{} {}{}", curve.variant, text, tail);
+    tell(row, curve, curve.variant + " " + text, remark);
     rows.push_back(row);
   };
   const std::vector<Crossing> found = crossings(curve.x, y, sign * limit.value);
@@ -117,8 +119,8 @@ void add_limit(const Curve& curve, const Limit& limit, std::vector<CrossoverRow>
   }
 }
 
-// By how much one is better or cheaper (above 0) than the other, sample by sample; NaN where that is not known, and where they
-// are alike, so that a crossing is looked for between samples that say something.
+// By how much one is better or cheaper (above 0) than the other, sample by sample. NaN where that is not known and where they
+// are alike, so that a crossing is looked for only between samples that differ.
 struct Advantage {
   std::vector<double> y;
   size_t alike = 0, compared = 0;  // samples
@@ -151,7 +153,7 @@ Advantage cheaper_by(const Curve& one, const Curve& other) {
   return advantage;
 }
 
-// Where one is ahead: between two crossings, or the first or last sample that tells.
+// Where one is ahead: between two crossings, or from the first or to the last sample that is not NaN.
 struct Stretch {
   double from = 0, to = 0;
   std::optional<Crossing> begin, end;
@@ -171,7 +173,7 @@ std::vector<Stretch> stretches_ahead(const std::vector<double>& x, const Advanta
   return stretches;
 }
 
-// Where both are.
+// Where both are ahead.
 std::vector<Stretch> common(const std::vector<Stretch>& a, const std::vector<Stretch>& b) {
   std::vector<Stretch> both;
   for (const Stretch& one : a)
@@ -198,7 +200,7 @@ std::string words_of(const Stretch& stretch, const Curve& curve, bool everywhere
   return "from " + from + (!stretch.end && to_last ? " on" : " to " + to);
 }
 
-// An answer about two variants, and whether the one is nowhere behind the other.
+// An answer about two variants, and whether the first is nowhere behind the second.
 struct PairAnswer {
   CrossoverRow row;
   bool in_order = false;
@@ -212,7 +214,7 @@ class Pairs {
         if (&one != &other && one.x == other.x) add(one, other);  // else a record that is not whole
   }
 
-  // What follows from two others is left out: a over c, where a is nowhere behind b, nor b behind c.
+  // An answer that follows from two others is left out: a against c, where a is nowhere behind b, and b nowhere behind c.
   std::vector<CrossoverRow> rows() const {
     std::vector<CrossoverRow> rows;
     for (const PairAnswer& answer : answers_) {
@@ -247,8 +249,8 @@ class Pairs {
                   cost.everywhere() && quality.everywhere(), cost.everywhere() && quality.everywhere(), equal + overlap);
   }
 
-  // Where one is ahead up to a crossing the other is from there on, which is told of one of them: of the variant where the
-  // other is the baseline, else of the later.
+  // Where one is ahead up to a crossing, the other is ahead from there on. Only one of the two is reported: the variant where
+  // the other is the baseline, else the later one.
   static std::vector<Stretch> told_once(const Curve& one, const Curve& other, std::vector<Stretch> stretches) {
     std::erase_if(stretches, [&](const Stretch& stretch) {
       return !other.baseline && (one.baseline ? stretch.begin || stretch.end : !stretch.begin && stretch.end);
@@ -257,14 +259,14 @@ class Pairs {
   }
 
   void add_stretches(const Curve& one, const Curve& other, const std::string& metric, const std::string& what,
-                     const std::vector<Stretch>& stretches, bool everywhere, bool in_order, const std::string& tail) {
+                     const std::vector<Stretch>& stretches, bool everywhere, bool in_order, const std::string& remark) {
     for (const Stretch& stretch : stretches) {
       PairAnswer& answer = answers_.emplace_back();
       answer.row = start(one, other.variant, metric);
       if (const std::optional<Crossing>& told = stretch.begin ? stretch.begin : stretch.end)
         answer.row.at = told->at, answer.row.tolerance = told->tolerance;
-      answer.row.sentence = fmt::format("{} is {} than {} {}{}{}", one.variant, what, other.variant,
-                                        words_of(stretch, one, everywhere), Sentence(one).tail(), tail);
+      tell(answer.row, one,
+           fmt::format("{} is {} than {} {}", one.variant, what, other.variant, words_of(stretch, one, everywhere)), remark);
       answer.in_order = in_order && !stretch.begin && !stretch.end && !one.baseline && !other.baseline;
       if (answer.in_order) ahead_.insert({metric, one.variant, other.variant});
     }
@@ -303,7 +305,7 @@ std::string place_words(const Curve& curve) {
     const Named other = named(held.path, held.unit, curve);
     place += fmt::format(", at {} {}{}", other.name, words(held.value), other.unit);
   }
-  return place + " on " + curve.backend;
+  return place;
 }
 
 std::vector<CrossoverRow> answers(const std::vector<Curve>& curves, const std::vector<Limit>& limits) {
@@ -316,6 +318,23 @@ std::vector<CrossoverRow> answers(const std::vector<Curve>& curves, const std::v
     if (limits.empty()) continue;
     const Pairs pairs(std::span<const Curve>(curves).subspan(begin, end - begin), *metric_named(limits.front().metric));
     for (CrossoverRow& row : pairs.rows()) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<CrossoverRow> crossovers_of(const Record& record) {
+  std::vector<CrossoverRow> rows = record.crossovers;
+  if (record.sweeps.empty() || std::ranges::none_of(rows, [](const CrossoverRow& row) { return row.claim.empty(); }))
+    return rows;
+  std::vector<Limit> limits = record.sweeps.front().limits;
+  std::erase_if(limits, [](const Limit& limit) { return limit.metric == "ratio" || !metric_named(limit.metric); });
+  const std::vector<CrossoverRow> again = answers(curves_of(record), limits);
+  for (CrossoverRow& row : rows) {
+    const auto same = std::ranges::find_if(again, [&](const CrossoverRow& found) {
+      return std::tie(found.parameter, found.backend, found.effect, found.sentence) ==
+             std::tie(row.parameter, row.backend, row.effect, row.sentence);
+    });
+    if (row.claim.empty() && same != again.end()) row.held = same->held, row.claim = same->claim, row.remark = same->remark;
   }
   return rows;
 }

@@ -9,9 +9,9 @@
 namespace lamina {
 namespace {
 
-class Curve {
+class ErrorCurve {
  public:
-  Curve(std::span<const double> x, std::span<const double> y, double limit) : x_(x), y_(y), limit_(limit) {}
+  ErrorCurve(std::span<const double> x, std::span<const double> y, double limit) : x_(x), y_(y), limit_(limit) {}
 
   bool crosses_after(size_t i) const { return !std::isnan(y_[i]) && !std::isnan(y_[i + 1]) && above(i) != above(i + 1); }
 
@@ -69,7 +69,7 @@ class Curve {
 
 std::vector<Crossing> crossings(std::span<const double> x, std::span<const double> y, double limit) {
   std::vector<Crossing> found;
-  const Curve curve(x, y, limit);
+  const ErrorCurve curve(x, y, limit);
   for (size_t i = 0; i + 1 < x.size(); ++i)
     if (curve.crosses_after(i)) found.push_back(curve.crossing(i));
   return found;

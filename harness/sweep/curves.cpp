@@ -15,21 +15,17 @@ const Metric* metric_named(std::string_view name) {
 
 namespace {
 
-using Json = nlohmann::json;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-// The metric's figure in a cell; NaN where it has none.
-double figure(const Json& cell, std::string_view metric) {
-  if (cell.at("status") == "failed") return nan;
-  if (metric.starts_with("ratio")) {
-    const Json& ratio = cell.at("ratio_to_baseline");
-    return ratio.is_null() ? nan : ratio.at(metric == "ratio" ? "median" : std::string(metric.substr(6))).get<double>();
+// Figures of a cell by the names of curves.h; NaN where it has none.
+double figure(const CellRow& cell, std::string_view name) {
+  if (cell.failed) return nan;
+  if (name.starts_with("ratio")) {
+    const std::optional<Interval>& ratio = cell.ratio_to_baseline;
+    if (!ratio) return nan;
+    return name == "ratio" ? ratio->median : name == "ratio.low" ? ratio->low : ratio->high;
   }
-  const bool truth = metric.starts_with("truth.");
-  const Json& figures = cell.at("error").at(truth ? "truth" : "baseline");
-  if (figures.is_null()) return nan;
-  const Json& value = figures.at(std::string(truth ? metric.substr(6) : metric));
-  return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();  // PSNR of identical pictures
+  const bool truth = name.starts_with("truth.");
+  const std::optional<ErrorFigures>& error = truth ? cell.error_truth : cell.error_covered;
+  return error ? *error.*metric_named(name)->figure : nan;
 }
 
 // One number of the views' figures; NaN where one of them is.
@@ -44,17 +40,6 @@ double over_views(std::string_view name, const std::vector<double>& figures) {
   return std::exp(logs / static_cast<double>(figures.size()));
 }
 
-struct Swept {
-  std::string path, unit;
-};
-
-std::vector<Swept> swept_by(const Record& record) {
-  std::vector<Swept> swept;
-  for (const Json& parameter : record.sweeps.front().at("parameters"))
-    swept.push_back({parameter.at("path"), parameter.at("unit")});
-  return swept;
-}
-
 using Key = std::tuple<size_t, std::string, std::string, std::vector<double>,
                        std::string>;  // parameter, backend, effect, held, variant
 
@@ -62,37 +47,36 @@ using Key = std::tuple<size_t, std::string, std::string, std::vector<double>,
 
 std::vector<Curve> curves_of(const Record& record) {
   if (record.sweeps.empty()) return {};
-  const bool zip = record.sweeps.front().at("zip");
-  const std::vector<Swept> swept = swept_by(record);
+  const bool zip = record.sweeps.front().zip;
+  const std::vector<SweepRow::Parameter>& swept = record.sweeps.front().parameters;
   std::vector<Curve> curves;
   for (size_t along = 0; along < (zip ? 1 : swept.size()); ++along) {
-    if (record.sweeps.front().at("parameters")[along].at("values").size() < 2) continue;
+    if (swept[along].values.size() < 2) continue;
     std::map<Key, size_t> known;
     std::vector<Curve> found;
-    std::vector<std::map<double, std::vector<const Json*>>> cells;  // beside found; by x
-    for (const Json& cell : record.cells) {
+    std::vector<std::map<double, std::vector<const CellRow*>>> cells;  // beside found; by x
+    for (const CellRow& cell : record.cells) {
       std::vector<double> held;
       for (size_t other = 0; !zip && other < swept.size(); ++other)
-        if (other != along) held.push_back(cell.at("params").at(swept[other].path));
-      const auto [entry, is_new] =
-          known.try_emplace(Key(along, cell.at("backend"), cell.at("effect"), held, cell.at("variant")), found.size());
+        if (other != along) held.push_back(cell.params.at(swept[other].path));
+      const auto [entry, is_new] = known.try_emplace(Key(along, cell.backend, cell.effect, held, cell.variant), found.size());
       if (is_new) {
         Curve& curve = found.emplace_back();
-        curve.backend = cell.at("backend"), curve.effect = cell.at("effect"), curve.variant = cell.at("variant");
-        curve.baseline = cell.at("baseline");
+        curve.backend = cell.backend, curve.effect = cell.effect, curve.variant = cell.variant;
+        curve.baseline = cell.baseline;
         curve.parameter = swept[along].path, curve.unit = swept[along].unit;
         for (size_t other = 0, i = 0; !zip && other < swept.size(); ++other)
           if (other != along) curve.held.push_back({swept[other].path, swept[other].unit, held[i++]});
         cells.emplace_back();
       }
-      cells[entry->second][cell.at("params").at(swept[along].path)].push_back(&cell);
+      cells[entry->second][cell.params.at(swept[along].path)].push_back(&cell);
     }
     for (size_t i = 0; i < found.size(); ++i)
       for (const auto& [x, views] : cells[i]) {
         found[i].x.push_back(x);
         const auto add = [&](const std::string& metric) {
           std::vector<double> figures;
-          for (const Json* view : views) figures.push_back(figure(*view, metric));
+          for (const CellRow* view : views) figures.push_back(figure(*view, metric));
           found[i].y[metric].push_back(over_views(metric, figures));
         };
         for (const Metric& metric : metrics) add(metric.name);

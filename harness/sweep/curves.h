@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,24 +13,28 @@
 
 namespace lamina {
 
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
 // What a curve can show. Errors are those of the worst view, over the pixels that the effect covers.
 struct Metric {
-  const char* name;     // "ssim"; "truth.ssim" against the truth
-  const char* words;    // "SSIM"
-  bool more_is_better;  // ratio: less
+  const char* name;                        // "ssim"; "truth.ssim" against the truth
+  const char* words;                       // "SSIM"
+  bool more_is_better;                     // ratio: less
+  double ErrorFigures::*figure = nullptr;  // null: the ratio
 };
-inline constexpr std::array<Metric, 11> metrics = {{{"ssim", "SSIM", true},
-                                                    {"psnr_db", "PSNR in dB", true},
-                                                    {"flip", "FLIP", false},
-                                                    {"rmse_linear", "RMSE", false},
-                                                    {"max_linear", "the greatest difference", false},
-                                                    {"truth.ssim", "SSIM to the truth", true},
-                                                    {"truth.psnr_db", "PSNR to the truth in dB", true},
-                                                    {"truth.flip", "FLIP to the truth", false},
-                                                    {"truth.rmse_linear", "RMSE to the truth", false},
-                                                    {"truth.max_linear", "the greatest difference to the truth", false},
-                                                    // Geometric mean over views of the ratios' medians.
-                                                    {"ratio", "time over the baseline's", false}}};
+inline constexpr std::array<Metric, 11> metrics = {
+    {{"ssim", "SSIM", true, &ErrorFigures::ssim},
+     {"psnr_db", "PSNR in dB", true, &ErrorFigures::psnr_db},
+     {"flip", "FLIP", false, &ErrorFigures::flip},
+     {"rmse_linear", "RMSE", false, &ErrorFigures::rmse_linear},
+     {"max_linear", "the greatest difference", false, &ErrorFigures::max_linear},
+     {"truth.ssim", "SSIM to the truth", true, &ErrorFigures::ssim},
+     {"truth.psnr_db", "PSNR to the truth in dB", true, &ErrorFigures::psnr_db},
+     {"truth.flip", "FLIP to the truth", false, &ErrorFigures::flip},
+     {"truth.rmse_linear", "RMSE to the truth", false, &ErrorFigures::rmse_linear},
+     {"truth.max_linear", "the greatest difference to the truth", false, &ErrorFigures::max_linear},
+     // Geometric mean over views of the ratios' medians.
+     {"ratio", "time over the baseline's", false}}};
 const Metric* metric_named(std::string_view name);
 
 // A parameter of a grid that a curve does not run along, and its value there.

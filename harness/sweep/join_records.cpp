@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 using Ordered = nlohmann::ordered_json;
 
-[[noreturn]] void refuse(const std::string& where, const std::string& why) {
+[[noreturn]] void refuse_to_join(const std::string& where, const std::string& why) {
   throw Error(ErrorKind::bad_input, "merge", where, why);
 }
 
@@ -29,9 +29,19 @@ Json without_times(Json cell) {
   return cell;
 }
 
+// A record, and its lines as they are: those go into the join whole, with what this program may not know.
 struct Part {
   std::filesystem::path file;
   Record record;
+  std::vector<Json> lines;
+
+  std::vector<const Json*> of_kind(std::string_view kind) const {
+    std::vector<const Json*> found;
+    for (const Json& line : lines)
+      if (line.at("kind") == kind) found.push_back(&line);
+    return found;
+  }
+  const SweepRow& sweep() const { return record.sweeps.front(); }
 };
 
 struct Found {
@@ -67,15 +77,15 @@ std::vector<std::string> texts(const Json& settings, const char* name) {
 // "effect/variant on vulkan: 2 of 33 points are missing: objects.heart.thickness 1; ...".
 std::string words_of_missing(const std::string& backend, const std::string& variant, const std::vector<size_t>& points,
                              const SweepPoints& all) {
-  constexpr size_t most_named = 8;
+  constexpr size_t max_named = 8;
   std::string text = fmt::format("{} on {}: {} of {} points are missing:", variant, backend, points.size(), all.count());
-  for (size_t i = 0; i < std::min(points.size(), most_named); ++i) {
+  for (size_t i = 0; i < std::min(points.size(), max_named); ++i) {
     text += i == 0 ? " " : "; ";
     const std::vector<double> values = all.at(points[i]);
     for (size_t k = 0; k < values.size(); ++k)
       text += fmt::format("{}{} {:.6g}", k == 0 ? "" : ", ", all.parameters[k].path, values[k]);
   }
-  return points.size() > most_named ? text + "; ..." : text;
+  return points.size() > max_named ? text + "; ..." : text;
 }
 
 }  // namespace
@@ -83,23 +93,21 @@ std::string words_of_missing(const std::string& backend, const std::string& vari
 Joined join_records(const std::vector<std::filesystem::path>& files) {
   std::vector<Part> parts;
   for (const std::filesystem::path& file : files) {
-    parts.push_back({file, read_record(file)});
-    if (parts.back().record.sweeps.size() != 1) refuse(file.string(), "is no record of a sweep");
+    Part& part = parts.emplace_back();
+    part.file = file, part.record = read_record(file, &part.lines);
+    if (part.record.sweeps.size() != 1) refuse_to_join(file.string(), "is no record of a sweep");
   }
-  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
-    const auto shard = [](const Part& part) { return part.record.sweeps.front().at("shard").at("index").get<size_t>(); };
-    return shard(a) < shard(b);
-  });
+  std::ranges::stable_sort(parts, {}, [](const Part& part) { return part.sweep().shard_index; });
   const auto identity = [](const Part& part) {
     Json fields = Json::object();
     for (const char* name : {"lamina", "commit", "build", "scene", "source", "settings", "inputs"})
       fields[name] = part.record.run.value(name, Json());
-    fields["sweep"] = part.record.sweeps.front();
+    fields["sweep"] = *part.of_kind("sweep").front();
     fields["sweep"].erase("shard");
     return fields;
   };
   const Json settings = parts.front().record.run.at("settings");
-  const SweepPoints points = points_of(parts.front().record.sweeps.front());
+  const SweepPoints points = points_of(parts.front().sweep());
   const PointIndex index(points);
   Joined joined;
   Order order;
@@ -110,42 +118,43 @@ Joined join_records(const std::vector<std::filesystem::path>& files) {
   for (const Part& part : parts) {
     const Json changes = Json::diff(identity(parts.front()), identity(part));
     if (!changes.empty())
-      refuse(part.file.string(), fmt::format("is of another sweep than {}: '{}' differs", parts.front().file.string(),
-                                             changes.front().at("path").get<std::string>().substr(1)));
+      refuse_to_join(part.file.string(), fmt::format("is of another sweep than {}: '{}' differs", parts.front().file.string(),
+                                                     changes.front().at("path").get<std::string>().substr(1)));
     joined.several_machines = joined.several_machines ||
                               part.record.run.at("machine") != parts.front().record.run.at("machine") ||
                               part.record.run.at("devices") != parts.front().record.run.at("devices");
-    for (const Json& cell : part.record.cells) {
-      const auto [backend, effect, variant, view, point] = index.key_of(cell, part.file.string());
+    const std::vector<const Json*> lines = part.of_kind("cell");
+    for (size_t i = 0; i < lines.size(); ++i) {
+      const auto [backend, effect, variant, view, point] = index.key_of(part.record.cells[i], part.file.string());
       const Place place{order.of("backends", backend), order.of("effects", effect), point, order.of("views", view),
                         order.of("variants", effect + "/" + variant)};
-      const auto [known, is_new] = cells.try_emplace(place, Found{&cell, &part});
+      const auto [known, is_new] = cells.try_emplace(place, Found{lines[i], &part});
       if (is_new) continue;
       ++joined.duplicates;
-      const Json first = without_times(*known->second.cell), second = without_times(cell);
+      const Json first = without_times(*known->second.cell), second = without_times(*lines[i]);
       if (const Json unlike = Json::diff(first, second); !unlike.empty())
-        refuse(part.file.string(),
-               fmt::format("disagrees with {} about {} on {}, view {}, {}: '{}' differs; run one of them again",
-                           known->second.part->file.string(), variant, backend, view, cell.at("params").dump(),
-                           unlike.front().at("path").get<std::string>().substr(1)));
+        refuse_to_join(part.file.string(),
+                       fmt::format("disagrees with {} about {} on {}, view {}, {}: '{}' differs; run one of them again",
+                                   known->second.part->file.string(), variant, backend, view, lines[i]->at("params").dump(),
+                                   unlike.front().at("path").get<std::string>().substr(1)));
     }
   }
 
   Json run = parts.front().record.run;
   run["machines"] = Json::array();
   for (const Part& part : parts)
-    run["machines"].push_back({{"shard", part.record.sweeps.front().at("shard")},
+    run["machines"].push_back({{"shard", part.of_kind("sweep").front()->at("shard")},
                                {"machine", part.record.run.at("machine")},
                                {"devices", part.record.run.at("devices")}});
   if (joined.several_machines)
     run["warnings"].push_back(
         "joined from several machines: times are left out, ratios to the baseline are each machine's own");
-  Json sweep = parts.front().record.sweeps.front();
+  Json sweep = *parts.front().of_kind("sweep").front();
   sweep["shard"] = {{"index", 0}, {"count", 1}};
   joined.lines = {run, sweep};
-  for (const Json& plan : parts.front().record.plans) joined.lines.push_back(plan);
+  for (const Json* plan : parts.front().of_kind("plan")) joined.lines.push_back(*plan);
   for (const Part& part : parts)
-    for (const Json& timer : part.record.timers) joined.lines.push_back(timer);
+    for (const Json* timer : part.of_kind("timer")) joined.lines.push_back(*timer);
   for (const auto& [place, found] : cells) {
     Json cell = *found.cell;
     if (joined.several_machines) take_times_off(cell);

@@ -62,7 +62,7 @@ double place_of(const std::vector<std::string>& words, const std::string& word) 
   return static_cast<double>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 
-// What an effect declares, of an object or of the scene: `values` finds it in any scene like this one, and `changed` is told
+// What an effect declares, of an object or of the scene. `values` finds it in any scene like this one; `changed` is called
 // after a texture was replaced.
 void add_declared(Collector& out, const std::string& prefix, const Declarations& declared, const Scene& unchanged,
                   const std::function<EffectValues&(Scene&)>& values, const std::function<void(Scene&)>& changed) {
@@ -192,13 +192,13 @@ std::string last_parts(const std::string& path, size_t count) {
 // The paths whose ends are nearest to `path`, which may lack the beginning: "'objects.a.thickness' or 'objects.b.thickness'";
 // "" where none is near.
 std::string nearest_paths(const std::vector<Parameter>& parameters, const std::string& path) {
-  constexpr size_t most_named = 3;
+  constexpr size_t max_named = 3;
   const size_t parts = 1 + static_cast<size_t>(std::count(path.begin(), path.end(), '.'));
   std::vector<std::string> ends;
   for (const Parameter& parameter : parameters) ends.push_back(last_parts(parameter.path, parts));
   const std::string nearest = nearest_name(path, ends);
   std::vector<std::string> named;
-  for (size_t i = 0; i < ends.size() && named.size() < most_named; ++i)
+  for (size_t i = 0; i < ends.size() && named.size() < max_named; ++i)
     if (!nearest.empty() && ends[i] == nearest) named.push_back("'" + parameters[i].path + "'");
   return fmt::format("{}", fmt::join(named, " or "));
 }

@@ -19,9 +19,9 @@ struct Parameter {
   double min = 0, max = 0;
   bool or_zero = false;            // 0 is allowed beside the range
   bool whole = false;              // takes whole numbers alone
-  std::vector<std::string> words;  // not empty: the value is one of these, told by its place
+  std::vector<std::string> words;  // not empty: the value is the place of one of these words
   bool moves = false;              // objects or cameras
-  std::optional<double> value;     // in the scene as it is; none where it is no one number (a map, objects that differ)
+  std::optional<double> value;     // in the scene as it is; absent where it is not one number (a map, objects that differ)
   // Sets it in a scene with the same objects, lights and views; empty for scene.time, which load_scene() takes, and for
   // parameters of variants, which their shaders take.
   std::function<void(Scene&, double)> set;

@@ -74,12 +74,12 @@ class Values {
 
   const std::vector<double>& distinct(const std::vector<double>& values) const {
     if (std::set<double>(values.begin(), values.end()).size() != values.size())
-      refuse("has steps that 12 digits do not tell apart; take larger ones");
+      refuse("has values that are equal to 12 digits; take larger steps");
     return values;
   }
 
   size_t steps(double count) const {
-    if (count + 1 > static_cast<double>(most_values)) refuse(fmt::format("has more than {} values", most_values));
+    if (count + 1 > static_cast<double>(max_values)) refuse(fmt::format("has more than {} values", max_values));
     return static_cast<size_t>(std::floor(count + slack));
   }
 
@@ -138,8 +138,8 @@ void SweepPoints::check() const {
   }
   double count = 1;
   for (const SweptParameter& parameter : parameters) count *= zip ? 1 : static_cast<double>(parameter.values.size());
-  if (count > static_cast<double>(most_values))
-    throw Error(ErrorKind::bad_input, "sweep", "--set", fmt::format("{} points are more than {}", count, most_values));
+  if (count > static_cast<double>(max_values))
+    throw Error(ErrorKind::bad_input, "sweep", "--set", fmt::format("{} points are more than {}", count, max_values));
 }
 
 size_t SweepPoints::count() const {

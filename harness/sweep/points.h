@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The points of a sweep, which of them a shard has, and which of them get a share of something dear.
+// The points of a sweep, which of them a shard computes, and which of them get an expensive measurement.
 #pragma once
 
 #include <cstddef>
@@ -17,22 +17,23 @@ struct SweptParameter {
 
 // VALUES: "FROM:TO:STEP" (both ends included; TO only where a step meets it), "FROM:TO:xFACTOR" (geometric), or "A,B,C".
 // Computed values are rounded to 12 digits, so that 0:1:0.1 has a 0.3. Without a unit. Throws Error(bad_input) for what is none
-// of these, a step that leads nowhere, a value twice, or more than most_values.
-inline constexpr size_t most_values = 100000;
+// of these, a step that leads nowhere, a value twice, or more than max_values.
+inline constexpr size_t max_values = 100000;
 SweptParameter parse_swept(const std::string& text);
 
 struct SweepPoints {
   std::vector<SweptParameter> parameters;
   bool zip = false;  // the first values together, then the second ones, ...; else every combination, the last parameter fastest
 
-  // Throws Error(bad_input) where zipped lists differ in length, a path comes twice, or there are more than most_values points.
+  // Throws Error(bad_input) where zipped lists differ in length, a path comes twice, or there are more than max_values points.
   void check() const;
   size_t count() const;
   // One value a parameter.
   std::vector<double> at(size_t point) const;
 };
 
-// Part `index` of `count`: every count-th point, so that dear ends are shared out. The same points on every machine.
+// Part `index` of `count`: every count-th point, so that expensive ends of a range are shared. The same points on every
+// machine.
 struct Shard {
   size_t index = 0, count = 1;
   bool has(size_t point) const { return point % count == index; }

@@ -74,21 +74,20 @@ PointIndex::PointIndex(const SweepPoints& points) {
   for (size_t point = 0; point < points.count(); ++point) points_.emplace(points.at(point), point);
 }
 
-CellKey PointIndex::key_of(const Json& cell, const std::string& where) const {
-  try {
-    std::vector<double> values;
-    for (const std::string& path : paths_) values.push_back(cell.at("params").at(path));
-    if (const auto found = points_.find(values); found != points_.end())
-      return {cell.at("backend"), cell.at("effect"), cell.at("variant"), cell.at("view"), found->second};
-  } catch (const Json::exception&) {
-  }
-  refuse(where, "is a cell of no point of this sweep; the file is damaged or of another sweep");
+CellKey PointIndex::key_of(const CellRow& cell, const std::string& where) const {
+  std::vector<double> values;
+  for (const std::string& path : paths_)
+    if (const auto value = cell.params.find(path); value != cell.params.end()) values.push_back(value->second);
+  const auto found = points_.find(values);
+  if (found == points_.end()) refuse(where, "is a cell of no point of this sweep; the file is damaged or of another sweep");
+  return {cell.backend, cell.effect, cell.variant, cell.view, found->second};
 }
 
-std::optional<Earlier> continue_record(const std::filesystem::path& file, const Json& run, const Json& sweep,
+std::optional<Earlier> continue_record(const std::filesystem::path& file, const Json& run, const SweepRow& sweep,
                                        const SweepPoints& points) {
   if (!std::filesystem::exists(file)) return std::nullopt;
   const PointIndex index(points);
+  const nlohmann::ordered_json sweep_line = to_json(sweep);
   Earlier earlier;
   std::ifstream stream(file, std::ios::binary);
   std::string line;
@@ -113,8 +112,8 @@ std::optional<Earlier> continue_record(const std::filesystem::path& file, const 
       first_line = line;
     } else if (number == 2) {
       Json have = json;
-      have["limits"] = sweep.at("limits");
-      expect(have, sweep, "sweep");
+      have["limits"] = sweep_line["limits"];
+      expect(have, sweep_line, "sweep");
       if (have != json) other_limits = line;
     }
     whole += line.size() + 1;
@@ -125,7 +124,7 @@ std::optional<Earlier> continue_record(const std::filesystem::path& file, const 
     keep = whole;
     if (kind != "cell")
       earlier.kinds.insert(kind);
-    else if (!earlier.cells.insert(index.key_of(json, where)).second)
+    else if (!earlier.cells.insert(index.key_of(row_of<CellRow>(json, where), where)).second)
       refuse(where, "is a cell that an earlier line has; the file is damaged: remove it, or choose another folder with --out");
   }
   stream.close();
@@ -135,20 +134,18 @@ std::optional<Earlier> continue_record(const std::filesystem::path& file, const 
   std::filesystem::resize_file(file, keep);
   if (!other_limits.empty()) {
     nlohmann::ordered_json with_limits = nlohmann::ordered_json::parse(other_limits);
-    with_limits["limits"] = nlohmann::ordered_json::array();
-    for (const Json& limit : sweep.at("limits"))
-      with_limits["limits"].push_back({{"metric", limit.at("metric")}, {"limit", limit.at("limit")}});
+    with_limits["limits"] = sweep_line["limits"];
     const size_t cells = first_line.size() + 1 + other_limits.size() + 1;
     write_file_atomically(file, first_line + '\n' + with_limits.dump() + '\n' + read_file(file, "record").substr(cells));
   }
   return earlier;
 }
 
-SweepPoints points_of(const Json& sweep) {
+SweepPoints points_of(const SweepRow& sweep) {
   SweepPoints points;
-  points.zip = sweep.at("zip");
-  for (const Json& parameter : sweep.at("parameters"))
-    points.parameters.push_back({parameter.at("path"), parameter.at("unit"), parameter.at("values")});
+  points.zip = sweep.zip;
+  for (const SweepRow::Parameter& parameter : sweep.parameters)
+    points.parameters.push_back({parameter.path, parameter.unit, parameter.values, {}});
   return points;
 }
 

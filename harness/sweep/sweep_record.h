@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// The record of a sweep on disk: taken up where an earlier run of the same sweep stopped, at whatever byte that was, and joined
-// from the records of several shards.
+// The record of a sweep on disk. A run resumes it where an earlier run of the same sweep stopped, at whatever byte that was;
+// merge joins the records of several shards.
 #pragma once
 
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "harness/record/record.h"
 #include "harness/sweep/points.h"
 
 namespace lamina {
 
-// What tells a cell of a sweep from all others: backend, effect, variant, view, point.
+// What identifies a cell of a sweep: backend, effect, variant, view, point.
 using CellKey = std::tuple<std::string, std::string, std::string, std::string, size_t>;
 
 // Finds the points of cells.
@@ -24,7 +24,7 @@ class PointIndex {
  public:
   explicit PointIndex(const SweepPoints& points);
   // Throws Error(bad_input, "record", where, ...) for a cell that is of no point.
-  CellKey key_of(const nlohmann::json& cell, const std::string& where) const;
+  CellKey key_of(const CellRow& cell, const std::string& where) const;
 
  private:
   std::vector<std::string> paths_;
@@ -53,12 +53,12 @@ class FolderLock {
   int folder_ = -1;
 };
 
-// Makes the record in `file` ready to be appended to: what follows its last newline is cut off, and so are its answers, which
-// come last and are found again, by the limits of `sweep`, which are put into the file. Nothing where there is no file, or not
-// two whole lines in it. `run` and `sweep` are the lines that a run of now would begin with; throws Error(bad_input) where
-// those in the file say that other inputs, settings, devices or another program made it.
-std::optional<Earlier> continue_record(const std::filesystem::path& file, const nlohmann::json& run,
-                                       const nlohmann::json& sweep, const SweepPoints& points);
+// Makes the record in `file` ready to be appended to. It cuts off what follows the last newline, and the answers, which come
+// last: they are computed again by the limits of `sweep`, which are written into the file. Does nothing where there is no file,
+// or fewer than two whole lines in it. `run` and `sweep` are the lines that the present run would begin with. Throws
+// Error(bad_input) where the lines in the file show other inputs, settings, devices or another program.
+std::optional<Earlier> continue_record(const std::filesystem::path& file, const nlohmann::json& run, const SweepRow& sweep,
+                                       const SweepPoints& points);
 
 // Records of shards of one sweep, or of parts of it, joined as one run would have left them, without answers.
 struct Joined {
@@ -71,7 +71,7 @@ struct Joined {
 // but times, naming both.
 Joined join_records(const std::vector<std::filesystem::path>& files);
 
-// The points that a sweep line tells of.
-SweepPoints points_of(const nlohmann::json& sweep);
+// The points of a sweep line.
+SweepPoints points_of(const SweepRow& sweep);
 
 }  // namespace lamina

@@ -36,7 +36,7 @@ void widen_depth(Scene& scene) {
   }
 }
 
-// Whether setting `later` changes a number that `earlier` has set, which the record would then tell wrongly.
+// Whether setting `later` changes a number that `earlier` has set: the record would then be wrong about it.
 bool undoes(const Scene& scene, const std::string& earlier, const std::string& later) {
   constexpr std::string_view all = "objects.*.";
   if (later.starts_with(all))
@@ -126,14 +126,6 @@ std::map<std::string, std::string> SweptScene::words_at(size_t point) const {
   for (size_t i = 0; i < values.size(); ++i)
     if (!parameters_[i].words.empty()) words[parameters_[i].path] = parameters_[i].words[static_cast<size_t>(values[i])];
   return words;
-}
-
-Parameters SweptScene::parameters_of_variant(const VariantManifest& variant, size_t point) const {
-  Parameters own;
-  const std::map<std::string, double> values = params(point);
-  for (const ParameterManifest& parameter : variant.parameters)
-    if (const auto set = values.find(variant.name + "." + parameter.name); set != values.end()) own.insert(*set);
-  return own;
 }
 
 std::string SweptScene::words(size_t point) const {

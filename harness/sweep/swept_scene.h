@@ -26,9 +26,6 @@ class SweptScene {
   std::map<std::string, double> params(size_t point) const;
   // Of those that take words, the words.
   std::map<std::string, std::string> words_at(size_t point) const;
-  // Of these, the ones of a variant's own parameters.
-  Parameters parameters_of_variant(const VariantManifest& variant, size_t point) const;
-
   // "thickness 6.2 texels", for people.
   std::string words(size_t point) const;
 

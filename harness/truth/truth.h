@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A truth: from what the device drew (passes with when = "truth" tell it, pixel by pixel) to an offline picture, and to the
-// same with one assumption of the effect at a time, so that each assumption's share of the error can be told. Effects bring
-// truths by name: see harness/manifest/effect_code.h.
+// A truth computes an offline picture of exactly the points that the device drew: passes with when = "truth" write these
+// points, pixel by pixel. It also computes the picture with one assumption of the effect at a time, so that each assumption's
+// share of the error is known. Effects bring truths by name: see harness/manifest/effect_code.h.
 #pragma once
 
 #include <functional>
@@ -40,8 +40,8 @@ struct TruthStep {
 };
 struct TruthAnswer {
   std::vector<size_t> pixels;  // row * width + column, of those that are answered for
-  // From the variant's own picture on, each with one assumption less; the last is the truth. The first assumption is each
-  // variant's own, the others are made by all that are told alike.
+  // Begins after the variant's own picture; each step drops one assumption; the last is the truth. The first assumption is the
+  // variant's own. The others are shared by all variants whose truth passes show the same points.
   std::vector<TruthStep> steps;
 };
 

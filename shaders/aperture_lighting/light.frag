@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oat and Sander, "Ambient Aperture Lighting" (in: Oat, "Efficient Shader Tricks That Will Impress Your Friends", GDC 2006, part 2).
-// A spherical light is a cap; what it shares with the aperture is let in, times the cosine at the middle between the two; what
-// the lights leave of the aperture is filled by the sky. CAP_INTERSECTION is the function that finds the shared area; ANTI_APERTURE
-// turns the cap into what is blocked of the hemisphere.
+// A spherical light is a cap. The area that it shares with the aperture lets its light in, times the cosine at the middle between the
+// two. The rest of the aperture is filled by the sky. CAP_INTERSECTION is the function that finds the shared area; with ANTI_APERTURE
+// the cap is what is blocked of the hemisphere.
 #include "../cap_intersection/cap_intersection.glsl"
 #include "../common/frame.glsl"
 #include "../common/surface.glsl"
 #include "../common/mesh_in.glsl"
+#include "../common/extra_fetches.glsl"
 #include "apertures.glsl"
 
 layout(binding = 4) uniform sampler2D albedo;
@@ -35,7 +36,7 @@ LightCap light_cap(int i, vec3 position) {
   return cap;
 }
 
-// The angle between unit vectors, in [0, pi]; small ones keep their places, which an arc cosine would lose.
+// The angle between unit vectors, in [0, pi]; small angles stay accurate, which an arc cosine would lose.
 float angle_between(vec3 a, vec3 b) { return atan(length(cross(a, b)), dot(a, b)); }
 
 // Lambert's cosine at the middle of two directions; where they are opposite there is none.
@@ -72,4 +73,7 @@ void main() {
   }
   lit += ambient.rgb * (clamp(unfilled, 0.0, hemisphere_area) / hemisphere_area);
   out_color = vec4(texture(albedo, in_uv).rgb * lit, 1.0);
+#ifdef LAMINA_EXTRA_FETCHES
+  out_color += extra_fetches(albedo);
+#endif
 }

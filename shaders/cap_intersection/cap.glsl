@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the cap intersections share. Every one takes angular radii r0, r1 in (0, pi) and the distance d of the centres in [0, pi], in
-// radians, and returns the area that both caps cover, in steradians.
+// What the cap intersections share. Every one takes angular radii r0, r1 in (0, pi) and the distance d of the centres in [0,
+// pi], in radians, and returns the area that both caps cover, in steradians.
 #ifndef CAP_GLSL
 #define CAP_GLSL
 
@@ -17,7 +17,8 @@ float cap_area_polynomial(float s) {
   return s * (3.1415895 + s * (-0.26178565 + s * (0.008716486 + s * (-0.00015310885 + s * 1.423226e-6))));
 }
 
-// Squared radius of a hemisphere. What is fitted for radii up to that takes it for larger ones too, where a polynomial would run away.
+// Squared radius of a hemisphere. Fits for radii up to a hemisphere use it for larger radii too, where their polynomial would
+// diverge.
 const float hemisphere_squared = 2.4674011;
 
 // How far the caps overlap: 1 where the smaller one lies inside the other, 0 where they are apart. Linear in d.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The area that two spherical caps share, by the function that CAP_INTERSECTION names. What no cap can have is given a meaning here,
-// before any function sees it: a radius that is not above 0, or is not a number, is no cap; one beyond pi is the whole sphere; a
-// distance outside [0, pi] is the nearer end of it; where it is not a number, nothing is shared.
+// The area that two spherical caps share, by the function that CAP_INTERSECTION names. Arguments out of range are settled here,
+// before any function sees them: a radius of 0 or less, or NaN, is no cap; a radius beyond pi is the whole sphere; a distance
+// outside [0, pi] becomes the nearer end; a distance of NaN shares nothing.
 #include "cap.glsl"
 #include "close_fit_cap.glsl"
 #include "exact_cap.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// As fitted_cap, with a root for the three-halves powers that the area ends in on both sides, and more coefficients. Found by
+// As fitted_cap, with a square root, since the area behaves as a power of 3/2 at both ends, and more coefficients. Found by
 // tools/fit_cap.
 #include "cap.glsl"
 

@@ -5,7 +5,7 @@
 // centres. Each circle's arc and its chord (the great circle through both crossings) bound a segment, and the two segments are the area
 // (Gauss-Bonnet; Todhunter, "Spherical Trigonometry", 5th ed. 1886, sections 45 and 97):
 //   area = 2 f(A, r0) + 2 f(B, r1),   f(angle, r) = atan2(cos r sin angle, cos angle) - angle cos r
-// What the closed form of f loses to cancellation is kept by other forms of it, chosen by the angle and the radius below; the
+// Where the closed form of f would lose digits to cancellation, other forms are used, chosen by the angle and the radius; the
 // sides enter through differences taken so that they lose nothing (Kahan, "Miscalculating Area and Angles of a Needle-like
 // Triangle", 2014).
 #include "../common/precise_math.glsl"
@@ -26,15 +26,15 @@ Corner corner(float numerator, float denominator) {
                 2.0 * half_sine * half_cosine / sum);
 }
 
-// sin(half the excess of the triangle over `side`): `excess` is the sum of the other two sides less this one; `gap` is 2 pi less all
-// three. Beyond a right angle the excess has lost what the gap still knows.
+// sin(half the excess of the triangle over `side`): `excess` is the sum of the other two sides less this one; `gap` is 2 pi
+// less all three. Beyond a right angle the gap is the more accurate of the two.
 float half_sine(float excess, float gap, float side) {
   precise float angle = excess <= pi ? 0.5 * excess : 0.5 * gap + side;
   return precise_sin(min(angle, pi));
 }
 
-// f for an angle below 0.75 and a radius up to pi / 2: cos r sin^2 r times the integral of sin^2 t / (1 - sin^2 r sin^2 t) from 0 to
-// the angle. Nothing cancels. Gauss-Legendre, 6 points: the error is below 1e-8 of the value.
+// f for an angle below 0.75 and a radius up to pi / 2: cos r sin^2 r times the integral of sin^2 t / (1 - sin^2 r sin^2 t) from
+// 0 to the angle. Nothing cancels. Gauss-Legendre, 6 points: the error is below 1e-8 of the value.
 float segment_integral(float angle, float s, float c) {
   const vec3 place = vec3(0.238619186083196909, 0.661209386466264514, 0.932469514203152028);
   const vec3 weight = vec3(0.467913934572691047, 0.360761573048138608, 0.171324492379170345);
@@ -78,8 +78,8 @@ float segment(Corner corner, Circle circle) {
   return circle.cosine < 0.0 ? -area : area;
 }
 
-// The area as two sectors less the kite of both triangles. tan(s/2) tan((s-r0)/2) tan((s-r1)/2) tan((s-d)/2) gives the triangle's
-// excess (L'Huilier); the arguments are twice the four angles, with pi - s for s.
+// The area as two sectors less the kite of both triangles. tan(s/2) tan((s-r0)/2) tan((s-r1)/2) tan((s-d)/2) gives the
+// triangle's excess (L'Huilier); the arguments are twice the four angles, with pi - s for s.
 float sectors_less_kite(Corner a, Circle circle0, Corner b, Circle circle1, vec3 over, float gap) {
   float q0 = precise_sin(0.25 * over.x), q1 = precise_sin(0.25 * over.y), qd = precise_sin(0.25 * over.z), qs = precise_sin(0.25 * gap);
   float p0 = sqrt(1.0 - q0 * q0), p1 = sqrt(1.0 - q1 * q1), pd = sqrt(1.0 - qd * qd), ps = sqrt(1.0 - qs * qs);
@@ -105,7 +105,8 @@ float exact_cap(float r0, float r1, float d) {
   precise float gap = (((4.0 * half_pi_high - longest) - middle) - shortest) + 4.0 * half_pi_low;
   if (over_longest <= 0.0) return longest == d ? 0.0 : 2.0 * pi * versine(min(r0, r1));
   Circle circle0 = circle(r0), circle1 = circle(r1);
-  // -2 pi (cos r0 + cos r1), which is what two caps share that cover the sphere, as a product: the sum cancels where r0 + r1 is near pi.
+  // -2 pi (cos r0 + cos r1), the shared area of two caps that cover the sphere, as a product: the sum cancels where r0 + r1 is
+  // near pi.
   float larger = max(r0, r1), smaller = min(r0, r1);
   precise float beyond = ((larger - 2.0 * half_pi_high) + smaller) - 2.0 * half_pi_low;         // r0 + r1 - pi
   precise float to_opposite = ((2.0 * half_pi_high - larger) + 2.0 * half_pi_low) + smaller;  // pi - |r0 - r1|

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// As production engines do it: cosines in, arc cosine by sqrt(1 - |x|) times a polynomial of degree 1 (Eberly, "A Fast and Accurate
-// Estimate for arccos", Geometric Tools, coefficients for degree 1), then the smoothstep. In binary32 the cosine of a small
-// radius has lost it.
+// As production engines do it: cosines in, arc cosine by sqrt(1 - |x|) times a polynomial of degree 1 (Eberly, "A Fast and
+// Accurate Estimate for arccos", Geometric Tools, coefficients for degree 1), then the smoothstep. In binary32 the cosine of a
+// small radius is 1: the radius is lost.
 #include "cap.glsl"
 
 float fast_acos(float x) {

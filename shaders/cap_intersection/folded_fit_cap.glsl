@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// fitted_cap for all radii: of a cap larger than a hemisphere it takes what that leaves out, a smaller cap around the opposite point, and
-// subtracts. No cap of the fit is then larger than a hemisphere, and the error stays the same share of the smaller cap.
+// fitted_cap for all radii. A cap larger than a hemisphere is replaced by its complement, a smaller cap around the opposite
+// point, and the result is subtracted. So no cap of the fit is larger than a hemisphere, and the error stays the same share of
+// the smaller cap.
 #include "cap.glsl"
 #include "fitted_cap.glsl"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The smaller cap's area, times the share of it that a table holds (harness/effects/cap_intersection/cap_table.h says what lies where) for radii up to
-// pi / 2. Beyond, a cap is told by its complement: what a cap shares with another one and with the rest of the sphere is all of it.
+// The smaller cap's area, times the share of it that a table holds (harness/effects/cap_intersection/cap_table.h says what lies
+// where) for radii up to pi / 2. Beyond, a cap is replaced by its complement: its shares with another cap and with the rest of
+// the sphere add up to all of it.
 #include "../common/precise_math.glsl"
 #include "cap.glsl"
 

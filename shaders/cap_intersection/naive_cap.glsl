@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The formula as it stands in Oat and Sander, "Ambient Aperture Lighting" (Oat, GDC 2006, part 2), with the constant that the slide
-// lost put back: three arc cosines of quotients that cancel. Kept to show what that costs in binary32.
+// The formula of Oat and Sander, "Ambient Aperture Lighting" (Oat, GDC 2006, part 2), with the constant that the slide lost:
+// three arc cosines of quotients that cancel. Kept to show what the cancellation costs in binary32.
 #include "cap.glsl"
 
 float naive_cap(float r0, float r1, float d) {

@@ -14,7 +14,7 @@ layout(location = 3) out vec2 out_uv;
 void write_surface() {
   out_position = (world_from_object * vec4(position, 1.0)).xyz;
   out_normal = mat3(world_from_object_normal) * normal;
-  // A mirroring transform turns the handedness of the frame round.
+  // A mirroring transform inverts the handedness of the frame.
   float mirrored = determinant(mat3(world_from_object)) < 0.0 ? -1.0 : 1.0;
   out_tangent = vec4(mat3(world_from_object) * tangent.xyz, tangent.w * mirrored);
   out_uv = uv;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sine and arc tangent to within 2 units in the last place of binary32, whatever the device's own are worth: devices may err by
-// 2^-11 (Khronos, Vulkan specification, "Precision and Operation of SPIR-V Instructions").
+// Sine and arc tangent to within 2 units in the last place of binary32, however imprecise the device's own are: devices may err
+// by 2^-11 (Khronos, Vulkan specification, "Precision and Operation of SPIR-V Instructions").
 //
-// Method: the Taylor series about 0 after an exact or two-part reduction of the argument; the first term left out is below 2^-27 of the
-// result.
+// Method: the Taylor series about 0 after an exact or two-part reduction of the argument; the first term left out is below
+// 2^-27 of the result.
 #ifndef PRECISE_MATH_GLSL
 #define PRECISE_MATH_GLSL
 

@@ -7,6 +7,7 @@
 #include "../common/frame.glsl"
 #include "../common/surface.glsl"
 #include "../common/mesh_in.glsl"
+#include "../common/extra_fetches.glsl"
 #include "layers.glsl"
 #include "poisson_disc.glsl"
 
@@ -68,4 +69,7 @@ void main() {
 #endif
 
   out_color = vec4(color, 1.0);
+#ifdef LAMINA_EXTRA_FETCHES
+  out_color += extra_fetches(outer_albedo);
+#endif
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A known amount of work for the timer's certificate: bilinear fetches, each at a place that depends on the one before. Their number is
-// a uniform: compilers unroll loops of a constant length where it is short, and then 2x work is not twice 1x.
+// a uniform, since compilers unroll short loops of constant length, and 2x work is then not twice 1x.
 
 layout(std140, binding = 3) uniform Work { ivec4 taps; };  // x
 layout(binding = 4) uniform sampler2D source;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// FUNCTION_CALL, a call of a family's function with x[0] to x[FUNCTION_INPUTS - 1], over a list of points. A family's compute shader
-// includes its functions and then this. For timing the function is called again and again, each time with an input that the last
-// result has touched without changing it, so that no call can be left out.
+// Runs FUNCTION_CALL, a call of a family's function with x[0] to x[FUNCTION_INPUTS - 1], over a list of points. A family's
+// compute shader includes its functions and then this file. For timing the function is called many times. Each input depends
+// formally on the result before, without changing by it, so that a compiler cannot leave out a call.
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Points { float points[]; };  // FUNCTION_INPUTS each
 layout(std430, binding = 1) writeonly buffer Values { float values[]; };

@@ -107,6 +107,33 @@ TEST_P(BackendDevice, StaleHandlesAreErrors) {
   EXPECT_THROW(backend().read_texture(texture), Error);
 }
 
+TEST_P(BackendDevice, PassThatDoesNotFitTogetherIsBadInput) {
+  const TextureId large = target(Format::rgba32_float, 4, 4), small = target(Format::rgba32_float, 2, 2);
+  const TextureId other = target(Format::rgba8_unorm, 4, 4);
+  const PipelineId draws = pipeline(full_screen, "layout(location = 0) out vec4 c; void main() { c = vec4(1); }");
+  const PipelineId reads = pipeline(full_screen, R"(
+layout(binding = 3) uniform sampler2D picture;
+layout(location = 0) out vec4 c;
+void main() { c = texelFetch(picture, ivec2(0), 0); })");
+  const PipelineId mesh = pipeline("layout(location = 0) in vec3 position; void main() { gl_Position = vec4(position, 1); }",
+                                   "layout(location = 0) out vec4 c; void main() { c = vec4(1); }");
+  const auto kind_of = [&](const Pass& pass) { return error_of([&] { run({pass}); }).kind(); };
+
+  Pass uneven = raster(large, {});
+  uneven.colors.push_back({.texture = small});
+  EXPECT_EQ(kind_of(uneven), ErrorKind::bad_input);
+  EXPECT_EQ(kind_of(raster(other, {triangles(draws)})), ErrorKind::bad_input) << "another target format than the pipeline's";
+  EXPECT_EQ(kind_of(raster(large, {triangles(reads)})), ErrorKind::bad_input) << "nothing bound at 3";
+  EXPECT_EQ(kind_of(raster(large, {triangles(mesh)})), ErrorKind::bad_input) << "no vertex buffer";
+  Pass dispatch = raster(large, {triangles(draws)});
+  dispatch.kind = PassKind::compute;
+  EXPECT_EQ(kind_of(dispatch), ErrorKind::bad_input) << "a drawing pipeline in a compute pass";
+  EXPECT_EQ(kind_of({.name = "nothing to draw into"}), ErrorKind::bad_input);
+
+  run({raster(large, {triangles(draws)})});  // and the backend goes on
+  EXPECT_EQ(picture(large, 4).at(3, 3), 1);
+}
+
 // What only Vulkan can say.
 class VulkanDevice : public BackendTest {};
 INSTANTIATE_TEST_SUITE_P(Backends, VulkanDevice, ::testing::Values("vulkan"),
@@ -170,30 +197,6 @@ TEST_P(VulkanDevice, TextureLargerThanAllMemoryIsAnErrorThatNamesIt) {
     EXPECT_EQ(error.subject(), "huge");
     EXPECT_NE(error.message().find("smaller"), std::string::npos) << error.what();
   }
-}
-
-TEST_P(VulkanDevice, PassThatDoesNotFitTogetherIsBadInput) {
-  const TextureId large = target(Format::rgba32_float, 4, 4), small = target(Format::rgba32_float, 2, 2);
-  const TextureId other = target(Format::rgba8_unorm, 4, 4);
-  const PipelineId draws = pipeline(full_screen, "layout(location = 0) out vec4 c; void main() { c = vec4(1); }");
-  const PipelineId reads = pipeline(full_screen, R"(
-layout(binding = 3) uniform sampler2D picture;
-layout(location = 0) out vec4 c;
-void main() { c = texelFetch(picture, ivec2(0), 0); })");
-  const auto kind_of = [&](const Pass& pass) { return error_of([&] { run({pass}); }).kind(); };
-
-  Pass uneven = raster(large, {});
-  uneven.colors.push_back({.texture = small});
-  EXPECT_EQ(kind_of(uneven), ErrorKind::bad_input);
-  EXPECT_EQ(kind_of(raster(other, {triangles(draws)})), ErrorKind::bad_input) << "another target format than the pipeline's";
-  EXPECT_EQ(kind_of(raster(large, {triangles(reads)})), ErrorKind::bad_input) << "nothing bound at 3";
-  Pass dispatch = raster(large, {triangles(draws)});
-  dispatch.kind = PassKind::compute;
-  EXPECT_EQ(kind_of(dispatch), ErrorKind::bad_input) << "a drawing pipeline in a compute pass";
-  EXPECT_EQ(kind_of({.name = "nothing to draw into"}), ErrorKind::bad_input);
-
-  run({raster(large, {triangles(draws)})});  // and the backend goes on
-  EXPECT_EQ(picture(large, 4).at(3, 3), 1);
 }
 
 }  // namespace

@@ -200,26 +200,6 @@ TEST_P(OpenGl, SpirvThatBreaksOffIsRefused) {
   EXPECT_PRED_FORMAT2(IsSubstring, "breaks off", error.message());
 }
 
-TEST_P(OpenGl, PassThatDoesNotFitTogetherIsBadInput) {
-  const TextureId large = target(Format::rgba32_float, 4, 4), small = target(Format::rgba32_float, 2, 2);
-  const TextureId other = target(Format::rgba8_unorm, 4, 4);
-  const PipelineId draws = pipeline(full_screen, "layout(location = 0) out vec4 c; void main() { c = vec4(1); }");
-  const PipelineId mesh = pipeline("layout(location = 0) in vec3 position; void main() { gl_Position = vec4(position, 1); }",
-                                   "layout(location = 0) out vec4 c; void main() { c = vec4(1); }");
-  const auto kind_of = [&](const Pass& pass) { return error_of([&] { run({pass}); }).kind(); };
-  Pass uneven = raster(large, {});
-  uneven.colors.push_back({.texture = small});
-  EXPECT_EQ(kind_of(uneven), ErrorKind::bad_input);
-  EXPECT_EQ(kind_of(raster(other, {triangles(draws)})), ErrorKind::bad_input) << "another target format than the pipeline's";
-  EXPECT_EQ(kind_of(raster(large, {triangles(mesh)})), ErrorKind::bad_input) << "no vertex buffer";
-  Pass dispatch = raster(large, {triangles(draws)});
-  dispatch.kind = PassKind::compute;
-  EXPECT_EQ(kind_of(dispatch), ErrorKind::bad_input) << "a drawing pipeline in a compute pass";
-  EXPECT_EQ(kind_of({.name = "nothing to draw into"}), ErrorKind::bad_input);
-  run({raster(large, {triangles(draws)})});  // and the backend goes on
-  EXPECT_EQ(picture(large, 4).at(3, 3), 1);
-}
-
 TEST_P(OpenGl, CheckerSpeaksOnlyWhenSomethingIsWrong) {
   expect_alive(backend());
   EXPECT_TRUE(backend().take_messages().empty());

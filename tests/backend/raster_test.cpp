@@ -8,8 +8,6 @@ namespace {
 using BackendRaster = BackendTest;
 LAMINA_ON_EVERY_BACKEND(BackendRaster);
 
-constexpr const char* white = "layout(location = 0) out vec4 c; void main() { c = vec4(1); }";
-
 TEST_P(BackendRaster, FragCoordGrowsRightAndDownFromTheTopLeftPixelsCentre) {
   const Floats drawn = draw_over(7, 5, "layout(location = 0) out vec4 c; void main() { c = gl_FragCoord; }");
   for (uint32_t y = 0; y < 5; ++y)

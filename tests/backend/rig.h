@@ -16,6 +16,12 @@
 
 namespace lamina {
 
+// A fragment shader that paints all it covers.
+inline constexpr const char* white = "layout(location = 0) out vec4 c; void main() { c = vec4(1); }";
+// Filter weights may have as few as 8 bits (Vulkan 1.3, limits subTexelPrecisionBits and mipmapPrecisionBits are at least 4;
+// every device of interest has 8).
+inline constexpr float weight_step = 1.0f / 256;
+
 template <class T>
 std::vector<std::byte> bytes_of(const std::vector<T>& values) {
   std::vector<std::byte> bytes(values.size() * sizeof(T));

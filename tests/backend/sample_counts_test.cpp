@@ -5,8 +5,7 @@
 namespace lamina {
 namespace {
 
-constexpr uint32_t width = 300, height = 200;
-constexpr const char* white = "layout(location = 0) out vec4 c; void main() { c = vec4(1); }";
+constexpr uint32_t frame_width = 300, frame_height = 200;
 // Columns `first` to `first + columns - 1` of 300, at depth z.
 constexpr const char* columns_of_300 = R"(
 layout(constant_id = 0) const int first = 0;
@@ -28,14 +27,14 @@ class BackendSampleCounts : public BackendTest {
     return {.depth_format = Format::d32_float, .depth = depth, .depth_test = test};
   }
   Pass counted(std::vector<Draw> draws) {
-    Pass pass = raster(color_ = color_ ? color_ : target(Format::rgba32_float, width, height), std::move(draws));
+    Pass pass = raster(color_ = color_ ? color_ : target(Format::rgba32_float, frame_width, frame_height), std::move(draws));
     pass.count_samples = true;
     return pass;
   }
   // The same with a depth target that is cleared to 1.
   Pass counted_over_depth(std::vector<Draw> draws) {
     Pass pass = counted(std::move(draws));
-    depth_ = depth_ ? depth_ : target(Format::d32_float, width, height);
+    depth_ = depth_ ? depth_ : target(Format::d32_float, frame_width, frame_height);
     pass.depth = Attachment{.texture = depth_, .clear = {1}};
     return pass;
   }

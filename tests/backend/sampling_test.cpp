@@ -5,10 +5,6 @@
 namespace lamina {
 namespace {
 
-// Filter weights may have as few as 8 bits (Vulkan 1.3, limits subTexelPrecisionBits and mipmapPrecisionBits are at least 4;
-// every device of interest has 8).
-constexpr float weight_step = 1.0f / 256;
-
 class BackendSampling : public BackendTest {
  protected:
   // `expression` of one sample, as a shader sees it, of a texture `t`.

@@ -9,8 +9,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr float weight_step = 1.0f / 256;  // as few bits as filter weights may have; see sampling_test.cpp
-
 // 2 x 3 x 4 texels: no side is like another.
 constexpr uint32_t width = 2, height = 3, depth = 4;
 constexpr TextureDesc volume_desc(Format format) {

@@ -34,3 +34,9 @@ export const median = values => {
 // Chooses from the list of this label in a section.
 export const choose = (page, section, label, words) =>
     page.locator(`#${section} label.control`, {hasText: label}).first().locator('select').selectOption({label: words});
+// Moves the pictures to the next point of a sweep and waits until they are there.
+export async function scrub(page) {
+  await page.locator('#pictures .scrub input').focus();
+  await page.keyboard.press('ArrowRight');
+  await page.waitForFunction(() => document.querySelector('#pictures output').textContent.includes('thickness 1'));
+}

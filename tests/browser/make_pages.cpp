@@ -15,7 +15,6 @@ namespace lamina {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 constexpr int width = 64, height = 48;
 
@@ -83,23 +82,21 @@ Record compare_record(const std::string& commit) {
   cells.push_back(failed);
   Record record = example_record(cells, {example_timer("vulkan"), example_timer("osmesa")});
   record.run["commit"] = commit;
-  record.plans.push_back({{"kind", "plan"},
-                          {"effects",
-                           {{{"effect", "layered_material"}, {"called_for", true}, {"reason", "heart has layers"}},
-                            {{"effect", "aperture_lighting"}, {"called_for", false}, {"reason", "no object has apertures"}}}}});
-  record.gates = {example_gate_line("slower", 1)};
-  record.aas = {example_aa("same")};
-  record.verdicts = {example_slower(), example_verdict("same", "ssim", "vertex_normal on vulkan: ssim as before")};
+  record.plans.push_back({{{.effect = "layered_material", .called_for = true, .reason = "heart has layers"},
+                           {.effect = "aperture_lighting", .reason = "no object has apertures"}}});
+  record.gates = {example_gate_row(Verdict::slower, 1)};
+  record.aas = {example_aa(Verdict::same)};
+  record.verdicts = {example_slower(), example_verdict(Verdict::same, "ssim", "vertex_normal on vulkan: ssim as before")};
   return record;
 }
 
 // `points` thicknesses, two variants and the baseline, one view; pictures for each cell where `pictures`.
 Record sweep_record(size_t points, size_t views, bool pictures) {
   std::vector<CellRow> cells;
-  Json values = Json::array();
+  std::vector<double> values;
   size_t picture_cells = 0;
   for (size_t point = 0; point < points; ++point) {
-    values.push_back(point);
+    values.push_back(static_cast<double>(point));
     for (size_t view = 0; view < views; ++view)
       for (const Cost& cost : costs) {
         CellRow& cell = cells.emplace_back(cell_of(cost, fmt::format("view{}", view), "vulkan", 20,
@@ -115,58 +112,45 @@ Record sweep_record(size_t points, size_t views, bool pictures) {
       }
   }
   Record record = example_record(cells);
-  record.sweeps.push_back({{"kind", "sweep"},
-                           {"parameters", {{{"path", "objects.heart.thickness"}, {"unit", "texels"}, {"values", values}}}},
-                           {"zip", false},
-                           {"points", points},
-                           {"shard", {{"index", 0}, {"count", 1}}}});
-  record.crossovers.push_back(
-      {{"kind", "crossover"},
-       {"parameter", "objects.heart.thickness"},
-       {"backend", "vulkan"},
-       {"effect", "layered_material"},
-       {"variant", "normal_map_taps"},
-       {"other", ""},
-       {"metric", "ssim"},
-       {"limit", 0.98},
-       {"at", static_cast<double>(points) * 0.4},
-       {"tolerance", 0.1},
-       {"sentence", fmt::format("normal_map_taps keeps SSIM at least 0.98 up to thickness {:.3g} texels",
-                                static_cast<double>(points) * 0.4)}});
+  SweepRow& sweep = record.sweeps.emplace_back();
+  sweep.parameters = {{"objects.heart.thickness", "texels", values}};
+  sweep.points = points;
+  const double at = static_cast<double>(points) * 0.4;
+  record.crossovers.push_back({"objects.heart.thickness", "vulkan", "layered_material", "normal_map_taps", "", "ssim", 0.98, at,
+                               0.1, fmt::format("normal_map_taps keeps SSIM at least 0.98 up to thickness {:.3g} texels", at)});
   // No cell has a truth: no chart is of this.
-  record.crossovers.push_back(record.crossovers[0]);
-  record.crossovers[1].update(
-      {{"metric", "truth.ssim"}, {"at", 3}, {"sentence", "normal_map_taps keeps SSIM to the truth at least 0.98 up to 3"}});
+  CrossoverRow to_truth = record.crossovers[0];
+  to_truth.metric = "truth.ssim", to_truth.at = 3;
+  to_truth.sentence = "normal_map_taps keeps SSIM to the truth at least 0.98 up to 3";
+  record.crossovers.push_back(to_truth);
   return record;
 }
 
 // A grid of two parameters: over the thickness SSIM meets the limit at 8 for a gain of 1, at 4 for one of 2.
 Record grid_record() {
   Record record = sweep_record(12, 1, false);
-  const std::vector<Json> cells = std::move(record.cells);
+  const std::vector<CellRow> cells = std::move(record.cells);
   record.cells.clear();
-  for (Json cell : cells)
+  for (CellRow cell : cells)
     for (const double gain : {1, 2}) {
-      cell["params"]["lights.key.gain"] = gain;
-      if (!cell.at("baseline").get<bool>())
-        cell["error"]["baseline"]["ssim"] = 1 - 0.0025 * gain * cell.at("params").at("objects.heart.thickness").get<double>();
+      cell.params["lights.key.gain"] = gain;
+      if (!cell.baseline) cell.error_covered->ssim = 1 - 0.0025 * gain * cell.params.at("objects.heart.thickness");
       record.cells.push_back(cell);
     }
-  record.sweeps[0]["parameters"].push_back({{"path", "lights.key.gain"}, {"unit", ""}, {"values", {1, 2}}});
-  record.crossovers.clear();
-  for (const CrossoverRow& row : answers(curves_of(record), {{"ssim", 0.98}})) record.crossovers.push_back(to_json(row));
+  record.sweeps[0].parameters.push_back({"lights.key.gain", "", {1, 2}});
+  record.crossovers = answers(curves_of(record), {{"ssim", 0.98}});
   return record;
 }
 
 // A sweep that timed nothing, and counted nothing unless `counted`.
 Record untimed_record(bool counted) {
   Record record = sweep_record(4, 1, false);
-  for (Json& cell : record.cells) {
-    cell["timed"] = false;
-    if (!counted) cell["fetches_per_pixel"] = nullptr;
-    for (Json& pass : cell["passes"]) {
-      pass["ms"] = Json::array(), pass["median_ms"] = nullptr;
-      if (!counted) pass["fetches"] = nullptr, pass["by_texture"] = Json::array();
+  for (CellRow& cell : record.cells) {
+    cell.timed = false;
+    if (!counted) cell.fetches_per_pixel.reset();
+    for (PassRow& pass : cell.passes) {
+      pass.ms.clear();
+      if (!counted) pass.fetches.reset(), pass.by_texture.clear();
     }
   }
   return record;
@@ -210,9 +194,9 @@ Record truth_and_functions_record() {
     for (const auto& [variant, error, ns] :
          {std::tuple{"exact_cap", 1e-6, 40.0}, {"fitted_cap", 0.02, 4.0}, {"naive_cap", 0.3, 10.0}}) {
       const FunctionSubject subject = example_subject(variant, backend);
-      record.functions.push_back(to_json(with_bounds(example_function(subject, error))));
-      record.function_times.push_back(to_json(with_samples(example_time(subject, ns))));
-      record.function_pictures.push_back(to_json(example_picture(subject)));
+      record.functions.push_back(read_back(with_bounds(example_function(subject, error))));
+      record.function_times.push_back(read_back(with_samples(example_time(subject, ns))));
+      record.function_pictures.push_back(example_picture(subject));
     }
   return record;
 }
@@ -220,29 +204,21 @@ Record truth_and_functions_record() {
 // A gate over two trees: what normal_map_taps looked like before is there too.
 Record gate_record() {
   Record record = compare_record("abc1234");
-  for (Json& cell : record.cells)
-    if (cell.at("variant") == "normal_map_taps")
-      cell["before_image"] = "images/before-light_map.png";  // painted like the baseline, so that tests know its pixels
-  record.verdicts[0]["view"] = "front";
+  for (CellRow& cell : record.cells)
+    if (cell.variant == "normal_map_taps")
+      cell.before_image = "images/before-light_map.png";  // painted like the baseline, so that tests know its pixels
+  record.verdicts[0].view = "front";
   // Two processes of eight strips, of which the new tree's take 1.09 and 1.11 times the old one's; A/A as long.
   for (const size_t process : {0, 1}) {
-    Json strips = {Json::array(), Json::array(), Json::array()}, ms = {Json::array(), Json::array(), Json::array()};
+    PairedPass pass{"composite", true, {false, false, false}, {{}, {}, {}}, {{}, {}, {}}};
     for (int strip = 0; strip < 8; ++strip) {
       const double before = 5 + 0.1 * strip, wiggle = strip % 2 == 0 ? 1.001 : 0.999;
-      strips[1].push_back({before, before * (process == 0 ? 1.09 : 1.11) * wiggle, strip / 2 % 2});
-      strips[2].push_back({before, before * wiggle, strip / 2 % 2});
-      for (Json& of_frame : ms) of_frame.push_back(before);
+      pass.strips[1].push_back({before, before * (process == 0 ? 1.09 : 1.11) * wiggle, strip / 2 % 2 == 1});
+      pass.strips[2].push_back({before, before * wiggle, strip / 2 % 2 == 1});
+      for (std::vector<double>& of_frame : pass.ms) of_frame.push_back(before);
     }
     record.pairs.push_back(
-        {{"kind", "pairs"},
-         {"process", process},
-         {"backend", "vulkan"},
-         {"effect", "layered_material"},
-         {"variant", "vertex_normal"},
-         {"view", "front"},
-         {"frames", {"before", "after", "again"}},
-         {"passes",
-          {{{"name", "composite"}, {"cut", true}, {"same", {false, false, false}}, {"ms", ms}, {"strips", strips}}}}});
+        {process, "vulkan", "layered_material", "vertex_normal", "front", {"before", "after", "again"}, {pass}});
   }
   return record;
 }
@@ -259,9 +235,14 @@ void write_record(Record& record, const fs::path& folder) {
   fs::create_directories(folder);
   paint_pictures(record, folder);
   std::string lines = record.run.dump() + '\n';
-  for (const auto* part : {&record.timers, &record.plans, &record.cells, &record.gates, &record.pairs, &record.aas,
-                           &record.verdicts, &record.functions, &record.function_times, &record.function_pictures})
-    for (const Json& line : *part) lines += line.dump() + '\n';
+  const auto add = [&](const auto&... rows) {
+    const auto add_each = [&](const auto& part) {
+      for (const auto& row : part) lines += to_json(row).dump() + '\n';
+    };
+    (add_each(rows), ...);
+  };
+  add(record.timers, record.plans, record.cells, record.gates, record.pairs, record.aas, record.verdicts, record.functions,
+      record.function_times, record.function_pictures);
   write_file_atomically(folder / "record.jsonl", lines);
 }
 

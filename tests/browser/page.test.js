@@ -5,7 +5,7 @@ import {statSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 
-import {choose, folder, launch, median, open, record} from './browser.js';
+import {choose, folder, launch, median, open, record, scrub} from './browser.js';
 
 let browser;
 before(async () => (browser = await launch()));
@@ -208,25 +208,14 @@ test('two records stand side by side', async () => {
   await page.context().close();
 });
 
-test('3,000 cells and 600 pictures open and answer within 3 s, in less than 5 MB', async () => {
+// How long it takes is measured by bench/page.mjs; what makes it long, the size of the file and of the page, is held here.
+test('3,000 cells and 600 pictures open and answer, in less than 5 MB and 12,000 elements', async () => {
   assert.ok(statSync(join(folder, 'large/index.html')).size < 5e6, `${statSync(join(folder, 'large/index.html')).size} bytes`);
-  // Seconds of processor time, which other work on the machine does not lengthen as it does the clock's.
-  const session = await browser.newBrowserCDPSession();
-  const renderers = async () =>
-      (await session.send('SystemInfo.getProcessInfo')).processInfo.filter(one => one.type === 'renderer');
-  const known = (await renderers()).map(one => one.id);
-  const spent_s = async () =>
-      (await renderers()).filter(one => !known.includes(one.id)).reduce((sum, one) => sum + one.cpuTime, 0);
   const page = await open(browser, 'large');
   await page.waitForSelector('#samples svg');
-  const opened_s = await spent_s();
-  assert.ok(opened_s > 0 && opened_s < 3, `opened in ${opened_s} s`);
-  await page.locator('#pictures .scrub input').focus();
-  await page.keyboard.press('ArrowRight');
-  await page.waitForFunction(() => document.querySelector('#pictures output').textContent.includes('thickness 1'));
-  const answered_s = await spent_s() - opened_s;
-  assert.ok(answered_s < 3, `answered in ${answered_s} s`);
+  await scrub(page);
+  const elements = await page.locator('*').count();
+  assert.ok(elements > 1000 && elements < 12000, `${elements} elements`);
   assert.deepEqual(page.faults, []);
-  console.log(`opened in ${opened_s.toFixed(2)} s, answered in ${answered_s.toFixed(2)} s of processor time`);
   await page.context().close();
 });

@@ -1,30 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // lamina compare from end to end, as a user runs it, in a small frame.
 #include <algorithm>
-#include <map>
 
+#include "harness/quality/quality.h"
+#include "harness/scene/textures.h"
 #include "tests/cli/program.h"
 
 namespace lamina {
 namespace {
-
-using Json = nlohmann::json;
 
 class Compare : public ProgramTest {
  protected:
   Outcome compare(const std::string& arguments) {
     return lamina_program("compare " + arguments + " --size 96x96 --quick --budget 0.1 --out " + out().string());
   }
-  static std::vector<Json> cells(const Record& record, const std::string& variant) {
-    std::vector<Json> found;
+  static std::vector<CellRow> cells(const Record& record, const std::string& variant) {
+    std::vector<CellRow> found;
     std::copy_if(record.cells.begin(), record.cells.end(), std::back_inserter(found),
-                 [&](const Json& cell) { return cell.at("variant") == variant; });
+                 [&](const CellRow& cell) { return cell.variant == variant; });
     return found;
   }
   // A machine that is busy with other tests can fail the timer's certificate; then times are refused and the status says so.
   static int expected_status(const Record& record, bool cell_failed) {
-    const bool certified =
-        std::all_of(record.timers.begin(), record.timers.end(), [](const Json& timer) { return timer.at("ok").get<bool>(); });
+    const bool certified = std::ranges::all_of(record.timers, &TimerRow::ok);
     return cell_failed || !certified ? 1 : 0;
   }
 };
@@ -37,31 +35,30 @@ TEST_F(Compare, HeartOnEveryDefaultBackend) {
   ASSERT_EQ(record.cells.size() % 6, 0u) << "three variants on two backends, in every view";
   ASSERT_GE(record.cells.size(), 12u);
   const std::map<std::string, double> composite_fetches = {{"light_map", 29}, {"normal_map_taps", 28}, {"vertex_normal", 15}};
-  for (const Json& cell : record.cells) {
-    SCOPED_TRACE(cell.at("variant").get<std::string>() + " " + cell.at("backend").get<std::string>() + " " +
-                 cell.at("view").get<std::string>());
-    EXPECT_EQ(cell.at("status"), "ok");
-    EXPECT_EQ(cell.at("nonfinite_pixels"), 0);
-    EXPECT_GT(cell.at("covered_pixels"), 500);
-    EXPECT_TRUE(std::filesystem::exists(out() / cell.at("image").get<std::string>()));
-    const Json& composite = cell.at("passes").back();
-    EXPECT_EQ(composite.at("name"), "composite");
-    EXPECT_EQ(composite.at("fetches").get<double>(),
-              composite_fetches.at(cell.at("variant")) * composite.at("fragments").get<double>());
-    EXPECT_GE(composite.at("fragments"), cell.at("covered_pixels"));
-    if (cell.at("baseline")) continue;
-    EXPECT_LT(cell.at("error").at("baseline").at("ssim"), 1);
-    EXPECT_GT(cell.at("error").at("baseline").at("ssim"), 0.3);
+  for (const CellRow& cell : record.cells) {
+    SCOPED_TRACE(cell.variant + " " + cell.backend + " " + cell.view);
+    EXPECT_FALSE(cell.failed) << cell.reason;
+    EXPECT_EQ(cell.nonfinite_pixels, 0u);
+    EXPECT_GT(*cell.covered_pixels, 500u);
+    EXPECT_TRUE(std::filesystem::exists(out() / cell.image));
+    const PassRow& composite = cell.passes.back();
+    EXPECT_EQ(composite.name, "composite");
+    EXPECT_EQ(static_cast<double>(*composite.fetches),
+              composite_fetches.at(cell.variant) * static_cast<double>(*composite.fragments));
+    EXPECT_GE(composite.fragments, cell.covered_pixels);
+    if (cell.baseline) continue;
+    EXPECT_LT(cell.error_covered->ssim, 1);
+    EXPECT_GT(cell.error_covered->ssim, 0.3);
   }
   size_t pairs = 0;
-  for (const Json& vulkan : record.cells)
-    for (const Json& opengl : record.cells) {
-      if (vulkan.at("backend") != "vulkan" || opengl.at("backend") != "osmesa" ||
-          vulkan.at("variant") != opengl.at("variant") || vulkan.at("view") != opengl.at("view"))
+  for (const CellRow& vulkan : record.cells)
+    for (const CellRow& opengl : record.cells) {
+      if (vulkan.backend != "vulkan" || opengl.backend != "osmesa" || vulkan.variant != opengl.variant ||
+          vulkan.view != opengl.view)
         continue;
       ++pairs;
-      EXPECT_GE(psnr_db(picture(opengl), picture(vulkan)), 45) << vulkan.at("image");
-      EXPECT_EQ(opengl.at("fetches"), vulkan.at("fetches")) << vulkan.at("image");
+      EXPECT_GE(psnr_db(picture(opengl), picture(vulkan)), 45) << vulkan.image;
+      EXPECT_EQ(opengl.fetches, vulkan.fetches) << vulkan.image;
     }
   EXPECT_EQ(2 * pairs, record.cells.size()) << "each cell of one backend is compared with the other's";
   for (const char* file : {"summary.md", "cells.csv", "index.html"}) EXPECT_TRUE(std::filesystem::exists(out() / file)) << file;
@@ -93,10 +90,10 @@ void main() { color = vec4(texture(inner_albedo, in_uv).rgb * diffuse_light(norm
   const Record record = this->record();
   EXPECT_EQ(outcome.status, expected_status(record, false)) << outcome.output;
   ASSERT_FALSE(cells(record, "one_tap").empty());
-  for (const Json& cell : cells(record, "one_tap")) {
-    EXPECT_EQ(cell.at("status"), "ok");
-    EXPECT_EQ(cell.at("passes").at(0).at("fetches"), cell.at("passes").at(0).at("fragments"));
-    EXPECT_TRUE(cell.at("error").at("baseline").contains("flip"));
+  for (const CellRow& cell : cells(record, "one_tap")) {
+    EXPECT_FALSE(cell.failed) << cell.reason;
+    EXPECT_EQ(cell.passes.at(0).fetches, cell.passes.at(0).fragments);
+    EXPECT_TRUE(cell.error_covered);
   }
   EXPECT_TRUE(cells(record, "vertex_normal").empty()) << "only the baseline stands beside it";
 }
@@ -121,13 +118,13 @@ write = ["frame"]
   EXPECT_EQ(outcome.status, 1);
   EXPECT_SAYS(outcome.output, "broken.frag:3");
   ASSERT_EQ(cells(record, "broken").size(), 3u) << "views";
-  for (const Json& cell : cells(record, "broken")) {
-    EXPECT_EQ(cell.at("status"), "failed");
-    EXPECT_SAYS(cell.at("reason").get<std::string>(), "broken.frag:3");
-    EXPECT_TRUE(cell.at("median_ms").is_null());
+  for (const CellRow& cell : cells(record, "broken")) {
+    EXPECT_TRUE(cell.failed);
+    EXPECT_SAYS(cell.reason, "broken.frag:3");
+    EXPECT_FALSE(cell.median_ms);
   }
   ASSERT_EQ(cells(record, "vertex_normal").size(), 3u);
-  for (const Json& cell : cells(record, "vertex_normal")) EXPECT_EQ(cell.at("status"), "ok");
+  for (const CellRow& cell : cells(record, "vertex_normal")) EXPECT_FALSE(cell.failed) << cell.reason;
 }
 
 TEST_F(Compare, SceneWithoutLayersCostsNoLayeredMaterial) {
@@ -140,10 +137,10 @@ TEST_F(Compare, SceneWithoutLayersCostsNoLayeredMaterial) {
   const Record record = this->record();
   EXPECT_EQ(outcome.status, expected_status(record, false)) << outcome.output;
   ASSERT_EQ(record.cells.size(), 3u) << "one variant in three views";
-  for (const Json& cell : record.cells) {
-    EXPECT_EQ(cell.at("effect"), "surface");
-    EXPECT_EQ(cell.at("passes").size(), 1u);
-    EXPECT_EQ(cell.at("passes").at(0).at("fetches"), cell.at("passes").at(0).at("fragments"));
+  for (const CellRow& cell : record.cells) {
+    EXPECT_EQ(cell.effect, "surface");
+    EXPECT_EQ(cell.passes.size(), 1u);
+    EXPECT_EQ(cell.passes.at(0).fetches, cell.passes.at(0).fragments);
   }
 }
 
@@ -154,11 +151,10 @@ TEST_F(Compare, HelmetRendersWhereItIsThere) {
   const Record record = this->record();
   EXPECT_EQ(outcome.status, expected_status(record, false)) << outcome.output;
   ASSERT_FALSE(record.cells.empty());
-  for (const Json& cell : record.cells) EXPECT_EQ(cell.at("status"), "ok");
+  for (const CellRow& cell : record.cells) EXPECT_FALSE(cell.failed) << cell.reason;
   ASSERT_FALSE(cells(record, "light_map").empty());
-  for (const Json& cell : cells(record, "light_map"))
-    for (const Json& pass : cell.at("passes"))
-      EXPECT_EQ(pass.at("once"), pass.at("name") != "composite") << "nothing moves: one light map";
+  for (const CellRow& cell : cells(record, "light_map"))
+    for (const PassRow& pass : cell.passes) EXPECT_EQ(pass.once, pass.name != "composite") << "nothing moves: one light map";
 }
 
 // On an open plane the aperture is right and so is its intersection; what costs is the cosine at the middle: the sun stands 50
@@ -169,30 +165,27 @@ TEST_F(Compare, OpenPlaneIsHeldToItsTruth) {
   compare(arguments);
   const Record first = record();
   ASSERT_EQ(first.bakes.size(), 1u);
-  EXPECT_FALSE(first.bakes[0].at("from_cache"));
+  EXPECT_FALSE(first.bakes[0].from_cache);
   ASSERT_FALSE(first.cells.empty());
-  for (const Json& cell : first.cells) {
-    ASSERT_EQ(cell.at("status"), "ok") << cell.at("reason");
-    ASSERT_EQ(cell.at("assumptions").size(), 3u);
+  for (const CellRow& cell : first.cells) {
+    ASSERT_FALSE(cell.failed) << cell.reason;
+    ASSERT_EQ(cell.assumptions.size(), 3u);
     std::map<std::string, double> psnr_db;
-    for (const Json& entry : cell.at("assumptions")) {
-      const Json& figure = entry.at("error").at("psnr_db");
-      psnr_db[entry.at("name")] = figure.is_null() ? 100 : figure.get<double>();  // null: identical
-    }
+    for (const AssumptionRow& entry : cell.assumptions) psnr_db[entry.name] = entry.error.psnr_db;
     EXPECT_GE(psnr_db.at("aperture"), 40);
     EXPECT_GE(psnr_db.at("intersection"), 55);
     EXPECT_LE(psnr_db.at("cosine"), 30);
-    EXPECT_NEAR(cell.at("error").at("truth").at("psnr_db").get<double>(), psnr_db.at("cosine"), 2);
-    EXPECT_TRUE(std::filesystem::exists(out() / cell.at("truth_image").get<std::string>()));
+    EXPECT_NEAR(cell.error_truth->psnr_db, psnr_db.at("cosine"), 2);
+    EXPECT_TRUE(std::filesystem::exists(out() / cell.truth_image));
   }
   // A second run casts no ray and says the same.
   compare(arguments);
   const Record second = record();
-  EXPECT_TRUE(second.bakes.at(0).at("from_cache"));
+  EXPECT_TRUE(second.bakes.at(0).from_cache);
   ASSERT_EQ(second.cells.size(), first.cells.size());
   for (size_t i = 0; i < first.cells.size(); ++i) {
-    EXPECT_EQ(second.cells[i].at("image_hash"), first.cells[i].at("image_hash"));
-    EXPECT_EQ(second.cells[i].at("error"), first.cells[i].at("error"));
+    EXPECT_EQ(second.cells[i].image_hash, first.cells[i].image_hash);
+    EXPECT_EQ(to_json(second.cells[i])["error"], to_json(first.cells[i])["error"]);
   }
 }
 

@@ -11,8 +11,6 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
 const std::string data = LAMINA_SOURCE_DIR "/tests/data/effects";
 const std::string with_effect = " --variants-dir " + data;
 const std::string small = with_effect + " --size 96x96 --quick --cache \"\" --budget 0.2";
@@ -34,10 +32,10 @@ class DeclaredEffect : public ProgramTest {
     return lamina_program("sweep " + scene() + with_effect + " --size 64x64 --time none --cache \"\" --backend vulkan --out " +
                           (folder_ / folder).string() + " --set " + set);
   }
-  std::vector<Json> cells(const std::string& variant) const {
-    std::vector<Json> found;
-    for (const Json& cell : record().cells)
-      if (cell.at("variant") == variant) found.push_back(cell);
+  std::vector<CellRow> cells(const std::string& variant) const {
+    std::vector<CellRow> found;
+    for (const CellRow& cell : record().cells)
+      if (cell.variant == variant) found.push_back(cell);
     return found;
   }
 };
@@ -67,28 +65,28 @@ TEST_F(DeclaredEffect, IsPlannedWithReasons) {
 TEST_F(DeclaredEffect, IsCompared) {
   const Outcome outcome = lamina_program("compare " + scene() + small + " --out " + out().string());
   std::map<std::string, std::set<std::string>> read;
-  for (const Json& cell : record().cells) {
-    ASSERT_EQ(cell.at("status"), "ok") << cell.at("reason");
-    EXPECT_EQ(cell.at("effect"), "lantern");
-    EXPECT_EQ(cell.at("params").at("objects.sphere.lantern.glow"), 0.5);
-    EXPECT_EQ(cell.at("params").at("effects.lantern.level"), 0);
-    EXPECT_EQ(cell.at("words").at("objects.sphere.lantern.tint"), "warm");
-    EXPECT_GT(cell.at("covered_pixels"), 100);
-    for (const Json& pass : cell.at("passes"))
-      if (pass.at("name") == "light")
-        for (const Json& texture : pass.at("by_texture")) read[cell.at("variant")].insert(texture.at("texture"));
-    if (cell.at("variant") != "lantern_full") {
-      EXPECT_LT(cell.at("error").at("baseline").at("ssim"), 0.9999);
+  for (const CellRow& cell : record().cells) {
+    ASSERT_FALSE(cell.failed) << cell.reason;
+    EXPECT_EQ(cell.effect, "lantern");
+    EXPECT_EQ(cell.params.at("objects.sphere.lantern.glow"), 0.5);
+    EXPECT_EQ(cell.params.at("effects.lantern.level"), 0);
+    EXPECT_EQ(cell.words.at("objects.sphere.lantern.tint"), "warm");
+    EXPECT_GT(*cell.covered_pixels, 100u);
+    for (const PassRow& pass : cell.passes)
+      if (pass.name == "light")
+        for (const TextureFetches& fetched : pass.by_texture) read[cell.variant].insert(fetched.texture);
+    if (cell.variant != "lantern_full") {
+      EXPECT_LT(cell.error_covered->ssim, 0.9999);
     }
   }
   size_t pairs = 0;
-  for (const Json& vulkan : record().cells)
-    for (const Json& opengl : record().cells) {
-      if (vulkan.at("backend") != "vulkan" || opengl.at("backend") != "osmesa" || vulkan.at("variant") != opengl.at("variant"))
-        continue;
+  const Record record = this->record();
+  for (const CellRow& vulkan : record.cells)
+    for (const CellRow& opengl : record.cells) {
+      if (vulkan.backend != "vulkan" || opengl.backend != "osmesa" || vulkan.variant != opengl.variant) continue;
       ++pairs;
-      EXPECT_GE(psnr_db(picture(opengl), picture(vulkan)), 45) << vulkan.at("image");
-      EXPECT_EQ(opengl.at("fetches"), vulkan.at("fetches")) << vulkan.at("image");
+      EXPECT_GE(psnr_db(picture(opengl), picture(vulkan)), 45) << vulkan.image;
+      EXPECT_EQ(opengl.fetches, vulkan.fetches) << vulkan.image;
     }
   EXPECT_EQ(pairs, 3u) << "variants, in the one view";
   EXPECT_EQ(read.at("lantern_full"), (std::set<std::string>{"shade", "grain", "falloff", "shadow_0", "mirrored"}));
@@ -111,21 +109,20 @@ TEST_F(DeclaredEffect, IsCulled) {
 TEST_F(DeclaredEffect, IsSwept) {
   ASSERT_EQ(sweep("objects.sphere.lantern.glow=0:2:1").status, 0);
   std::set<std::string> of_glow;
-  for (const Json& cell : cells("lantern_plain")) of_glow.insert(cell.at("image_hash").get<std::string>());
+  for (const CellRow& cell : cells("lantern_plain")) of_glow.insert(cell.image_hash);
   EXPECT_EQ(of_glow.size(), 3u);
   const Outcome word = sweep("objects.sphere.lantern.tint=warm,cold", "word");
   ASSERT_EQ(word.status, 0) << word.output;
   std::map<std::string, std::string> picture;
-  for (const Json& cell : read_record(folder_ / "word/record.jsonl").cells)
-    if (cell.at("variant") == "lantern_plain")
-      picture[cell.at("words").at("objects.sphere.lantern.tint")] = cell.at("image_hash");
+  for (const CellRow& cell : read_record(folder_ / "word/record.jsonl").cells)
+    if (cell.variant == "lantern_plain") picture[cell.words.at("objects.sphere.lantern.tint")] = cell.image_hash;
   EXPECT_EQ(picture.size(), 2u);
   EXPECT_NE(picture["warm"], picture["cold"]);
   const Outcome own = sweep("lantern_full.shadow_texels=16,256", "own");
   ASSERT_EQ(own.status, 0) << own.output;
   std::set<std::string> pictures;
-  for (const Json& cell : read_record(folder_ / "own/record.jsonl").cells)
-    if (cell.at("variant") == "lantern_full") pictures.insert(cell.at("image_hash").get<std::string>());
+  for (const CellRow& cell : read_record(folder_ / "own/record.jsonl").cells)
+    if (cell.variant == "lantern_full") pictures.insert(cell.image_hash);
   EXPECT_EQ(pictures.size(), 2u) << "a coarse shadow is another picture";
 }
 
@@ -174,6 +171,53 @@ TEST_F(DeclaredEffect, MistakesOfSceneFilesAreNamed) {
           "an object has layered_material or lantern; leave out thickness, or lantern");
   refused({{"[effects.lantern]", "[effects.lantrn]"}}, "did you mean 'lantern'?");
   refused({{"casts = true", "casts = false"}}, "full.toml:");
+}
+
+// No one view shows what a light among the objects lights.
+TEST_F(DeclaredEffect, ALightAmongTheObjectsHasNoView) {
+  const Outcome outcome = lamina_program(
+      "compare " +
+      scene({{"kind = \"directional\"\ndirection = [0.8, -1.0, -0.6]", "kind = \"point\"\nposition = [0, 1.5, 0]"}}) + small +
+      " --backend osmesa --out " + out().string());
+  EXPECT_EQ(outcome.status, 2) << outcome.output;
+  EXPECT_SAYS(outcome.output, "light 'sun' stands among the objects");
+}
+
+// An effect of hulls refuses a mesh with a hole and says where; a closed one it takes.
+TEST_F(DeclaredEffect, OpenHullsAreRefusedWithTheirEdge) {
+  write("hulls/glass/effect.toml", R"([effect]
+name = "glass"
+title = "Glass"
+key = "glass"
+closed = true
+solid = false
+instead_of = ["layered_material", "aperture_lighting", "lantern"]
+because = "an object is of glass"
+not_because = "no object is of glass"
+)");
+  write("hulls/glass/clear.toml", R"([variant]
+name = "clear"
+baseline = true
+[[pass]]
+name = "front"
+draw = "objects"
+vertex = "common/object.vert"
+fragment = "clear.frag"
+write = ["frame"]
+)");
+  write("hulls/glass/clear.frag", "layout(location = 0) out vec4 color;\nvoid main() { color = vec4(1.0); }\n");
+  const auto plan_with = [&](const std::string& object) {
+    return lamina_program(
+        "plan " +
+        write("glass.toml", "[scene]\nbuiltin = \"sphere_over_plane\"\n[objects." + object + "]\nglass = true\n").string() +
+        " --variants-dir " + (folder_ / "hulls").string());
+  };
+  const Outcome closed = plan_with("sphere");
+  EXPECT_EQ(closed.status, 0) << closed.output;
+  EXPECT_SAYS(closed.output, "glass: called for");
+  const Outcome open = plan_with("plane");
+  EXPECT_EQ(open.status, 2) << open.output;
+  EXPECT_SAYS(open.output, "object 'plane': glass needs a closed hull, and its mesh is open: the edge from (");
 }
 
 }  // namespace

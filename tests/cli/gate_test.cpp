@@ -9,8 +9,6 @@
 namespace lamina {
 namespace {
 
-using Json = nlohmann::json;
-
 class Gate : public ProgramTest {
  protected:
   std::filesystem::path tree() const { return folder_ / "tree"; }
@@ -84,11 +82,11 @@ TEST_P(GateMutations, IsCaught) {
   const Record record = this->record();
   for (const char* backend : {"vulkan", "osmesa"})
     EXPECT_TRUE(std::any_of(record.verdicts.begin(), record.verdicts.end(),
-                            [&](const Json& row) {
-                              const std::string what = row.at("what");
-                              return row.at("backend") == backend &&
+                            [&](const VerdictRow& row) {
+                              const std::string& what = row.what;
+                              return row.backend == backend &&
                                      std::string_view(GetParam().what).find(what) != std::string_view::npos &&
-                                     (row.at("verdict") == "worse" || row.at("verdict") == "failed");
+                                     (row.verdict == Verdict::worse || row.verdict == Verdict::failed);
                             }))
         << GetParam().what << " on " << backend << "\n"
         << outcome.output;
@@ -99,7 +97,7 @@ TEST_F(Gate, TheSameCodeAndACommentPass) {
   replace(composite, "void main() {", "// another comment\nvoid main() {");
   const Outcome outcome = gate();
   EXPECT_EQ(outcome.status, 0) << outcome.output;
-  EXPECT_EQ(record().gates.at(0).at("verdict"), "same");
+  EXPECT_EQ(record().gates.at(0).verdict, Verdict::same);
 }
 
 // Other code that draws the same picture with as many fetches: everything is looked at, and passes.
@@ -110,8 +108,7 @@ TEST_F(Gate, OtherCodeForTheSamePicturePasses) {
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   const Record record = this->record();
   EXPECT_GE(record.cells.size(), 9u) << "three variants in three views";
-  for (const Json& cell : record.cells)
-    EXPECT_TRUE(std::filesystem::is_regular_file(out() / cell.at("image").get<std::string>())) << cell.at("image");
+  for (const CellRow& cell : record.cells) EXPECT_TRUE(std::filesystem::is_regular_file(out() / cell.image)) << cell.image;
 }
 
 TEST_F(Gate, AVariantThatVanishedIsNoPass) {
@@ -144,8 +141,8 @@ TEST_F(Gate, AVariantIsDrawnWhereItsBaselineChanged) {
   const Outcome outcome = gate("--backend osmesa");
   EXPECT_EQ(outcome.status, 1) << outcome.output;
   std::set<std::string> judged;
-  for (const Json& row : record().verdicts)
-    if (row.at("variant") == "vertex_normal") judged.insert(row.at("what"));
+  for (const VerdictRow& row : record().verdicts)
+    if (row.variant == "vertex_normal") judged.insert(row.what);
   EXPECT_TRUE(judged.contains("code"));
   EXPECT_TRUE(judged.contains("psnr_db")) << testing::PrintToString(judged);
 }
@@ -158,8 +155,8 @@ TEST_F(Gate, ErrorsAreJudgedWhereTheTruthChanged) {
   const Outcome outcome = gate("--backend osmesa --truth-rays 64 --variant smoothstep_cap", "open_plane");
   EXPECT_EQ(outcome.status, 1) << outcome.output;
   const Record record = this->record();
-  EXPECT_TRUE(std::ranges::any_of(record.verdicts, [](const Json& row) {
-    return row.at("variant") == "smoothstep_cap" && row.at("what") == "rmse_linear to truth" && row.at("verdict") == "worse";
+  EXPECT_TRUE(std::ranges::any_of(record.verdicts, [](const VerdictRow& row) {
+    return row.variant == "smoothstep_cap" && row.what == "rmse_linear to truth" && row.verdict == Verdict::worse;
   })) << outcome.output;
 }
 

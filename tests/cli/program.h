@@ -46,8 +46,8 @@ class ProgramTest : public testing::Test {
   std::filesystem::path out() const { return folder_ / "out"; }
   Record record() const { return read_record(out() / "record.jsonl"); }
   // The picture of a cell as it was written.
-  DisplayImage picture(const nlohmann::json& cell) const {
-    const Texels texels = load_texels(out() / cell.at("image").get<std::string>(), /*srgb_colour=*/true);
+  DisplayImage picture(const CellRow& cell) const {
+    const Texels texels = load_texels(out() / cell.image, /*srgb_colour=*/true);
     Image linear{static_cast<int>(texels.width), static_cast<int>(texels.height), std::vector<float>(texels.rgba.size() * 4)};
     std::memcpy(linear.rgba.data(), texels.rgba.data(), linear.rgba.size() * sizeof(float));
     return to_display(linear);

@@ -42,9 +42,9 @@ TEST_F(Stress, PointsOfAFileAreJudgedByTheAreasTheyBring) {
   EXPECT_EQ(rows[1][3], "3");
   EXPECT_NEAR(std::stod(rows[1][5]), -1.2381525145977283 / 2.8883657975136403, 1e-6) << "the last area is twice the right one";
   EXPECT_LT(std::stod(rows[1][4]), 4e-7);
-  for (const auto& time : record().function_times)
-    if (!time.at("ns_per_call").is_null()) {
-      EXPECT_EQ(time.at("ns").size(), 12u) << "a sample a round";
+  for (const FunctionTimeRow& time : record().function_times)
+    if (time.ns_per_call) {
+      EXPECT_EQ(time.ns.size(), 12u) << "a sample a round";
     }
 }
 

@@ -2,6 +2,7 @@
 // lamina sweep and lamina merge as a user runs them, on a square whose variant is darker than the baseline by a parameter: its
 // errors are known in closed form, and a cell takes no time.
 #include <fcntl.h>
+#include <fmt/format.h>
 
 #include <chrono>
 #include <csignal>
@@ -80,21 +81,20 @@ TEST_F(SweepTest, ErrorsFollowTheParameter) {
   ASSERT_EQ(record.cells.size(), 2u * 10 * 3 * 2) << "backends, points, views, variants";
   ASSERT_EQ(record.sweeps.size(), 1u);
   std::map<std::string, double> greatest;  // by backend and view, at amount 0.5
-  const auto shot = [](const Json& cell) { return cell.at("backend").get<std::string>() + cell.at("view").get<std::string>(); };
-  for (const Json& cell : record.cells)
-    if (cell.at("params").at("darker.amount") == 0.5 && !cell.at("baseline").get<bool>())
-      greatest[shot(cell)] = 2 * cell.at("error").at("baseline").at("max_linear").get<double>();
-  for (const Json& cell : record.cells) {
-    EXPECT_EQ(cell.at("status"), "ok") << cell.at("reason");
-    const double amount = cell.at("params").at("darker.amount");
+  const auto shot = [](const CellRow& cell) { return cell.backend + cell.view; };
+  for (const CellRow& cell : record.cells)
+    if (cell.params.at("darker.amount") == 0.5 && !cell.baseline) greatest[shot(cell)] = 2 * cell.error_covered->max_linear;
+  for (const CellRow& cell : record.cells) {
+    EXPECT_FALSE(cell.failed) << cell.reason;
+    const double amount = cell.params.at("darker.amount");
     const bool fourth = amount == 0 || amount == 0.4 || amount == 0.8;
-    EXPECT_EQ(cell.at("fetches").is_null(), !fourth);
-    EXPECT_EQ(cell.at("image") == "", !fourth);
-    EXPECT_TRUE(std::filesystem::exists(folder_ / "out" / cell.at("image").get<std::string>()));
-    if (cell.at("baseline").get<bool>()) continue;
-    const Json& error = cell.at("error").at("baseline");
-    EXPECT_NEAR(error.at("max_linear"), amount * greatest.at(shot(cell)), 1e-3) << amount;
-    EXPECT_EQ(error.at("identical").get<bool>(), amount == 0);
+    EXPECT_EQ(!cell.fetches, !fourth);
+    EXPECT_EQ(cell.image.empty(), !fourth);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "out" / cell.image));
+    if (cell.baseline) continue;
+    const ErrorFigures& error = *cell.error_covered;
+    EXPECT_NEAR(error.max_linear, amount * greatest.at(shot(cell)), 1e-3) << amount;
+    EXPECT_EQ(std::isinf(error.psnr_db), amount == 0);
   }
   EXPECT_FALSE(record.crossovers.empty());
   EXPECT_SAYS(outcome.output, "darker keeps RMSE at most 0.05 up to amount");
@@ -115,13 +115,12 @@ TEST_F(SweepTest, UnderEvenLightNoThicknessTellsVariantsApart) {
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   const Record record = read_record(file("flat"));
   ASSERT_EQ(record.cells.size(), 3u * 3 * 2);
-  for (const Json& cell : record.cells) {
-    if (cell.at("baseline").get<bool>()) continue;
-    EXPECT_LE(cell.at("error").at("baseline").at("max_linear").get<double>(), 2e-3)
-        << cell.at("variant") << " at " << cell.at("params").at("objects.square.thickness");
+  for (const CellRow& cell : record.cells) {
+    if (cell.baseline) continue;
+    EXPECT_LE(cell.error_covered->max_linear, 2e-3) << cell.variant << " at " << cell.params.at("objects.square.thickness");
   }
   // Thicker layers are another picture all the same.
-  EXPECT_NE(record.cells[0].at("image_hash"), record.cells[3].at("image_hash"));
+  EXPECT_NE(record.cells[0].image_hash, record.cells[3].image_hash);
 }
 
 // A moving light, mesh place and camera: what a point touches, and nothing else, changes its pictures.
@@ -130,17 +129,17 @@ TEST_F(SweepTest, EveryPointIsThePictureThatItWouldBeAlone) {
   ASSERT_EQ(sweep("grid", grid).status, 0);
   const Record record = read_record(file("grid"));
   ASSERT_EQ(record.cells.size(), 4u * 3 * 2);
-  for (const Json& cell : record.cells) {
-    const Json& params = cell.at("params");
+  for (const CellRow& cell : record.cells) {
+    const Json params = cell.params;
     const std::string alone =
         fmt::format("--set lights.key.intensity={} --set objects.square.position.x={} --fetches all",
                     params.at("lights.key.intensity").dump(), params.at("objects.square.position.x").dump());
     const std::string out =
         fmt::format("alone-{}-{}", params.at("lights.key.intensity").dump(), params.at("objects.square.position.x").dump());
     ASSERT_EQ(sweep(out, alone, "--pictures none").status, 0);  // done already for other cells of the point
-    for (const Json& single : read_record(file(out)).cells)
-      if (single.at("variant") == cell.at("variant") && single.at("view") == cell.at("view")) {
-        EXPECT_EQ(single, cell);
+    for (const CellRow& single : read_record(file(out)).cells)
+      if (single.variant == cell.variant && single.view == cell.view) {
+        EXPECT_EQ(to_json(single), to_json(cell));
       }
   }
 }
@@ -235,7 +234,7 @@ TEST_F(SweepTest, InterruptedItFinishesTheCellAndSaysHowToGoOn) {
   }
   ::kill(child, SIGINT);
   EXPECT_EQ(wait_for(child), 128 + SIGINT);
-  EXPECT_SAYS(read_file(said, "test"), "finishing the cell; once more stops at once");
+  EXPECT_SAYS(read_file(said, "test"), "finishing the cell; a second Ctrl-C stops at once");
   EXPECT_SAYS(read_file(said, "test"), "Go on with the same command");
   const std::string stopped = read_file(file("out"), "test");
   EXPECT_TRUE(stopped.ends_with('\n'));
@@ -336,15 +335,15 @@ TEST_F(SweepTest, TimedPointsHaveRatiosAndOthersHaveNone) {
   const Outcome outcome = sweep("out", "--set darker.amount=0:0.3:0.1", "--time every:2 --budget 0.05 --fetches none");
   const Record record = read_record(file("out"));
   ASSERT_EQ(record.timers.size(), 1u);
-  const bool certified = record.timers[0].at("ok");
+  const bool certified = record.timers[0].ok;
   EXPECT_EQ(outcome.status, certified ? 0 : 1) << outcome.output;
   ASSERT_EQ(record.cells.size(), 4u * 3 * 2) << "points, views, variants";
-  for (const Json& cell : record.cells) {
-    const double amount = cell.at("params").at("darker.amount");
+  for (const CellRow& cell : record.cells) {
+    const double amount = cell.params.at("darker.amount");
     const bool scheduled = amount == 0 || amount == 0.2;
-    EXPECT_EQ(cell.at("timed").get<bool>(), scheduled && certified);
-    EXPECT_EQ(cell.at("fetches").is_null(), !scheduled) << "what is timed is counted";
-    EXPECT_EQ(cell.at("ratio_to_baseline").is_null(), !scheduled || !certified || cell.at("baseline").get<bool>());
+    EXPECT_EQ(cell.timed, scheduled && certified);
+    EXPECT_EQ(!cell.fetches, !scheduled) << "what is timed is counted";
+    EXPECT_EQ(!cell.ratio_to_baseline, !scheduled || !certified || cell.baseline);
   }
 }
 

@@ -8,8 +8,6 @@
 namespace lamina {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
-
 Aperture aperture(const Scene& scene, ApertureKind kind = {}, size_t point = 0) {
   Bakes bakes(scene, effect_code(), DiskCache(""));
   return vertex_apertures(bakes, 0, kind)[point * kind.count];
@@ -19,7 +17,7 @@ float angle(glm::vec3 a, glm::vec3 b) { return std::atan2(glm::length(glm::cross
 
 TEST(Apertures, OpenSkyIsTheHemisphereAroundTheNormal) {
   Scene scene = scene_of({receiver()});
-  EXPECT_FLOAT_EQ(aperture(scene).w, pi / 2);
+  EXPECT_FLOAT_EQ(aperture(scene).w, pi_f / 2);
   EXPECT_LT(angle(aperture(scene), {0, 1, 0}), 2e-3f);
   scene.objects[0].world_from_object =
       glm::mat4(glm::vec4(0, 0, 1, 0), glm::vec4(0, -1, 0, 0), glm::vec4(1, 0, 0, 0), glm::vec4(3, 4, 5, 1));
@@ -56,7 +54,7 @@ TEST(Apertures, WallLeavesHalfTheHemisphereAndLooksAway) {
   const Scene scene =
       scene_of({receiver(), quad("wall", {-0.01f, -500, -500}, {-0.01f, 500, -500}, {-0.01f, 500, 500}, {-0.01f, -500, 500})});
   const Aperture seen = aperture(scene);
-  EXPECT_NEAR(seen.w, pi / 3, 0.02f);  // area pi
+  EXPECT_NEAR(seen.w, pi_f / 3, 0.02f);  // area pi
   EXPECT_LT(angle(seen, glm::normalize(glm::vec3(1, 1, 0))), 0.02f);
 }
 
@@ -132,7 +130,7 @@ TEST(Apertures, RadiusOfACapHasItsArea) {
 TEST(Apertures, ClosedBoxSeesNothing) {
   const Scene scene = scene_of({receiver(), ring("lid", 0, 1, 2, 1), ring("side", 2, 1, 2, -1)});
   EXPECT_EQ(aperture(scene), Aperture(0, 1, 0, 0));
-  EXPECT_NEAR(aperture(scene, {1, true}).w, pi / 2, 1e-3f);
+  EXPECT_NEAR(aperture(scene, {1, true}).w, pi_f / 2, 1e-3f);
   EXPECT_EQ(aperture(scene, {2, false}), Aperture(0, 1, 0, 0));
 }
 
@@ -152,13 +150,13 @@ TEST(Apertures, BrokenMeshesHaveDefinedApertures) {
     ASSERT_EQ(all.size(), 5 * kind.count);
     for (const Aperture& one : all) {
       EXPECT_NEAR(glm::length(glm::vec3(one)), 1, 1e-5f);
-      EXPECT_TRUE(one.w >= 0 && one.w <= pi / 2 + 1e-4f) << one.w;
+      EXPECT_TRUE(one.w >= 0 && one.w <= pi_f / 2 + 1e-4f) << one.w;
     }
     EXPECT_TRUE(vertex_apertures(bakes, 1, kind).empty());
   }
-  EXPECT_FLOAT_EQ(vertex_apertures(bakes, 0)[0].w, pi / 2) << "the triangle's own normal is up";
+  EXPECT_FLOAT_EQ(vertex_apertures(bakes, 0)[0].w, pi_f / 2) << "the triangle's own normal is up";
   EXPECT_EQ(vertex_apertures(bakes, 0)[3].w, 0) << "no triangle, no normal: sees nothing";
-  EXPECT_FLOAT_EQ(vertex_apertures(bakes, 0)[4].w, pi / 2) << "has a normal";
+  EXPECT_FLOAT_EQ(vertex_apertures(bakes, 0)[4].w, pi_f / 2) << "has a normal";
 }
 
 TEST(Apertures, MapHasATexelsOwnPointOrTheNearest) {

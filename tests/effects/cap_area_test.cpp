@@ -16,7 +16,8 @@
 namespace lamina {
 namespace {
 
-constexpr double pi = std::numbers::pi, eps = 0x1p-52;
+using std::numbers::pi;
+constexpr double eps = 0x1p-52;
 
 TEST(CapOracle, TwoHemispheresShareALune) {
   for (const double d : {0.1, 1.0, 2.0, 3.0}) EXPECT_NEAR(cap_intersection_oracle(pi / 2, pi / 2, d), 2 * (pi - d), 1e-15 * 7);

@@ -154,8 +154,14 @@ TEST_P(CapShaders, ExactCapFallsWithDistanceOnEverySet) {
 
 TEST_P(CapShaders, ExactCapAtTheEndsOfItsRange) {
   FunctionRunner runner(*backend_, shaders_folder(), caps(), "exact_cap");
-  constexpr float pi = 3.14159274f;
-  const Points inputs(3, {{0, 1, 0.5f}, {1, 1, 0}, {pi, 1, 2}, {pi, pi, pi}, {1, 1, pi}, {pi / 2, pi / 2, pi}, {1e-30f, 1, 0}});
+  constexpr float pi_float = 3.14159274f;
+  const Points inputs(3, {{0, 1, 0.5f},
+                          {1, 1, 0},
+                          {pi_float, 1, 2},
+                          {pi_float, pi_float, pi_float},
+                          {1, 1, pi_float},
+                          {pi_float / 2, pi_float / 2, pi_float},
+                          {1e-30f, 1, 0}});
   const std::vector<double> expected = {0, 2.8883657975136403, 2.8883657975136403, 12.566370614359172, 0, 0, 0};
   const std::vector<float> areas = runner.values(inputs);
   for (size_t i = 0; i < inputs.size(); ++i) EXPECT_NEAR(areas[i], expected[i], 2e-6) << i;
@@ -164,9 +170,9 @@ TEST_P(CapShaders, ExactCapAtTheEndsOfItsRange) {
 // Every hard input has the area of the sound one that it stands for.
 TEST_P(CapShaders, WhatIsNoCapHasADefinedArea) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity(),
-                  pi = 3.14159274f;
-  const std::vector<float> radii = {0, -0.0f, -1, -infinite, nan, 1e-30f, 1, 1.5f, pi, 4, 1e30f, infinite};
-  const std::vector<float> distances = {nan, -infinite, -1, -0.0f, 0, 0.5f, 2, pi, 4, infinite};
+                  pi_float = 3.14159274f;
+  const std::vector<float> radii = {0, -0.0f, -1, -infinite, nan, 1e-30f, 1, 1.5f, pi_float, 4, 1e30f, infinite};
+  const std::vector<float> distances = {nan, -infinite, -1, -0.0f, 0, 0.5f, 2, pi_float, 4, infinite};
   Points hard(3), sound(3);
   std::vector<bool> none;
   for (const float r0 : radii)
@@ -177,7 +183,7 @@ TEST_P(CapShaders, WhatIsNoCapHasADefinedArea) {
         if (none.back())
           sound.add({1, 1, 3});
         else
-          sound.add({std::min(r0, pi), std::min(r1, pi), std::clamp(d, 0.0f, pi)});
+          sound.add({std::min(r0, pi_float), std::min(r1, pi_float), std::clamp(d, 0.0f, pi_float)});
       }
   for (const std::string& variant : caps().function_names()) {
     FunctionRunner runner(*backend_, shaders_folder(), caps(), variant);

@@ -17,7 +17,7 @@
 namespace lamina {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 class Table {
  public:

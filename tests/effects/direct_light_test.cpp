@@ -9,10 +9,8 @@
 namespace lamina {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
-
 // One white point at the origin that faces up, with one open aperture unless another is given.
-ShadingPoints point(Aperture aperture = {0, 1, 0, pi / 2}) {
+ShadingPoints point(Aperture aperture = {0, 1, 0, pi_f / 2}) {
   ShadingPoints points{1, 1, {}, {}, {aperture}};
   points.points.push_back({0, {0, 0, 0}, {0, 1, 0}, {1, 1, 1}});
   return points;
@@ -50,7 +48,7 @@ TEST(DirectLight, WholeCapGivesItsCosine) {
 // A hemisphere of light on the horizon: half of it is above, and that half gives half of what the whole would overhead.
 TEST(DirectLight, HemisphereOnTheHorizon) {
   Scene scene = open_scene();
-  scene.lights = {sun(pi / 2, pi / 2)};
+  scene.lights = {sun(pi_f / 2, pi_f / 2)};
   EXPECT_NEAR(lit(scene, LightModel::traced), 0.5f, 2e-3f);
   EXPECT_NEAR(lit(scene, LightModel::exact_intersection), 0.5f * std::sqrt(0.5f),
               1e-4f);  // half the area, cosine of 45 degrees
@@ -58,7 +56,7 @@ TEST(DirectLight, HemisphereOnTheHorizon) {
 
 TEST(DirectLight, BelowTheHorizonIsDark) {
   Scene scene = open_scene();
-  scene.lights = {sun(pi, 0.2f), sun(2.0f, 0.1f)};
+  scene.lights = {sun(pi_f, 0.2f), sun(2.0f, 0.1f)};
   for (const LightModel model :
        {LightModel::traced, LightModel::integrated_cosine, LightModel::exact_intersection, LightModel::traced_share})
     EXPECT_EQ(lit(scene, model), 0);
@@ -81,7 +79,7 @@ TEST(DirectLight, SkyThroughAHole) {
 TEST(DirectLight, LightsStandInFrontOfTheSky) {
   Scene scene = open_scene();
   scene.ambient = glm::vec3(1);
-  scene.lights = {sun(0, pi / 3, glm::vec3(0))};
+  scene.lights = {sun(0, pi_f / 3, glm::vec3(0))};
   EXPECT_NEAR(lit(scene, LightModel::traced), 1 - 0.75f, 0.01f);             // sin^2 60 degrees
   EXPECT_NEAR(lit(scene, LightModel::exact_intersection), 1 - 0.5f, 1e-5f);  // cos 60 degrees
 }
@@ -127,11 +125,11 @@ TEST(DirectLight, DegenerateInputsAreFinite) {
   Light inside;
   inside.kind = Light::Kind::point;
   inside.radius_m = 1;
-  scene.lights = {inside, sun(pi / 2, 0), sun(pi, pi / 2)};
+  scene.lights = {inside, sun(pi_f / 2, 0), sun(pi_f, pi_f / 2)};
   scene.ambient = glm::vec3(0.5f);
   for (const LightModel model :
        {LightModel::traced, LightModel::integrated_cosine, LightModel::exact_intersection, LightModel::traced_share})
-    for (const Aperture aperture : {Aperture(0, 1, 0, 0), Aperture(0, -1, 0, pi / 2)}) {
+    for (const Aperture aperture : {Aperture(0, 1, 0, 0), Aperture(0, -1, 0, pi_f / 2)}) {
       const float value = lit(scene, model, point(aperture), 64);
       EXPECT_TRUE(std::isfinite(value) && value >= 0) << static_cast<int>(model) << ": " << value;
     }

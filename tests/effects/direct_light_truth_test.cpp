@@ -11,8 +11,6 @@
 namespace lamina {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
-
 Image two_pixels(glm::vec4 left, glm::vec4 right) {
   return {2, 1, {left.x, left.y, left.z, left.w, right.x, right.y, right.z, right.w}};
 }
@@ -65,7 +63,7 @@ TEST_F(DirectLightTruth, TracedLightIsSharedUntilItIsForgotten) {
   const std::vector<glm::vec3> first = answer(told_targets(0.6f)).steps.at(2).light;
   const int once = traced_;
   EXPECT_GT(once, 0);
-  EXPECT_EQ(answer(told_targets(pi / 2)).steps.at(2).light, first) << "rays do not ask for apertures";
+  EXPECT_EQ(answer(told_targets(pi_f / 2)).steps.at(2).light, first) << "rays do not ask for apertures";
   EXPECT_EQ(traced_, once);
   truth_->forget();
   EXPECT_EQ(answer(told_targets(0.6f)).steps.at(2).light, first);

@@ -14,6 +14,8 @@
 
 namespace lamina {
 
+inline constexpr float pi_f = std::numbers::pi_v<float>;
+
 inline Vertex vertex_at(glm::vec3 position, glm::vec3 normal = {0, 1, 0}) {
   return {position, normal, {1, 0, 0, 1}, {position.x * 0.5f + 0.5f, position.z * 0.5f + 0.5f}};
 }

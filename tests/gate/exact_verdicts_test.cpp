@@ -7,12 +7,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "harness/gate/verdict.h"
 #include "tests/reports/example_record.h"
 
 namespace lamina {
 namespace {
-
-using Json = nlohmann::json;
 
 CellRow cell(const std::string& view = "front", const std::string& variant = "vertex_normal") {
   CellRow row = example_cell(variant, view, {});
@@ -28,8 +27,8 @@ std::vector<VerdictRow> rows_after(Change&& change, const Limits& limits = {}, s
   for (const char* view : {"front", "side"}) {
     CellRow before = cell(view, variant), after = before;
     change(after);
-    pair.before.push_back(Json(to_json(before)));
-    pair.after.push_back(Json(to_json(after)));
+    pair.before.push_back(before);
+    pair.after.push_back(after);
     pair.changes.push_back(changed_by);
   }
   return judge_cells(pair, limits);
@@ -92,11 +91,11 @@ TEST(ExactVerdicts, ErrorsAreWorseBeyondTheirToleranceAlone) {
             2u);
 }
 
-// Identical pictures have an infinite PSNR, which records write as null.
+// Identical pictures have an infinite PSNR.
 TEST(ExactVerdicts, FromIdenticalToNotIsWorseAndBackIsBetter) {
   CellRow same = cell(), other = cell();
   same.error_covered->psnr_db = std::numeric_limits<double>::infinity();
-  CellPair pair{{Json(to_json(same))}, {Json(to_json(other))}, {0.0}};
+  CellPair pair{{same}, {other}, {0.0}};
   EXPECT_EQ(count(judge_cells(pair, {}), "psnr_db", Verdict::worse), 1u);
   std::swap(pair.before, pair.after);
   EXPECT_EQ(count(judge_cells(pair, {}), "psnr_db", Verdict::better), 1u);
@@ -113,11 +112,11 @@ TEST(ExactVerdicts, BoundsOfTheGateFileHoldWhateverWasBefore) {
 // What is new has nothing to be compared with, but what holds for every picture holds for it.
 TEST(ExactVerdicts, ANewVariantKeepsToBoundsAndShowsSomethingFinite) {
   const auto rows_of_new = [](auto&& change, const Limits& limits = {}) {
-    CellPair pair{{nullptr, nullptr}, {}, {}};
+    CellPair pair{{std::nullopt, std::nullopt}, {}, {}};
     for (const char* view : {"front", "side"}) {
       CellRow after = cell(view);
       change(after);
-      pair.after.push_back(Json(to_json(after)));
+      pair.after.push_back(after);
     }
     return judge_cells(pair, limits);
   };
@@ -141,7 +140,7 @@ TEST(ExactVerdicts, AfterAFailureOnlyBoundsHold) {
   before.failed = true, before.reason = "no device memory";
   before.error_covered.reset();
   CellRow after = cell();
-  const auto rows = [&] { return judge_cells({{Json(to_json(before))}, {Json(to_json(after))}, {}}, {}); };
+  const auto rows = [&] { return judge_cells({{before}, {after}, {}}, {}); };
   EXPECT_EQ(count(rows(), "cell", Verdict::not_compared), 1u);
   EXPECT_EQ(status(rows()), 3) << "nothing was compared";
   after.nonfinite_pixels = 3;
@@ -152,7 +151,7 @@ TEST(ExactVerdicts, ErrorsToTheTruthAreJudgedApart) {
   const ErrorFigures good{30, 0.9, 0.1, 0.02, 0.3}, bad{30, 0.8, 0.1, 0.02, 0.3};
   CellRow before = cell(), after = cell();
   before.error_truth = good, after.error_truth = bad;
-  const CellPair pair{{Json(to_json(before))}, {Json(to_json(after))}, {}};
+  const CellPair pair{{before}, {after}, {}};
   EXPECT_EQ(count(judge_cells(pair, {}), "ssim to truth", Verdict::worse), 1u);
 }
 
@@ -200,30 +199,29 @@ TEST(ExactVerdicts, HashesDecideWhereTheyAreAskedToOrTell) {
   EXPECT_EQ(count(rows_after(change, limits, 0.0), "image_hash", Verdict::failed), 2u);
   CellRow before = cell(), after = cell();
   change(after);
-  CellPair pair{{Json(to_json(before))}, {Json(to_json(after))}, {}};
+  CellPair pair{{before}, {after}, {}};
   EXPECT_EQ(status(judge_cells(pair, {})), 0) << "another driver may round otherwise";
   pair.hashes_tell = true;
   EXPECT_EQ(count(judge_cells(pair, {}), "picture", Verdict::worse), 1u);
 }
 
 TEST(ExactVerdicts, WhatVanishedOrFailedIsNeverAPass) {
-  const Json here = Json(to_json(cell()));
-  CellRow broken = cell();
-  broken.failed = true, broken.reason = "no device memory";
-  const Json failed = Json(to_json(broken));
-  EXPECT_EQ(status(judge_cells({{here}, {nullptr}, {}}, {})), 1) << "vanished";
+  const CellRow here = cell();
+  CellRow failed = cell();
+  failed.failed = true, failed.reason = "no device memory";
+  EXPECT_EQ(status(judge_cells({{here}, {std::nullopt}, {}}, {})), 1) << "vanished";
   EXPECT_EQ(status(judge_cells({{here}, {failed}, {}}, {})), 1) << "failed";
-  EXPECT_EQ(status(judge_cells({{nullptr}, {here}, {}}, {})), 3) << "new: nothing was compared";
+  EXPECT_EQ(status(judge_cells({{std::nullopt}, {here}, {}}, {})), 3) << "new: nothing was compared";
   EXPECT_EQ(status(judge_cells({{failed}, {here}, {}}, {})), 3) << "failed before";
 }
 
 TEST(MostChange, IsOverColoursAlone) {
   Image before{2, 1, {0.1f, 0.2f, 0.3f, 0, 0.1f, 0.2f, 0.3f, 1}}, after = before;
-  EXPECT_EQ(most_change(after, before), 0);
+  EXPECT_EQ(max_change(after, before), 0);
   after.rgba[4] = 0.6f, after.rgba[7] = 9;
-  EXPECT_NEAR(most_change(after, before), 0.5, 1e-6);
+  EXPECT_NEAR(max_change(after, before), 0.5, 1e-6);
   const Image larger{2, 2, std::vector<float>(16, 0.0f)};
-  EXPECT_THROW(most_change(larger, before), Error);
+  EXPECT_THROW(max_change(larger, before), Error);
 }
 
 TEST(GateOutcome_, ComesFromTheWorstRow) {

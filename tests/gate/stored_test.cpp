@@ -54,15 +54,15 @@ TEST(Stored, AnotherMachineComparesRatiosAloneAndSaysSo) {
     EXPECT_FALSE(find(rows, "vertex_normal", "time"));
     ASSERT_TRUE(find(rows, "", "time")) << "says so";
     EXPECT_NE(find(rows, "", "time")->sentence.find("ratios"), std::string::npos);
-    now.cells[1]["ratio_to_baseline"]["median"] = 0.55, now.cells[1]["ratio_to_baseline"]["low"] = 0.549;
-    now.cells[1]["ratio_to_baseline"]["high"] = 0.551;
+    Interval& ratio = *now.cells[1].ratio_to_baseline;
+    ratio.median = 0.55, ratio.low = 0.549, ratio.high = 0.551;
     EXPECT_EQ(find(judge_stored(record(), now, {}, 0.05), "vertex_normal", "ratio")->verdict, Verdict::slower);
   }
 }
 
 TEST(Stored, AChangedHashTellsOnTheSameMachineAlone) {
   Record now = record();
-  now.cells[0]["image_hash"] = "ffff";
+  now.cells[0].image_hash = "ffff";
   EXPECT_EQ(find(judge_stored(record(), now, {}, 0.05), "light_map", "picture")->verdict, Verdict::worse);
   now.run["devices"][0]["driver"] = "Mesa 25";
   EXPECT_FALSE(find(judge_stored(record(), now, {}, 0.05), "light_map", "picture"));
@@ -71,9 +71,8 @@ TEST(Stored, AChangedHashTellsOnTheSameMachineAlone) {
 TEST(Stored, TimesOfZeroAreNoPass) {
   for (const bool in_record : {true, false}) {
     Record then = record(), now = record();
-    for (nlohmann::json& cell : (in_record ? then : now).cells)
-      for (nlohmann::json& pass : cell["passes"])
-        for (nlohmann::json& ms : pass["ms"]) ms = 0.0;
+    for (CellRow& cell : (in_record ? then : now).cells)
+      for (PassRow& pass : cell.passes) std::ranges::fill(pass.ms, 0.0);
     const std::vector<VerdictRow> rows = judge_stored(then, now, {}, 0.05);
     EXPECT_EQ(find(rows, "vertex_normal", "time")->verdict, Verdict::failed);
     EXPECT_EQ(outcome_of(rows).status, 1);
@@ -83,8 +82,8 @@ TEST(Stored, TimesOfZeroAreNoPass) {
 // A busy machine leaves few rounds: nothing is known, which is no failure.
 TEST(Stored, TooFewTimesAreAmbiguous) {
   Record now = record();
-  for (nlohmann::json& cell : now.cells)
-    for (nlohmann::json& pass : cell["passes"]) pass["ms"] = {5.0, 5.1, 5.0};
+  for (CellRow& cell : now.cells)
+    for (PassRow& pass : cell.passes) pass.ms = {5.0, 5.1, 5.0};
   const std::vector<VerdictRow> rows = judge_stored(record(), now, {}, 0.05);
   EXPECT_EQ(find(rows, "vertex_normal", "time")->verdict, Verdict::ambiguous);
   EXPECT_EQ(outcome_of(rows).status, 3);
@@ -117,7 +116,7 @@ TEST(Stored, RecordsThatCannotBeComparedAreRefused) {
   refused([](Record& then) { then.run["time_s"] = 0.75; }, "moment");
   refused(
       [](Record& then) {
-        for (nlohmann::json& cell : then.cells) cell["backend"] = "egl";
+        for (CellRow& cell : then.cells) cell.backend = "egl";
       },
       "no cell in common");
   EXPECT_NO_THROW(check_comparable(record(), record(), "baseline.jsonl"));

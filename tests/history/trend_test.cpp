@@ -14,8 +14,8 @@ namespace lamina {
 namespace {
 
 // A baseline of 10 ms and a variant of `ms`, whose fetches and SSIM are given.
-HistoryRecord made(const std::string& name, double ms = 5, uint64_t fetches = 1500, double ssim = 0.9,
-                   const std::string& commit_date = "") {
+HistoryRecord record_named(const std::string& name, double ms = 5, uint64_t fetches = 1500, double ssim = 0.9,
+                           const std::string& commit_date = "") {
   CellRow baseline = example_cell("light_map", "front", std::vector<double>(6, 10.0));
   CellRow variant = example_cell("vertex_normal", "front", std::vector<double>(6, ms));
   variant.ratio_to_baseline = Interval{.median = ms / 10, .low = ms / 10, .high = ms / 10, .rounds = 6, .coverage = 0.96};
@@ -54,7 +54,7 @@ std::string refusal(std::vector<HistoryRecord> records) {
 }
 
 TEST(History, HoldsEachFigureOfEachCell) {
-  const History history = make_history({made("a", 5), made("b", 6)});
+  const History history = make_history({record_named("a", 5), record_named("b", 6)});
   const Trend* frame = trend_of(history, "vertex_normal", "frame");
   ASSERT_TRUE(frame);
   ASSERT_EQ(frame->points.size(), 2u);
@@ -71,7 +71,7 @@ TEST(History, HoldsEachFigureOfEachCell) {
 
 TEST(History, IsInTheOrderOfCommitsThenOfRunsThenAsGiven) {
   const auto dated = [](const char* name, const char* date, const char* commit_date) {
-    HistoryRecord one = made(name, 5, 1500, 0.9, commit_date);
+    HistoryRecord one = record_named(name, 5, 1500, 0.9, commit_date);
     if (*date) one.record.run["date"] = date;
     return one;
   };
@@ -93,7 +93,8 @@ TEST(History, IsInTheOrderOfCommitsThenOfRunsThenAsGiven) {
 TEST(History, FindsTheStepsOfCountsAtOnceAndOfTimesOverNoise) {
   std::vector<HistoryRecord> records;
   for (int i = 0; i < 12; ++i)
-    records.push_back(made(std::string(1, static_cast<char>('a' + i)), (i < 6 ? 5 : 6) + 0.01 * (i % 3), i < 11 ? 1500 : 1600));
+    records.push_back(
+        record_named(std::string(1, static_cast<char>('a' + i)), (i < 6 ? 5 : 6) + 0.01 * (i % 3), i < 11 ? 1500 : 1600));
   const History history = make_history(records);
   const Trend* frame = trend_of(history, "vertex_normal", "frame");
   ASSERT_EQ(frame->steps.size(), 1u);
@@ -117,11 +118,13 @@ TEST(History, FindsTheStepsOfCountsAtOnceAndOfTimesOverNoise) {
 }
 
 TEST(History, SaysWhereNothingChanged) {
-  EXPECT_TRUE(has(history_table(make_history({made("a"), made("b")}), false), "no steps: nothing changed for good"));
+  EXPECT_TRUE(
+      has(history_table(make_history({record_named("a"), record_named("b")}), false), "no steps: nothing changed for good"));
 }
 
 TEST(History, KeepsFrameTimesOfMachinesApartAndSaysWhereAStepIsOfAnother) {
-  std::vector<HistoryRecord> records = {made("a"), made("b"), made("c", 9, 1700), made("d", 9, 1700)};
+  std::vector<HistoryRecord> records = {record_named("a"), record_named("b"), record_named("c", 9, 1700),
+                                        record_named("d", 9, 1700)};
   for (size_t i = 2; i < 4; ++i) records[i].record.run["machine"]["cpu"] = "Other CPU";
   const History history = make_history(records);
   ASSERT_TRUE(trend_of(history, "vertex_normal", "frame", "Example CPU"));
@@ -138,11 +141,11 @@ TEST(History, KeepsFrameTimesOfMachinesApartAndSaysWhereAStepIsOfAnother) {
 }
 
 TEST(History, TakesNoTimesOfOtherBuildsOrWithoutACertificateOrOfFailedCells) {
-  HistoryRecord debug = made("debug"), uncertified = made("uncertified"), failed = made("failed");
+  HistoryRecord debug = record_named("debug"), uncertified = record_named("uncertified"), failed = record_named("failed");
   debug.record.run["build"] = "dev";
   uncertified.record.timers.clear();
-  failed.record.cells[1]["status"] = "failed";
-  const History history = make_history({made("a"), debug, uncertified, failed, made("b")});
+  failed.record.cells[1].failed = true;
+  const History history = make_history({record_named("a"), debug, uncertified, failed, record_named("b")});
   EXPECT_EQ(trend_of(history, "vertex_normal", "frame")->points.size(), 2u);
   EXPECT_EQ(trend_of(history, "vertex_normal", "ratio to baseline")->points.size(), 2u);
   EXPECT_EQ(trend_of(history, "vertex_normal", "fetches")->points.size(), 4u);
@@ -151,10 +154,10 @@ TEST(History, TakesNoTimesOfOtherBuildsOrWithoutACertificateOrOfFailedCells) {
 }
 
 TEST(History, SaysWhatIsCutShortAndWhatDiffers) {
-  HistoryRecord cut = made("cut"), other = made("other");
+  HistoryRecord cut = record_named("cut"), other = record_named("other");
   cut.record.run["truncated"] = "line 9 is cut short";
-  for (auto& cell : other.record.cells) cell["width"] = 128;
-  const History history = make_history({made("a"), cut, other});
+  for (CellRow& cell : other.record.cells) cell.width = 128;
+  const History history = make_history({record_named("a"), cut, other});
   EXPECT_TRUE(has(notes_of(history), "cut is used as far as it goes: line 9 is cut short"));
   EXPECT_TRUE(has(notes_of(history), "heart at 128x32 in 1 of 3 records"));
   EXPECT_TRUE(has(notes_of(history), "2 of 4 cells are in one record only"));
@@ -162,10 +165,10 @@ TEST(History, SaysWhatIsCutShortAndWhatDiffers) {
 }
 
 TEST(History, ParametersMakeCellsOfTheirOwn) {
-  std::vector<HistoryRecord> records = {made("a"), made("b")};
+  std::vector<HistoryRecord> records = {record_named("a"), record_named("b")};
   for (HistoryRecord& one : records) {
-    nlohmann::json thick = one.record.cells[1];
-    thick["params"]["objects.heart.thickness"] = 9.0;
+    CellRow thick = one.record.cells[1];
+    thick.params["objects.heart.thickness"] = 9;
     one.record.cells.push_back(thick);
     one.record.cells.push_back(thick);
   }
@@ -175,10 +178,8 @@ TEST(History, ParametersMakeCellsOfTheirOwn) {
 }
 
 TEST(History, IdenticalPicturesHaveInfinitePsnr) {
-  std::vector<HistoryRecord> records = {made("a"), made("b"), made("c")};
-  auto& error = records[2].record.cells[1]["error"]["baseline"];
-  error["psnr_db"] = nullptr;
-  error["identical"] = true;
+  std::vector<HistoryRecord> records = {record_named("a"), record_named("b"), record_named("c")};
+  records[2].record.cells[1].error_covered->psnr_db = std::numeric_limits<double>::infinity();
   const History history = make_history(records);
   const Trend* psnr = trend_of(history, "vertex_normal", "PSNR");
   ASSERT_EQ(psnr->steps.size(), 1u);
@@ -188,17 +189,17 @@ TEST(History, IdenticalPicturesHaveInfinitePsnr) {
 }
 
 TEST(History, RefusesWhatHasNoTrend) {
-  EXPECT_TRUE(has(refusal({made("a")}), "two records or more"));
-  HistoryRecord other = made("other");
-  for (auto& cell : other.record.cells) cell["scene"] = "terrain";
-  EXPECT_TRUE(has(refusal({made("a"), other}), "no cell in common"));
-  HistoryRecord failed = made("failed");
-  for (auto& cell : failed.record.cells) cell["status"] = "failed";
-  EXPECT_TRUE(has(refusal({made("a"), failed}), "no figure in common"));
+  EXPECT_TRUE(has(refusal({record_named("a")}), "two records or more"));
+  HistoryRecord other = record_named("other");
+  for (CellRow& cell : other.record.cells) cell.scene = "terrain";
+  EXPECT_TRUE(has(refusal({record_named("a"), other}), "no cell in common"));
+  HistoryRecord failed = record_named("failed");
+  for (CellRow& cell : failed.record.cells) cell.failed = true;
+  EXPECT_TRUE(has(refusal({record_named("a"), failed}), "no figure in common"));
 }
 
 TEST(HistoryCsv, HasALineAPointAndQuotesWhatItMust) {
-  std::vector<HistoryRecord> records = {made("a,1"), made("b", 5, 1600)};
+  std::vector<HistoryRecord> records = {record_named("a,1"), record_named("b", 5, 1600)};
   const std::string csv = history_csv(make_history(records));
   EXPECT_TRUE(
       csv.starts_with("scene,effect,variant,backend,view,width,height,params,figure,unit,machine,record,commit,date,value,"

@@ -104,7 +104,7 @@ TEST(RatioEstimate, ItsErrorIsWhatItScattersBy) {
 
 TEST(RatioEstimate, WhatIsNoMeasurementIsRefused) {
   EXPECT_THROW(estimate_ratio(Strips{}), Error);
-  EXPECT_THROW(estimate_ratio(Strips{{1, 1}, {1, 1}}), Error) << "two tell nothing of their spread";
+  EXPECT_THROW(estimate_ratio(Strips{{1, 1}, {1, 1}}), Error) << "two are too few to estimate their spread";
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {0.0, -1.0, std::nan(""), infinity}) {
     EXPECT_THROW(estimate_ratio(Strips{{1, 1}, {1, bad}, {1, 1}}), Error) << bad;

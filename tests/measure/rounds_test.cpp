@@ -21,7 +21,7 @@ TEST(Rounds, EveryRoundRunsEveryArmOnceInShuffledOrder) {
                },
                0};
   RoundOptions options;
-  options.least_rounds = options.most_rounds = 50;
+  options.min_rounds = options.max_rounds = 50;
   const RoundsResult result = run_rounds(arms, options);
   ASSERT_EQ(calls.size(), 200u);
   size_t in_order = 0;
@@ -52,7 +52,7 @@ TEST(Rounds, SameSeedSameOrder) {
                  {}};
     RoundOptions options;
     options.seed = seed;
-    options.most_rounds = options.least_rounds = 10;
+    options.max_rounds = options.min_rounds = 10;
     run_rounds(arms, options);
     return calls;
   };
@@ -64,7 +64,7 @@ TEST(Rounds, StopsAtTheLeastNumberWhenRatiosArePrecise) {
   const std::vector<Arm> arms = {{[] { return frame({2}); }, 0}, {[] { return frame({1}); }, 0}};
   RoundOptions options;
   options.budget_s = 1000;
-  EXPECT_EQ(run_rounds(arms, options).rounds, options.least_rounds);
+  EXPECT_EQ(run_rounds(arms, options).rounds, options.min_rounds);
 }
 
 TEST(Rounds, GoesOnWhileARatioIsVague) {
@@ -72,7 +72,7 @@ TEST(Rounds, GoesOnWhileARatioIsVague) {
   const std::vector<Arm> arms = {{[] { return frame({2}); }, 0}, {[&call] { return frame({call++ % 2 ? 1.0 : 3.0}); }, 0}};
   RoundOptions options;
   options.budget_s = 1000;
-  options.most_rounds = 40;
+  options.max_rounds = 40;
   EXPECT_EQ(run_rounds(arms, options).rounds, 40u);
 }
 
@@ -81,7 +81,7 @@ TEST(Rounds, StopsAtTheBudgetButNotBeforeAnIntervalIsPossible) {
   const std::vector<Arm> arms = {{[] { return frame({2}); }, 0}, {[&call] { return frame({call++ % 2 ? 1.0 : 3.0}); }, 0}};
   RoundOptions options;
   options.budget_s = -1;
-  options.least_rounds = 1;
+  options.min_rounds = 1;
   EXPECT_EQ(run_rounds(arms, options).rounds, 6u);
 }
 

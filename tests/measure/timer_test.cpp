@@ -14,8 +14,8 @@ TEST(Timer, GoodTimerIsCertified) {
   const TimerRow row = judge_timer(Times(6, {10, 20, 40, 80}), std::vector<double>(6, 151));
   EXPECT_TRUE(row.ok) << row.reason;
   EXPECT_EQ(row.linearity, (std::vector<double>{1, 1, 1, 1}));
-  EXPECT_NEAR(row.additivity, 150.0 / 151, 1e-12);
-  EXPECT_NEAR(row.attribution, 0, 1e-12);
+  EXPECT_NEAR(*row.additivity, 150.0 / 151, 1e-12);
+  EXPECT_NEAR(*row.attribution, 0, 1e-12);
   EXPECT_EQ(row.one_ms, 10);
 }
 

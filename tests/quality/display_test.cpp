@@ -7,8 +7,6 @@
 namespace lamina {
 namespace {
 
-constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
-
 TEST(Srgb, HitsTheStandardsClosedFormPoints) {
   EXPECT_EQ(srgb_encode(0), 0);
   EXPECT_FLOAT_EQ(srgb_encode(1), 1);

@@ -7,7 +7,7 @@
 namespace lamina {
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Image linear_noise(int width, int height, uint32_t seed) {
   std::mt19937 random(seed);
@@ -46,7 +46,7 @@ TEST(MeasureError, IsPerfectForEqualPictures) {
   const Image image = linear_noise(30, 20, 1);
   const ErrorReport report = measure_error(image, image, whole(30, 20));
   for (const ErrorFigures& figures : {report.covered, report.frame}) {
-    EXPECT_EQ(figures.psnr_db, inf);
+    EXPECT_EQ(figures.psnr_db, infinite);
     EXPECT_EQ(figures.ssim, 1);
     EXPECT_EQ(figures.flip, 0);
     EXPECT_EQ(figures.rmse_linear, 0);
@@ -61,12 +61,12 @@ TEST(MeasureError, IsPerfectOverACoverFarFromTheOnlyDifference) {
   Mask covered = whole(60, 20);
   for (size_t i = 0; i < covered.on.size(); ++i) covered.on[i] = i % 60 > 10;  // beyond FLIP's radius of 10 and SSIM's of 5
   const ErrorReport report = measure_error(test, reference, covered);
-  EXPECT_EQ(report.covered.psnr_db, inf);
+  EXPECT_EQ(report.covered.psnr_db, infinite);
   EXPECT_EQ(report.covered.ssim, 1);
   EXPECT_EQ(report.covered.flip, 0);
   EXPECT_EQ(report.covered.rmse_linear, 0);
   EXPECT_EQ(report.covered.max_linear, 0);
-  EXPECT_LT(report.frame.psnr_db, inf);
+  EXPECT_LT(report.frame.psnr_db, infinite);
   EXPECT_LT(report.frame.ssim, 1);
   EXPECT_GT(report.frame.flip, 0);
   EXPECT_GT(report.frame.rmse_linear, 0);

@@ -7,8 +7,6 @@
 namespace lamina {
 namespace {
 
-constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
-
 TEST(LinearError, FollowsItsDefinitions) {
   // All differ by 0.25: the root mean square and the maximum are 0.25.
   EXPECT_EQ(rmse_linear(flat_linear(5, 3, 0.5f), flat_linear(5, 3, 0.25f)), 0.25);

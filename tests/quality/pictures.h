@@ -5,12 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 #include <random>
 
 #include "harness/core/error.h"
 #include "harness/quality/quality.h"
 
 namespace lamina {
+
+inline constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
 
 using Colour8 = std::array<int, 3>;  // r, g, b from 0 to 255
 

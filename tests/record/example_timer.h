@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "harness/measure/timer_certificate.h"
+#include "harness/record/timer_row.h"
 
 namespace lamina {
 

@@ -87,8 +87,7 @@ std::string lines(std::initializer_list<Json> all) {
 TEST_F(RecordFile, ReadsBackEveryKindExactly) {
   const Json timer = to_json(
       TimerRow{.backend = "vulkan", .ok = true, .linearity = {1, 1.1}, .additivity = 1, .attribution = 0, .reason = ""});
-  const Json plan = {{"kind", "plan"},
-                     {"effects", {{{"effect", "volume_fog"}, {"called_for", false}, {"reason", "the scene has no fog"}}}}};
+  const Json plan = to_json(PlanRow{{{.effect = "volume_fog", .reason = "the scene has no fog"}}});
   const Json phase = {{"kind", "phase"}, {"backend", "vulkan"}, {"effect", "layered_material"},
                       {"rounds", 9},     {"wall_ms", 110.5},    {"device_ms", 100.25}};
   {
@@ -99,17 +98,17 @@ TEST_F(RecordFile, ReadsBackEveryKindExactly) {
   const Record record = read_record(file_);
   EXPECT_EQ(record.run, nlohmann::json(run_line()));
   ASSERT_EQ(record.timers.size(), 1u);
-  EXPECT_EQ(record.timers[0], nlohmann::json(timer));
+  EXPECT_EQ(to_json(record.timers[0]), timer);
   ASSERT_EQ(record.plans.size(), 1u);
-  EXPECT_EQ(record.plans[0], nlohmann::json(plan));
+  EXPECT_EQ(to_json(record.plans[0]), plan);
   ASSERT_EQ(record.phases.size(), 1u);
-  EXPECT_EQ(record.phases[0], nlohmann::json(phase));
+  EXPECT_EQ(to_json(record.phases[0]), phase);
   ASSERT_EQ(record.bakes.size(), 1u);
-  EXPECT_EQ(record.bakes[0], nlohmann::json(to_json(bake_row())));
+  EXPECT_EQ(to_json(record.bakes[0]), to_json(bake_row()));
   ASSERT_EQ(record.cells.size(), 2u);
-  EXPECT_EQ(record.cells[0], nlohmann::json(cell_line()));
-  EXPECT_EQ(record.cells[1], nlohmann::json(to_json(cell_row_with_truth())));
-  EXPECT_EQ(record.cells[0]["passes"][0]["ms"][2].get<double>(), 1.0 / 3.0);
+  EXPECT_EQ(to_json(record.cells[0]).dump(), cell_line().dump());
+  EXPECT_EQ(to_json(record.cells[1]).dump(), to_json(cell_row_with_truth()).dump());
+  EXPECT_EQ(record.cells[0].passes[0].ms[2], 1.0 / 3.0);
 }
 
 TEST_F(RecordFile, EachLineIsOnDiskBeforeTheNext) {
@@ -132,7 +131,7 @@ TEST_F(RecordFile, BytesThatAreNotUtf8DoNotLoseTheLine) {
   RecordWriter writer(file_);
   writer.append(run_line());
   writer.append(to_json(cell));
-  EXPECT_EQ(read_record(file_).cells.at(0)["reason"], "driver said \xef\xbf\xbd!");
+  EXPECT_EQ(read_record(file_).cells.at(0).reason, "driver said \xef\xbf\xbd!");
 }
 
 TEST_F(RecordFile, AnUnwritableFolderThrows) {
@@ -261,6 +260,19 @@ TEST_F(RecordFile, PassesOfOneFrameWithUnequalRoundsAreRefused) {
   EXPECT_EQ(refusal(lines({run_line(), cell})).subject(), line(2));
 }
 
+// A plan needs only what each effect is called for; what its variants' passes are came later.
+TEST_F(RecordFile, APlanOfAnEarlierVersionIsRead) {
+  write(lines({run_line()}) +
+        R"({"kind":"plan","effects":[{"effect":"e","called_for":true,"reason":"r","variants":[{"variant":"v","passes":)"
+        R"([{"pass":"p","runs":false}]}]}]})"
+        "\n");
+  const PlanRow plan = read_record(file_).plans.at(0);
+  EXPECT_FALSE(plan.effects.at(0).variants.at(0).passes.at(0).runs);
+  EXPECT_TRUE(plan.effects[0].features.empty());
+  EXPECT_EQ(refusal(lines({run_line()}) + R"({"kind":"plan","effects":[{"effect":"e","called_for":true}]})" + "\n").subject(),
+            line(2));
+}
+
 TEST_F(RecordFile, FieldsToComeAreNoError) {
   Json cell = cell_line();
   cell["shade_of_a_later_version"] = {{"x", 1}};
@@ -278,7 +290,7 @@ TEST_F(RecordFile, AMissingFileIsRefusedByName) {
   }
 }
 
-Json interval() { return {{"median", 1.0}, {"low", 0.9}, {"high", 1.1}, {"rounds", 60}, {"coverage", 0.96}}; }
+Json ratio_interval() { return {{"median", 1.0}, {"low", 0.9}, {"high", 1.1}, {"rounds", 60}, {"coverage", 0.96}}; }
 Json gate_line() {
   return {{"kind", "gate"},     {"mode", "against"}, {"against", "a stored record"},
           {"verdict", "same"},  {"status", 0},       {"processes", 3},
@@ -286,12 +298,14 @@ Json gate_line() {
           {"confidence", 0.95}, {"comparisons", 12}};
 }
 Json aa_line() {
-  return {{"kind", "aa"}, {"backend", "vulkan"}, {"effect", "e"}, {"variant", "v"}, {"ratio", interval()}, {"verdict", "same"}};
+  return {{"kind", "aa"},   {"backend", "vulkan"},       {"effect", "e"},
+          {"variant", "v"}, {"ratio", ratio_interval()}, {"verdict", "same"}};
 }
 Json verdict_line() {
-  return {{"kind", "verdict"}, {"backend", "vulkan"}, {"effect", "e"},    {"variant", "v"},    {"view", ""},
-          {"what", "time"},    {"pass", ""},          {"texture", ""},    {"verdict", "same"}, {"before", 1.5},
-          {"after", nullptr},  {"ratio", interval()}, {"limit", nullptr}, {"sentence", "s"}};
+  return {{"kind", "verdict"}, {"backend", "vulkan"}, {"effect", "e"},    {"variant", "v"},
+          {"view", ""},        {"what", "time"},      {"pass", ""},       {"texture", ""},
+          {"verdict", "same"}, {"before", 1.5},       {"after", nullptr}, {"ratio", ratio_interval()},
+          {"limit", nullptr},  {"sentence", "s"}};
 }
 
 TEST_F(RecordFile, AGatesLinesAreReadAndEveryFieldOfThemIsChecked) {

@@ -62,9 +62,9 @@ TEST_F(GateLines, AreReadBackExactly) {
   ASSERT_EQ(record.gates.size(), 1u);
   ASSERT_EQ(record.aas.size(), 1u);
   ASSERT_EQ(record.verdicts.size(), 1u);
-  EXPECT_EQ(record.gates[0], nlohmann::json(gate()));
-  EXPECT_EQ(record.aas[0], nlohmann::json(aa()));
-  EXPECT_EQ(record.verdicts[0], nlohmann::json(verdict()));
+  EXPECT_EQ(to_json(record.gates[0]), gate());
+  EXPECT_EQ(to_json(record.aas[0]), aa());
+  EXPECT_EQ(to_json(record.verdicts[0]), verdict());
 }
 
 TEST_F(GateLines, WithoutAnyOneOfTheirFieldsAreRefused) {
@@ -110,7 +110,7 @@ Json pairs() {
 }
 
 TEST_F(GateLines, PairsOfTimesAreReadAndEveryFieldOfThemIsChecked) {
-  EXPECT_EQ(read({run(), pairs()}).pairs.at(0), nlohmann::json(pairs()));
+  EXPECT_EQ(to_json(read({run(), pairs()}).pairs.at(0)), pairs());
   for (const char* field : {"process", "backend", "effect", "variant", "view", "frames", "passes"}) {
     Json damaged = pairs();
     damaged.erase(field);

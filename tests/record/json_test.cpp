@@ -268,9 +268,9 @@ TEST(BakeToJson, GivesRaysASecondOnlyWhereRaysWereCast) {
   EXPECT_THROW(to_json(bake), Error);
 }
 
-TEST(PassesOf, GivesBackWhatWasWritten) {
+TEST(RowOf, GivesBackThePassesThatWereWritten) {
   const CellRow cell = good_cell();
-  const std::vector<PassRow> back = passes_of(nlohmann::json::parse(to_json(cell).dump()));
+  const std::vector<PassRow> back = row_of<CellRow>(nlohmann::json::parse(to_json(cell).dump()), "test").passes;
   ASSERT_EQ(back.size(), 3u);
   EXPECT_EQ(back[0].name, "bake");
   EXPECT_TRUE(back[0].once);

@@ -54,8 +54,8 @@ TEST_F(SweepRows, FieldNamesAreFixed) {
 }
 
 TEST_F(SweepRows, WhatIsWrittenIsReadBack) {
-  EXPECT_EQ(read(sweep_line()).sweeps.at(0), nlohmann::json(sweep_line()));
-  EXPECT_EQ(read(crossover_line()).crossovers.at(0), nlohmann::json(crossover_line()));
+  EXPECT_EQ(to_json(read(sweep_line()).sweeps.at(0)), sweep_line());
+  EXPECT_EQ(to_json(read(crossover_line()).crossovers.at(0)), crossover_line());
   CrossoverRow none;
   EXPECT_TRUE(to_json(none).at("at").is_null());
   EXPECT_TRUE(to_json(none).at("limit").is_null());

@@ -67,7 +67,7 @@ TEST(Answers, FetchesAreWeighedWhereNothingIsTimed) {
   const auto all = answers_of(example_cells(), {});
   ASSERT_EQ(all.size(), 1u);
   EXPECT_TRUE(has(all[0].words, "by fetches and SSIM")) << all[0].words;
-  EXPECT_TRUE(has(all[0].words, "not measurably dearer: vertex_normal (by light_map)")) << all[0].words;
+  EXPECT_TRUE(has(all[0].words, "not measurably more expensive: vertex_normal (by light_map)")) << all[0].words;
 }
 
 TEST(Answers, AVariantThatFailedIsNotKnown) {

@@ -8,8 +8,15 @@
 #include "harness/record/record.h"
 #include "reports/reports.h"
 #include "tests/record/example_timer.h"
+#include "tests/record/read_back.h"
 
 namespace lamina {
+
+inline size_t count_of(const std::string& text, const std::string& part) {
+  size_t count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
 
 // A cell of 100 covered pixels whose frame is one pass with these times, ms.
 inline CellRow example_cell(std::string variant, std::string view, std::vector<double> ms, std::string backend = "vulkan") {
@@ -31,6 +38,7 @@ inline CellRow example_cell(std::string variant, std::string view, std::vector<d
   pass.by_texture = {{.texture = "light_map_texture", .format = "rgba16_float", .filter = "linear", .fetches = 1300},
                      {.texture = "outer_albedo", .format = "rgba8_srgb", .filter = "trilinear", .fetches = 200}};
   cell.fetches = 1500;
+  cell.nonfinite_pixels = 0;
   cell.covered_pixels = 100;
   cell.range_linear = 0.7;
   cell.fetches_per_pixel = 15;
@@ -60,8 +68,8 @@ inline Record example_record(const std::vector<CellRow>& cells, const std::vecto
                 {"warnings", nlohmann::json::array()}};
   record.run["devices"] = nlohmann::json::array(
       {{{"backend", "vulkan"}, {"device", "llvmpipe"}, {"driver", "Mesa 22.3.6"}, {"api_version", "1.3.230"}}});
-  for (const TimerRow& timer : timers) record.timers.push_back(nlohmann::json(to_json(timer)));
-  for (const CellRow& cell : cells) record.cells.push_back(nlohmann::json(to_json(cell)));
+  record.timers = read_back(timers);
+  record.cells = read_back(cells);
   return record;
 }
 

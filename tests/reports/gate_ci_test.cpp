@@ -10,8 +10,8 @@
 #include <fstream>
 
 #include "harness/core/text.h"
-#include "reports/gate.h"
-#include "reports/xml.h"
+#include "reports/gate/gate.h"
+#include "reports/gate/xml.h"
 #include "tests/reports/example_gate.h"
 
 namespace lamina {
@@ -52,8 +52,8 @@ TEST_F(GateFiles, JunitIsValidWhateverTheGateSays) {
   REQUIRE_XMLLINT();
   Record died = example_failed_gate();
   died.gates.clear();
-  for (const Record& record : {example_failed_gate(), example_passed_gate(), died, example_gate("same", 0, {}),
-                               example_gate("ambiguous", 3, {example_verdict("ambiguous", "time", "s")})})
+  for (const Record& record : {example_failed_gate(), example_passed_gate(), died, example_gate(Verdict::same, 0, {}),
+                               example_gate(Verdict::ambiguous, 3, {example_verdict(Verdict::ambiguous, "time", "s")})})
     EXPECT_EQ(validate(gate_junit(record)), 0) << log();
 }
 
@@ -62,8 +62,9 @@ TEST_F(GateFiles, JunitIsValidWhateverTheRecordHolds) {
   Record record = example_failed_gate();
   std::string every_byte;
   for (int byte = 1; byte < 256; ++byte) every_byte += static_cast<char>(byte);
-  for (const char* field : {"sentence", "variant", "pass"}) record.verdicts[1][field] = every_byte + "]]> & <\"'>";
-  record.verdicts[2]["sentence"] = "surrogate \xed\xa0\x80, \xef\xbf\xbe, \xef\xbf\xbf, overlong \xc0\xbc, cut \xe2\x82";
+  VerdictRow& row = record.verdicts[1];
+  for (std::string* text : {&row.sentence, &row.variant, &row.pass}) *text = every_byte + "]]> & <\"'>";
+  record.verdicts[2].sentence = "surrogate \xed\xa0\x80, \xef\xbf\xbe, \xef\xbf\xbf, overlong \xc0\xbc, cut \xe2\x82";
   EXPECT_EQ(validate(gate_junit(record)), 0) << log();
 }
 
@@ -77,12 +78,6 @@ TEST_F(GateFiles, TheSchemaRefusesWhatIsNotJunit) {  // else the tests above sho
   std::string xml = gate_junit(example_failed_gate());
   xml.replace(xml.find("<failure type"), 8, "<broken ");
   EXPECT_NE(validate(xml), 0);
-}
-
-size_t count_of(const std::string& text, const std::string& part) {
-  size_t count = 0;
-  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
 }
 
 TEST(GateJunit, HasOneTestCaseAVerdictWithItsOutcome) {
@@ -112,9 +107,9 @@ TEST(GateJunit, AMissingAnswerIsAnErrorOfItsOwn) {
 }
 
 TEST(GateJunit, ARowOfABackendAloneHasAClassnameAndASubject) {
-  nlohmann::json timer = example_verdict("ambiguous", "timer", "the certificate failed");
-  timer["effect"] = timer["variant"] = "";
-  const Record record = example_gate("ambiguous", 3, {timer});
+  VerdictRow timer = example_verdict(Verdict::ambiguous, "timer", "the certificate failed");
+  timer.effect = timer.variant = "";
+  const Record record = example_gate(Verdict::ambiguous, 3, {timer});
   EXPECT_TRUE(has(gate_junit(record), "<testcase classname=\"vulkan\" name=\"timer\">"));
   EXPECT_EQ(github_annotations(record), "::warning title=ambiguous%3A timer%3A vulkan::the certificate failed\n");
 }
@@ -133,7 +128,7 @@ TEST(Xml, EscapesWhatHasAMeaningAndDropsWhatIsNotAllowed) {
 
 TEST(GithubAnnotations, AreOneLineEachWithTheirEscapes) {
   Record record = example_failed_gate();
-  record.verdicts[1]["sentence"] = "100% of a,b: c\r\nd";
+  record.verdicts[1].sentence = "100% of a,b: c\r\nd";
   EXPECT_EQ(github_annotations(record),
             "::error title=slower%3A time%3A vertex_normal on vulkan%2C pass composite::100%25 of a,b: c%0D%0Ad\n"
             "::error title=worse%3A fetches%3A vertex_normal on vulkan%2C view front%2C pass composite%2C texture "
@@ -144,7 +139,7 @@ TEST(GithubAnnotations, AreOneLineEachWithTheirEscapes) {
 
 TEST(GithubAnnotations, AreAtMostTenOfAKindAndSayHowManyMoreThereAre) {
   const auto errors = [](size_t count) {
-    return github_annotations(example_gate("slower", 1, std::vector<nlohmann::json>(count, example_slower())));
+    return github_annotations(example_gate(Verdict::slower, 1, std::vector<VerdictRow>(count, example_slower())));
   };
   EXPECT_EQ(count_of(errors(10), "::error "), 10u);
   EXPECT_FALSE(has(errors(10), "more are in"));
@@ -154,7 +149,7 @@ TEST(GithubAnnotations, AreAtMostTenOfAKindAndSayHowManyMoreThereAre) {
 
 TEST(GithubAnnotations, WarnOfAnArmThatDiffersFromItself) {
   Record record = example_passed_gate();
-  record.aas = {example_aa("faster")};
+  record.aas = {example_aa(Verdict::faster)};
   EXPECT_TRUE(has(github_annotations(record), "::warning title=A variant came out unlike itself::A/A vertex_normal on vulkan"));
 }
 
@@ -187,8 +182,9 @@ TEST_F(GateFiles, AreWrittenAloneAndWithTheOtherReports) {
   write("record.jsonl", lines);
   write_reports(folder_);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "junit.xml"));  // no gate's record
-  for (const auto& group : {record.aas, record.verdicts, record.gates})
-    for (const nlohmann::json& line : group) lines += line.dump() + "\n";
+  for (const SameArmRow& row : record.aas) lines += to_json(row).dump() + "\n";
+  for (const VerdictRow& row : record.verdicts) lines += to_json(row).dump() + "\n";
+  for (const GateRow& row : record.gates) lines += to_json(row).dump() + "\n";
   write("record.jsonl", lines);
   write_reports(folder_);
   EXPECT_EQ(read_file(folder_ / "junit.xml", "test"), gate_junit(record));

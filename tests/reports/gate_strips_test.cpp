@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The strips behind a gate's times: what belongs together, what each process says, and what tells nothing.
-#include "reports/gate_strips.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "reports/html.h"
+#include "reports/gate/strips.h"
+#include "reports/html/html.h"
 #include "tests/reports/example_gate.h"
 
 namespace lamina {
@@ -14,32 +13,22 @@ namespace {
 
 using Json = nlohmann::json;
 
+using Strips = std::vector<StripPair>;
+
 // Strips that took `ratio` times as long after as before, with nothing else between them.
-Json strips_of(double ratio, int count = 8) {
-  Json strips = Json::array();
-  for (int i = 0; i < count; ++i) strips.push_back({5 + i, (5 + i) * ratio, i % 2});
+Strips strips_of(double ratio, int count = 8) {
+  Strips strips;
+  for (int i = 0; i < count; ++i) strips.push_back({5.0 + i, (5 + i) * ratio, i % 2 == 1});
   return strips;
 }
 
-Json pairs_of(size_t process, Json after, Json again, const std::string& backend = "vulkan") {
-  const Json none = Json::array();
-  return {{"kind", "pairs"},
-          {"process", process},
-          {"backend", backend},
-          {"effect", "layered_material"},
-          {"variant", "vertex_normal"},
-          {"view", ""},
-          {"frames", {"before", "after", "again"}},
-          {"passes",
-           {{{"name", "composite"},
-             {"cut", true},
-             {"same", {false, false, false}},
-             {"ms", {none, none, none}},
-             {"strips", {none, std::move(after), std::move(again)}}}}}};
+PairsRow pairs_of(size_t process, Strips after, Strips again, const std::string& backend = "vulkan") {
+  PairedPass pass{"composite", true, {false, false, false}, {{}, {}, {}}, {{}, std::move(after), std::move(again)}};
+  return {process, backend, "layered_material", "vertex_normal", "", {"before", "after", "again"}, {std::move(pass)}};
 }
 
-Record gate_with(std::vector<Json> pairs) {
-  Record record = example_gate("slower", 1, {example_slower()});
+Record gate_with(std::vector<PairsRow> pairs) {
+  Record record = example_gate(Verdict::slower, 1, {example_slower()});
   record.pairs = std::move(pairs);
   return record;
 }
@@ -63,24 +52,25 @@ TEST(GateStrips, AreGroupedByWhatWasComparedAndHoldEveryProcess) {
 }
 
 TEST(GateStrips, HaveTheVerdictOnTheirPassAndNoOther) {
-  const std::vector<Json> pairs = {pairs_of(0, strips_of(1.1), strips_of(1)),
-                                   pairs_of(0, strips_of(1.2), strips_of(1), "osmesa")};
+  const std::vector<PairsRow> pairs = {pairs_of(0, strips_of(1.1), strips_of(1)),
+                                       pairs_of(0, strips_of(1.2), strips_of(1), "osmesa")};
   const Record record = gate_with(pairs);
   const std::vector<GateStrips> all = gate_strips(record);
   ASSERT_EQ(all.size(), 4u);
   EXPECT_EQ(all[0].verdict, &record.verdicts[0]);
   EXPECT_EQ(all[1].verdict, nullptr) << "an A/A arm";
   EXPECT_EQ(all[2].verdict, nullptr) << "another backend";
-  for (const char* field : {"effect", "variant", "view", "pass", "what"}) {
+  for (const auto field :
+       {&VerdictRow::effect, &VerdictRow::variant, &VerdictRow::view, &VerdictRow::pass, &VerdictRow::what}) {
     Record other = gate_with(pairs);
-    other.verdicts[0][field] = "another";
-    EXPECT_EQ(gate_strips(other)[0].verdict, nullptr) << field;
+    other.verdicts[0].*field = "another";
+    EXPECT_EQ(gate_strips(other)[0].verdict, nullptr);
   }
 }
 
 TEST(GateStrips, AProcessThatTellsNoRatioIsLeftOut) {
-  const Json zero = {{5, 0, 0}, {5, 5, 1}, {5, 5, 0}, {5, 5, 1}};
-  const Record record = gate_with({pairs_of(0, strips_of(1.1, 2), zero), pairs_of(1, strips_of(1.1), Json::array())});
+  const Strips zero = {{5, 0, false}, {5, 5, true}, {5, 5, false}, {5, 5, true}};
+  const Record record = gate_with({pairs_of(0, strips_of(1.1, 2), zero), pairs_of(1, strips_of(1.1), {})});
   const std::vector<GateStrips> all = gate_strips(record);
   ASSERT_EQ(all.size(), 1u);
   ASSERT_EQ(all[0].processes.size(), 1u);

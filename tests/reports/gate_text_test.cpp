@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "reports/gate.h"
-#include "reports/gate_reading.h"
+#include "reports/gate/gate.h"
+#include "reports/gate/reading.h"
 #include "tests/reports/example_gate.h"
 
 namespace lamina {
@@ -17,18 +17,19 @@ TEST(GateTable, AnswersInItsFirstLine) {
   EXPECT_EQ(first_line(gate_table(example_failed_gate(), false)),
             "gate FAILED: 6 checks: 2 regressed, 1 ambiguous, 1 not compared, 1 better, 1 the same");
   EXPECT_EQ(first_line(gate_table(example_passed_gate(), false)), "gate passed: 1 check: 1 the same");
-  EXPECT_EQ(first_line(gate_table(example_gate("ambiguous", 3, {example_verdict("ambiguous", "time", "s")}), false)),
-            "gate AMBIGUOUS: 1 check: 1 ambiguous");
+  EXPECT_EQ(
+      first_line(gate_table(example_gate(Verdict::ambiguous, 3, {example_verdict(Verdict::ambiguous, "time", "s")}), false)),
+      "gate AMBIGUOUS: 1 check: 1 ambiguous");
 }
 
 TEST(GateTable, AnAmbiguousTimeSaysWhatSettlesIt) {
-  const auto says = [](const char* verdict, int status, const char* what) {
+  const auto says = [](Verdict verdict, int status, const char* what) {
     return gate_table(example_gate(verdict, status, {example_verdict(verdict, what, "s")}), false).find("want more --budget") !=
            std::string::npos;
   };
-  EXPECT_TRUE(says("ambiguous", 3, "time"));
-  EXPECT_FALSE(says("ambiguous", 3, "timer"));
-  EXPECT_FALSE(says("slower", 1, "time"));
+  EXPECT_TRUE(says(Verdict::ambiguous, 3, "time"));
+  EXPECT_FALSE(says(Verdict::ambiguous, 3, "timer"));
+  EXPECT_FALSE(says(Verdict::slower, 1, "time"));
 }
 
 TEST(GateTable, SaysWhatRegressedWhereByHowMuchAndHowSure) {
@@ -47,8 +48,8 @@ TEST(GateTable, SaysWhatRegressedWhereByHowMuchAndHowSure) {
 }
 
 TEST(GateTable, SaysWhereNoTimesWereMeasured) {
-  Record record = example_gate("slower", 1, {example_fetches()});
-  record.gates[0]["rounds"] = record.gates[0]["processes"] = 0;
+  Record record = example_gate(Verdict::slower, 1, {example_fetches()});
+  record.gates[0].rounds = record.gates[0].processes = 0;
   const std::string table = gate_table(record, false);
   EXPECT_TRUE(has(table, "against the main branch; no times were measured, 41.2 s\n")) << table;
 }
@@ -56,7 +57,7 @@ TEST(GateTable, SaysWhereNoTimesWereMeasured) {
 TEST(GateTable, NamesTheEffectOnlyWhereThereAreSeveral) {
   Record record = example_failed_gate();
   EXPECT_FALSE(has(gate_table(record, false), "layered_material/"));
-  record.verdicts[1]["effect"] = "another";
+  record.verdicts[1].effect = "another";
   EXPECT_TRUE(has(gate_table(record, false), "another/vertex_normal"));
 }
 
@@ -68,8 +69,8 @@ TEST(GateTable, HasColoursOnlyWhereAsked) {
 
 TEST(GateTable, HoldsNoControlCharactersOfTheRecord) {
   Record record = example_failed_gate();
-  record.verdicts[1]["sentence"] = "two\nlines\x1b[2J";
-  record.verdicts[1]["variant"] = "a\tb";
+  record.verdicts[1].sentence = "two\nlines\x1b[2J";
+  record.verdicts[1].variant = "a\tb";
   const std::string table = gate_table(record, false);
   EXPECT_TRUE(has(table, "two lines [2J"));
   EXPECT_TRUE(has(table, "a b"));
@@ -78,12 +79,12 @@ TEST(GateTable, HoldsNoControlCharactersOfTheRecord) {
 TEST(GateTable, WarnsOfAnArmThatDiffersFromItselfAndOfNone) {
   Record record = example_passed_gate();
   EXPECT_FALSE(has(gate_table(record, false), "unlike itself"));
-  record.aas = {example_aa("slower")};
+  record.aas = {example_aa(Verdict::slower)};
   EXPECT_TRUE(has(gate_table(record, false), "unlike itself"));
   record.aas.clear();
   EXPECT_TRUE(has(gate_table(record, false), "no times were judged"));
-  record.verdicts.push_back(example_verdict("same", "time", "s"));
-  record.verdicts.back()["ratio"] = example_interval(1, 0.99, 1.01);
+  record.verdicts.push_back(example_verdict(Verdict::same, "time", "s"));
+  record.verdicts.back().ratio = example_interval(1, 0.99, 1.01);
   EXPECT_TRUE(has(gate_table(record, false), "no A/A arm was run"));
   EXPECT_FALSE(has(gate_table(record, false), "no times were judged"));
 }
@@ -121,15 +122,16 @@ Record cut_short() {
 
 INSTANTIATE_TEST_SUITE_P(
     Gate, NotAPass,
-    testing::Values(NoPass{"died", without_an_answer(), "did not end"}, NoPass{"cut", cut_short(), "line 9 is cut short"},
-                    NoPass{"nothing", example_gate("same", 0, {}), "nothing was compared"},
-                    NoPass{"all_left_out", example_gate("same", 0, {example_verdict("not_compared", "time", "s")}),
-                           "nothing was compared"},
-                    NoPass{"regressed", example_gate("same", 0, {example_slower()}), "yet figures regressed"},
-                    NoPass{"ambiguous", example_gate("faster", 0, {example_verdict("ambiguous", "time", "s")}),
-                           "yet figures are ambiguous"},
-                    NoPass{"slower", example_gate("slower", 0, {example_slower()}), "yet its status is 0"},
-                    NoPass{"status", example_gate("failed", 1, {example_verdict("same", "ssim", "s")}), "for no figure"}),
+    testing::Values(
+        NoPass{"died", without_an_answer(), "did not end"}, NoPass{"cut", cut_short(), "line 9 is cut short"},
+        NoPass{"nothing", example_gate(Verdict::same, 0, {}), "nothing was compared"},
+        NoPass{"all_left_out", example_gate(Verdict::same, 0, {example_verdict(Verdict::not_compared, "time", "s")}),
+               "nothing was compared"},
+        NoPass{"regressed", example_gate(Verdict::same, 0, {example_slower()}), "yet figures regressed"},
+        NoPass{"ambiguous", example_gate(Verdict::faster, 0, {example_verdict(Verdict::ambiguous, "time", "s")}),
+               "yet figures are ambiguous"},
+        NoPass{"slower", example_gate(Verdict::slower, 0, {example_slower()}), "yet its status is 0"},
+        NoPass{"status", example_gate(Verdict::failed, 1, {example_verdict(Verdict::same, "ssim", "s")}), "justifies it"}),
     [](const auto& test) { return test.param.name; });
 
 TEST(GateMarkdown, FoldsTheWholeMatrixAway) {
@@ -146,14 +148,14 @@ TEST(GateMarkdown, FoldsTheWholeMatrixAway) {
 
 TEST(GateMarkdown, EscapesWhatTheRecordHolds) {
   Record record = example_failed_gate();
-  record.verdicts[1]["sentence"] = "a|b <script> [x](y) `c` *d* #1 @someone\n# title";
+  record.verdicts[1].sentence = "a|b <script> [x](y) `c` *d* #1 @someone\n# title";
   const std::string text = gate_markdown(record);
   EXPECT_TRUE(has(text, "a\\|b &lt;script&gt; \\[x\\](y) \\`c\\` \\*d\\* \\#1 @<!-- -->someone \\# title")) << text;
 }
 
 TEST(GateMarkdown, StaysWithinACommentAndSaysWhatIsLeftOut) {
-  std::vector<nlohmann::json> verdicts(3000, example_slower());
-  const std::string text = gate_markdown(example_gate("slower", 1, verdicts));
+  std::vector<VerdictRow> verdicts(3000, example_slower());
+  const std::string text = gate_markdown(example_gate(Verdict::slower, 1, verdicts));
   EXPECT_LT(text.size(), 65536u);
   EXPECT_TRUE(has(text, "are left out here; gate.json has all"));
   EXPECT_TRUE(text.ends_with("</details>\n"));
@@ -162,9 +164,12 @@ TEST(GateMarkdown, StaysWithinACommentAndSaysWhatIsLeftOut) {
 TEST(GateJson, IsTheLinesOfTheRecord) {
   const Record record = example_failed_gate();
   const nlohmann::json whole = nlohmann::json::parse(gate_json(record));
-  EXPECT_EQ(whole.at("gate"), record.gates[0]);
-  EXPECT_EQ(whole.at("aas"), nlohmann::json(record.aas));
-  EXPECT_EQ(whole.at("verdicts"), nlohmann::json(record.verdicts));
+  EXPECT_EQ(whole.at("gate"), nlohmann::json(to_json(record.gates[0])));
+  ASSERT_EQ(whole.at("aas").size(), 1u);
+  EXPECT_EQ(whole["aas"][0], nlohmann::json(to_json(record.aas[0])));
+  ASSERT_EQ(whole.at("verdicts").size(), record.verdicts.size());
+  for (size_t i = 0; i < record.verdicts.size(); ++i)
+    EXPECT_EQ(whole["verdicts"][i], nlohmann::json(to_json(record.verdicts[i])));
   EXPECT_TRUE(nlohmann::json::parse(gate_json(without_an_answer())).at("gate").is_null());
 }
 

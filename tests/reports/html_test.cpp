@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page: safe against what a record may hold, whole, and honest about times.
-#include "reports/html.h"
+#include "reports/html/html.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/reports/example_record.h"
 
 namespace lamina {
 namespace {
-
-size_t count_of(const std::string& text, const std::string& part) {
-  size_t count = 0;
-  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
 
 TEST(HtmlReport, EscapesEveryStringOfTheRecord) {
   const std::string evil = "<script>alert(\"1\")</script>&'";
@@ -38,7 +33,7 @@ TEST(HtmlReport, EscapesEveryStringOfTheRecord) {
   record.run["settings"] = {{"difference_gain", evil}};
   record.run["warnings"] = {evil};
   record.run["devices"][0]["device"] = evil;
-  record.plans.push_back({{"kind", "plan"}, {"effects", {{{"effect", evil}, {"called_for", true}, {"reason", evil}}}}});
+  record.plans.push_back({{{.effect = evil, .called_for = true, .reason = evil}}});
 
   const std::string page = page_of(record);
   EXPECT_EQ(count_of(page, "<script>"), 0u);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/sweep/answers.h"
-#include "reports/html.h"
+#include "reports/html/html.h"
 #include "tests/reports/example_record.h"
 
 namespace lamina {
@@ -72,8 +72,9 @@ TEST(PageData, ACellHasItsPicturesItsWorstTileItsPointItsTruthAndWhyItFailed) {
 
 TEST(PageData, EachOfSeveralRecordsHasItsNumber) {
   Record record = example_record(example_cells());
-  record.sweeps = {{{"parameters", {{{"path", "scene.time"}, {"unit", "s"}, {"values", {0, 1}}}}}, {"zip", false}}};
-  record.crossovers = {{{"parameter", "scene.time"}, {"sentence", "they meet"}}};
+  record.sweeps.emplace_back().parameters = {{"scene.time", "s", {0, 1}}};
+  CrossoverRow& crossover = record.crossovers.emplace_back();
+  crossover.parameter = "scene.time", crossover.sentence = "they meet";
   const Json data = page_data({record, record});
   for (const char* list : {"rows", "cells", "passes", "sweeps", "crossovers"}) {
     const Json& all = data[list];
@@ -92,13 +93,11 @@ TEST(PageData, ACrossoverSaysWhatWasHeld) {
       CellRow cell = example_cell("vertex_normal", "front", {1});
       cell.params = {{"scene.time", time}, {"lights.key.gain", gain}};
       cell.error_covered->ssim = 1 - 0.01 * time * gain;
-      record.cells.push_back(nlohmann::json(to_json(cell)));
+      record.cells.push_back(read_back(cell));
     }
-  record.sweeps = {{{"parameters",
-                     {{{"path", "scene.time"}, {"unit", "s"}, {"values", {0, 1}}},
-                      {{"path", "lights.key.gain"}, {"unit", ""}, {"values", {2, 4}}}}},
-                    {"zip", false}}};
-  for (const CrossoverRow& row : answers(curves_of(record), {{"ssim", 0.99}})) record.crossovers.push_back(to_json(row));
+  record.sweeps.emplace_back().parameters = {{"scene.time", "s", {0, 1}}, {"lights.key.gain", "", {2, 4}}};
+  record.sweeps[0].limits = {{"ssim", 0.99}};
+  record.crossovers = answers(curves_of(record), record.sweeps[0].limits);
   std::vector<Json> of_time;
   const Json data = page_data({record});
   for (const Json& crossover : data["crossovers"])
@@ -108,7 +107,10 @@ TEST(PageData, ACrossoverSaysWhatWasHeld) {
   EXPECT_EQ(of_time[0]["at"], 0.5);
   EXPECT_EQ(of_time[1]["held"], Json({{"lights.key.gain", 4}}));
   EXPECT_EQ(of_time[1]["at"], 0.25);
-  record.crossovers[0]["sentence"] = "they meet";
+  // A record of before rows said so: what was held is found again, but not for what the curves do not say.
+  for (CrossoverRow& row : record.crossovers) row.held.clear(), row.claim.clear(), row.remark.clear();
+  EXPECT_EQ(page_data({record}), data);
+  record.crossovers[0].sentence = "they meet";
   EXPECT_EQ(page_data({record})["crossovers"][0]["held"], Json::object());
 }
 
@@ -129,7 +131,7 @@ TEST(PageData, WithoutAnyCostNoChartOffersOne) {
   EXPECT_TRUE(has(html_charts({example_record(cells)}), section));
   for (CellRow& cell : cells) cell.timed = false;
   EXPECT_TRUE(has(html_charts({example_record(cells)}), section)) << "fetches are a cost";
-  for (CellRow& cell : cells) cell.counted = false;
+  for (CellRow& cell : cells) cell.fetches.reset();
   EXPECT_FALSE(has(html_charts({example_record(cells)}), section));
 }
 

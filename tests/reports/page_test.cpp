@@ -9,9 +9,9 @@
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
-#include "reports/gate.h"
-#include "reports/gate_reading.h"
-#include "reports/html.h"
+#include "reports/gate/gate.h"
+#include "reports/gate/reading.h"
+#include "reports/html/html.h"
 #include "tests/reports/example_gate.h"
 
 namespace lamina {
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 TEST(Gate, TheAnswerComesFirstThenItsVerdictThenWhatMoved) {
   Record record = example_failed_gate();
   record.cells = example_record(example_cells()).cells;
-  record.gates[0]["against"] = "commit 1<2";
+  record.gates[0].against = "commit 1<2";
   const std::string page = page_of(record);
   const size_t answer = page.find("<strong>layered_material</strong>: worth having"),
                verdict =
@@ -69,26 +69,26 @@ TEST(Gate, PageSummaryAndCommentHoldTheSameRows) {
 }
 
 TEST(Gate, ARecordWhoseFiguresContradictItsAnswerIsNoPassOnThePage) {
-  const std::string page = page_of(example_gate("same", 0, {example_slower()}));
+  const std::string page = page_of(example_gate(Verdict::same, 0, {example_slower()}));
   EXPECT_TRUE(has(page, "Gate FAILED"));
   EXPECT_TRUE(has(page, "the gate says that all is well, yet figures regressed"));
   EXPECT_FALSE(has(page, "Gate passed"));
 }
 
 TEST(Gate, CountsHaveAllTheirDigits) {
-  nlohmann::json verdict = example_fetches();
-  verdict["before"] = 10485760, verdict["after"] = 10485761, verdict["limit"] = 10485760;
+  VerdictRow verdict = example_fetches();
+  verdict.before = 10485760, verdict.after = 10485761, verdict.limit = 10485760;
   EXPECT_EQ(before_and_after(verdict), "10485760 -> 10485761");
   EXPECT_EQ(limit_of(verdict), "10485760");
 }
 
 TEST(Gate, WhatIsKnownOfOneSideAloneSaysOfWhich) {
-  nlohmann::json verdict = example_slower();
-  verdict["before"] = nullptr;
+  VerdictRow verdict = example_slower();
+  verdict.before.reset();
   EXPECT_EQ(before_and_after(verdict), "now 11.00 ms");
-  verdict["before"] = 10, verdict["after"] = nullptr;
+  verdict.before = 10, verdict.after.reset();
   EXPECT_EQ(before_and_after(verdict), "was 10.00 ms");
-  verdict["before"] = nullptr;
+  verdict.before.reset();
   EXPECT_EQ(before_and_after(verdict), "");
 }
 
@@ -106,12 +106,11 @@ class Reports : public testing::Test {
     Record record = example_record(cells);
     record.run["commit"] = commit;
     std::ofstream lines(run / "record.jsonl");
-    lines << record.run.dump() << '\n' << record.timers[0].dump() << '\n';
-    for (const Json& cell : record.cells) {
-      lines << cell.dump() << '\n';
-      for (const char* field : {"image", "difference", "flip"})
-        if (cell[field] != "" && fs::path(cell[field].get<std::string>()).is_relative())
-          std::ofstream(run / cell[field].get<std::string>()) << "png of " + commit;
+    lines << record.run.dump() << '\n' << to_json(record.timers[0]).dump() << '\n';
+    for (const CellRow& cell : record.cells) {
+      lines << to_json(cell).dump() << '\n';
+      for (const std::string& path : {cell.image, cell.difference, cell.flip})
+        if (!path.empty() && fs::path(path).is_relative()) std::ofstream(run / path) << "png of " + commit;
     }
     return run;
   }

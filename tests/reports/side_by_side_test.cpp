@@ -2,7 +2,7 @@
 // Two records on one page: what they differ in, and each figure under its own record.
 #include <gtest/gtest.h>
 
-#include "reports/html.h"
+#include "reports/html/html.h"
 #include "tests/reports/example_record.h"
 
 namespace lamina {

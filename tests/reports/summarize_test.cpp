@@ -73,9 +73,9 @@ TEST(Summarize, FewRoundsGiveARangeThatSaysItsCoverage) {
 TEST(Summarize, FetchesAreKnownWhereThoseOfEveryViewAre) {
   std::vector<CellRow> cells = example_cells();
   EXPECT_DOUBLE_EQ(*summarize(example_record(cells))[1].fetches_per_pixel, 15);
-  cells[3].counted = false;
+  cells[3].fetches.reset();
   EXPECT_FALSE(summarize(example_record(cells))[1].fetches_per_pixel) << "one view's are not all views'";
-  cells[3].counted = true, cells[3].failed = true;
+  cells[3].fetches = 1500, cells[3].failed = true;
   EXPECT_DOUBLE_EQ(*summarize(example_record(cells))[1].fetches_per_pixel, 15) << "failed views count in failed_views alone";
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A sweep's answers in words: told once where backends agree, under the effect's name where there are several, and no more in a
 // terminal than can be read.
-#include "reports/sweep_text.h"
+#include "reports/sweep/sweep_text.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -15,17 +15,20 @@
 namespace lamina {
 namespace {
 
-nlohmann::json answer(const std::string& backend, const std::string& sentence, std::optional<double> limit = std::nullopt,
-                      const std::string& effect = "layered_material", const std::string& parameter = "scene.time") {
+CrossoverRow answer(const std::string& backend, const std::string& sentence, std::optional<double> limit = std::nullopt,
+                    const std::string& effect = "layered_material", const std::string& parameter = "scene.time") {
   CrossoverRow row;
   row.parameter = parameter, row.backend = backend, row.effect = effect, row.variant = "v", row.metric = "ssim";
   row.limit = limit, row.sentence = sentence;
-  return to_json(row);
+  const std::string place = " on " + backend;
+  if (const size_t at = sentence.rfind(place); at != std::string::npos)
+    row.claim = sentence.substr(0, at), row.remark = sentence.substr(at + place.size());
+  return row;
 }
 
-Record with_answers(std::vector<nlohmann::json> answers) {
+Record with_answers(std::vector<CrossoverRow> answers) {
   Record record = example_record(example_cells());
-  record.sweeps = {{{"parameters", nlohmann::json::array()}, {"zip", false}}};
+  record.sweeps.emplace_back();
   record.crossovers = std::move(answers);
   return record;
 }
@@ -76,7 +79,7 @@ TEST(SweepWords, TheEffectIsNamedWhereThereAreSeveral) {
 }
 
 TEST(SweepWords, ATerminalGetsLimitsFirstAndNoMoreThanFitsIt) {
-  std::vector<nlohmann::json> answers;
+  std::vector<CrossoverRow> answers;
   for (int i = 0; i < 30; ++i) {
     answers.push_back(answer("vulkan", fmt::format("a is better than b{} on vulkan", i)));
     answers.push_back(answer("vulkan", fmt::format("b{} keeps it on vulkan", i), 0.98));
@@ -86,8 +89,7 @@ TEST(SweepWords, ATerminalGetsLimitsFirstAndNoMoreThanFitsIt) {
   EXPECT_TRUE(text.starts_with("b0 keeps it on vulkan\nb1 keeps it on vulkan\n"));
   EXPECT_LT(text.find("b29 keeps it"), text.find("a is better than b0"));
   EXPECT_TRUE(text.ends_with("a is better than b8 on vulkan\n21 more answers are in out/summary.md\n")) << text;
-  for (const auto& line : answers)
-    EXPECT_TRUE(has(markdown_summary(with_answers(answers)), line.at("sentence").get<std::string>()));
+  for (const CrossoverRow& row : answers) EXPECT_TRUE(has(markdown_summary(with_answers(answers)), row.sentence));
   const std::string all = answers_terminal(with_answers({answers.begin(), answers.begin() + 40}), "out/summary.md");
   EXPECT_EQ(std::ranges::count(all, '\n'), 40);
   EXPECT_FALSE(has(all, "more answers"));

@@ -199,21 +199,14 @@ TEST(Headlines, NearAnSsimOfOnePsnrTells) {
 
 TEST(MarkdownSummary, HoldsWhatWasRunThePlanAndThePasses) {
   Record record = example_record(example_cells());
-  record.plans.push_back(
-      {{"kind", "plan"},
-       {"effects",
-        {{{"effect", "layered_material"},
-          {"called_for", true},
-          {"reason", "object 'heart' has layers"},
-          {"features", {{{"feature", "SCATTER"}, {"on", false}, {"reason", "the thickness is 0"}}}},
-          {"variants", {{{"variant", "light_map"}, {"passes", {{{"pass", "blur"}, {"runs", false}, {"reason", "unread"}}}}}}}},
-         {{"effect", "volume_fog"}, {"called_for", false}, {"reason", "the scene has no fog"}}}}});
-  record.phases.push_back({{"kind", "phase"},
-                           {"backend", "vulkan"},
-                           {"effect", "layered_material"},
-                           {"rounds", 9},
-                           {"wall_ms", 2200},
-                           {"device_ms", 2000}});
+  PlanRow::Variant variant{.variant = "light_map", .passes = {{.pass = "blur", .runs = false, .reason = "unread"}}};
+  record.plans.push_back({{{.effect = "layered_material",
+                            .called_for = true,
+                            .reason = "object 'heart' has layers",
+                            .features = {{"SCATTER", false, "the thickness is 0"}},
+                            .variants = {variant}},
+                           {.effect = "volume_fog", .reason = "the scene has no fog"}}});
+  record.phases.push_back({"vulkan", "layered_material", 9, 2200, 2000});
   const std::string markdown = markdown_summary(record);
   for (const char* part :
        {"| vertex_normal | vulkan | 5.000 \\[5.000, 5.000\\] | 0.500 \\[0.500, 0.500\\] | 15.0 | 30.0 (30.0) |",
@@ -307,8 +300,8 @@ TEST(WriteReports, LeavesThreeFilesBesideTheRecord) {
   {
     RecordWriter writer(folder / "record.jsonl");
     writer.append(record.run);
-    for (const auto* lines : {&record.timers, &record.cells})
-      for (const nlohmann::json& line : *lines) writer.append(line);
+    for (const TimerRow& timer : record.timers) writer.append(to_json(timer));
+    for (const CellRow& cell : record.cells) writer.append(to_json(cell));
   }
   write_reports(folder);
   EXPECT_EQ(read_file(folder / "summary.md", "test"), markdown_summary(record));

@@ -2,7 +2,7 @@
 // What the reports make of a truth, and of what was baked.
 #include <gtest/gtest.h>
 
-#include "reports/html.h"
+#include "reports/html/html.h"
 #include "tests/reports/example_record.h"
 
 namespace lamina {
@@ -23,12 +23,6 @@ std::vector<CellRow> cells_with_truth() {
         {.name = "aperture", .title = "one aperture", .error = figures(0.02), .image = "images/a.png"}};
   }
   return cells;
-}
-
-size_t count_of(const std::string& text, const std::string& part) {
-  size_t count = 0;
-  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
 }
 
 TEST(Truth, IsSummedUpOverViewsLikeTheBaseline) {
@@ -105,9 +99,9 @@ TEST(Bakes, AreListedUnderWhatIsDoneOnce) {
   Record record = example_record(example_cells());
   BakeRow bake = {
       .effect = "aperture_lighting", .object = "<ground>", .what = "apertures", .points = 10, .rays = 3000000, .seconds = 2};
-  record.bakes.push_back(to_json(bake));
+  record.bakes.push_back(read_back(bake));
   bake.from_cache = true, bake.seconds = 0.25;
-  record.bakes.push_back(to_json(bake));
+  record.bakes.push_back(read_back(bake));
   const std::string page = page_of(record), markdown = markdown_summary(record);
   for (const std::string& text : {page, markdown}) {
     EXPECT_TRUE(has(text, "What is done once"));

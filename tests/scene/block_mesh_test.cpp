@@ -8,7 +8,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "harness/scene/unwrap_check.h"
+#include "harness/scene/mesh/unwrap_check.h"
 #include "tests/scene/rays.h"
 
 namespace lamina {

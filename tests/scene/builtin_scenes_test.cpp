@@ -11,7 +11,7 @@
 #include "harness/scene/made/day.h"
 #include "harness/scene/made/noise.h"
 #include "harness/scene/made/two_windows.h"
-#include "harness/scene/unwrap_check.h"
+#include "harness/scene/mesh/unwrap_check.h"
 #include "tests/scene/declared.h"
 #include "tests/scene/made_files.h"
 #include "tests/scene/rays.h"

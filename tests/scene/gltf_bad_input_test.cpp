@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "harness/scene/gltf.h"
+#include "harness/scene/gltf/gltf.h"
 #include "tests/scene/made_files.h"
 
 namespace lamina {

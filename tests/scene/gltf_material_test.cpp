@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "harness/scene/gltf.h"
-#include "harness/scene/texel_density.h"
+#include "harness/scene/gltf/gltf.h"
+#include "harness/scene/mesh/texel_density.h"
 #include "tests/scene/declared.h"
 #include "tests/scene/made_files.h"
 

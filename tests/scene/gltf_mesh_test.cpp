@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "harness/scene/gltf.h"
+#include "harness/scene/gltf/gltf.h"
 #include "harness/scene/model_look.h"
 #include "tests/scene/made_files.h"
 

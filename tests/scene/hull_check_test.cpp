@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hulls made by code, each whole and with one fault put in. A mesh is its corners and the triangles over them.
-#include "harness/scene/hull_check.h"
+#include "harness/scene/mesh/hull_check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "harness/scene/seen_alpha.h"
+#include "harness/scene/mesh/seen_alpha.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "harness/scene/split_overlaps.h"
+#include "harness/scene/mesh/split_overlaps.h"
 
 #include <gtest/gtest.h>
 
-#include "harness/scene/unwrap_check.h"
+#include "harness/scene/mesh/unwrap_check.h"
 #include "tests/builtin_library.h"
 
 namespace lamina {
@@ -57,7 +57,7 @@ TEST(SplitOverlaps, KeepsTogetherWhatIsBeyondTheMostParts) {
   Mesh mesh;
   for (int i = 0; i < 12; ++i) add_square(mesh, {0, 0}, 0.5f, float(i));
   const std::vector<Mesh> parts = split_overlaps(mesh);
-  ASSERT_EQ(parts.size(), most_parts);
+  ASSERT_EQ(parts.size(), max_parts);
   EXPECT_EQ(parts.back().vertices.size(), 4u * 5);
 }
 

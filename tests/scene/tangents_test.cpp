@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "harness/scene/tangents.h"
+#include "harness/scene/mesh/tangents.h"
 
 #include <gtest/gtest.h>
 

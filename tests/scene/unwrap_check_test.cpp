@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "harness/scene/unwrap_check.h"
+#include "harness/scene/mesh/unwrap_check.h"
 
 #include <gtest/gtest.h>
 

@@ -13,8 +13,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr Api both_apis[] = {Api::vulkan, Api::opengl};
-
 constexpr std::string_view three_taps = R"(
 layout(binding = 4) uniform sampler2D a;
 layout(binding = 1) uniform sampler2D b;

@@ -6,8 +6,6 @@
 namespace lamina {
 namespace {
 
-constexpr Api both_apis[] = {Api::vulkan, Api::opengl};
-
 class Reflect : public ShaderFiles {};
 
 TEST_F(Reflect, NamesKindsAndBindingsInOrder) {

@@ -13,6 +13,8 @@
 
 namespace lamina {
 
+inline constexpr Api both_apis[] = {Api::vulkan, Api::opengl};
+
 class ShaderFiles : public ::testing::Test {
  protected:
   ShaderFiles() {

@@ -116,7 +116,7 @@ TEST_P(FunctionsOn, AFamilyIsDataAndAnOracle) {
 }
 
 TEST_P(FunctionsOn, InputsOfAnyNumberReachTheFunctionInTheirOrder) {
-  for (size_t inputs = 1; inputs <= most_inputs; ++inputs) {
+  for (size_t inputs = 1; inputs <= max_inputs; ++inputs) {
     std::string parameters, sum;
     for (size_t i = 0; i < inputs; ++i) {
       parameters += (i > 0 ? ", float x" : "float x") + std::to_string(i);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/record/record.h"
-#include "harness/record/sweep_rows.h"
+#include "tests/record/read_back.h"
 
 namespace lamina {
 
@@ -69,8 +69,8 @@ inline SweepRow sweep_row(std::vector<double> x, size_t index = 0, size_t count 
 inline Record sweep_record(const std::vector<double>& x, const std::vector<CellRow>& cells) {
   Record record;
   record.run = sweep_run_line();
-  record.sweeps = {nlohmann::json(to_json(sweep_row(x)))};
-  for (const CellRow& cell : cells) record.cells.push_back(nlohmann::json(to_json(cell)));
+  record.sweeps = {sweep_row(x)};
+  record.cells = read_back(cells);
   return record;
 }
 

@@ -37,7 +37,7 @@ class SweepRecordTest : public testing::Test {
     return text;
   }
   std::optional<Earlier> take_up(const std::filesystem::path& file, const Json& run = sweep_run_line()) {
-    const Json sweep = to_json(sweep_row(x_));
+    const SweepRow sweep = sweep_row(x_);
     return continue_record(file, run, sweep, points_of(sweep));
   }
 
@@ -107,8 +107,7 @@ TEST_F(SweepRecordTest, OtherLimitsAreTakenOver) {
   const auto file = write("record.jsonl", text);
   SweepRow row = sweep_row(x_);
   row.limits = {{"flip", 0.125}};
-  const Json sweep = to_json(row);
-  const auto earlier = continue_record(file, sweep_run_line(), sweep, points_of(sweep));
+  const auto earlier = continue_record(file, sweep_run_line(), row, points_of(row));
   ASSERT_TRUE(earlier);
   EXPECT_EQ(earlier->cells.size(), 8u);
   const size_t second = text.find('\n') + 1, third = text.find('\n', second) + 1;

@@ -6,9 +6,9 @@
 // and f one of 1, t, t^2, t^3, w, t w, where w = sqrt(t (1 - t)). It is 0 where the caps are apart and 1 where one holds the
 // other, whatever P is.
 //
-// From all terms up to given powers those are dropped, one by one, that are missed least; then terms are exchanged for dropped
-// ones while that helps. Coefficients for the least maximal error: least squares, again and again, each point's weight times
-// its error (Lawson, "Contributions to the Theory of Linear Least Maximum Approximations", 1961).
+// It starts with all terms up to given powers and drops, one by one, the term whose loss costs least. Then it exchanges terms
+// for dropped ones while that helps. Coefficients have the least maximum error: repeated least squares, where each point's
+// weight is multiplied by its error (Lawson, "Contributions to the Theory of Linear Least Maximum Approximations", 1961).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ struct Fit {
   double error = INFINITY;  // the greatest
 };
 
-// The sum of coefficients times columns that is nearest to `target` where it is farthest.
+// The coefficients whose weighted sum of columns has the least maximum distance from `target`.
 Fit fit(const std::vector<const std::vector<double>*>& columns, const std::vector<double>& target, int passes) {
   const int terms = static_cast<int>(columns.size());
   std::vector<double> weights(target.size(), 1), errors(target.size());

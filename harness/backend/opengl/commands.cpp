@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/backend/opengl/commands.h"
 
-#include <chrono>
+#include "harness/core/stopwatch.h"
 
 namespace lamina::gl {
 namespace {
@@ -20,7 +20,7 @@ class DebugGroup {
 
 // Clears obey the scissor. What is discarded is discarded everywhere, so an area keeps it instead.
 void load_attachments(const PreparedPass& prepared) {
-  const GLuint framebuffer = prepared.target.name;
+  const GLuint framebuffer = prepared.framebuffer;
   const bool whole = !prepared.pass->area;
   for (size_t i = 0; i < prepared.colors.size(); ++i) {
     const PreparedAttachment& color = prepared.colors[i];
@@ -84,8 +84,8 @@ void execute(const PreparedPass& prepared, const SampleCounts& samples, size_t i
     glCopyImageSubData(copy.from, GL_TEXTURE_2D, 0, 0, 0, 0, copy.to, GL_TEXTURE_2D, 0, 0, 0, 0, copy.width, copy.height, 1);
   }
   if (kind == PassKind::raster) {
-    glBindFramebuffer(GL_FRAMEBUFFER, prepared.target.name);
-    glViewport(0, 0, static_cast<GLsizei>(prepared.target.width), static_cast<GLsizei>(prepared.target.height));
+    glBindFramebuffer(GL_FRAMEBUFFER, prepared.framebuffer);
+    glViewport(0, 0, static_cast<GLsizei>(prepared.size.width), static_cast<GLsizei>(prepared.size.height));
     if (const std::optional<Area>& area = prepared.pass->area) {
       glEnable(GL_SCISSOR_TEST);
       glScissor(static_cast<GLint>(area->x), static_cast<GLint>(area->y), static_cast<GLsizei>(area->width),
@@ -120,8 +120,7 @@ RunTimes run_passes(Resources& resources, PassTimer& timer, SampleCounts& sample
   const auto longest_name = static_cast<size_t>(message_limit - 1);
   glFinish();
 
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
+  const Stopwatch watch;
   for (size_t i = 0; i < passes.size(); ++i) {
     const DebugGroup group(passes[i].name, longest_name);
     if (timed) timer.begin(i);
@@ -132,7 +131,7 @@ RunTimes run_passes(Resources& resources, PassTimer& timer, SampleCounts& sample
   glFinish();
 
   RunTimes times;
-  times.wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  times.wall_ms = watch.elapsed_ms();
   throw_on_error(passes.size() == 1 ? passes[0].name : fmt::format("a frame of {} passes", passes.size()));
   if (timed) times.pass_ms = timer.read_ms(passes.size());
   times.samples = samples.read(passes);

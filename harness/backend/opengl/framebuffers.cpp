@@ -10,7 +10,7 @@ FramebufferObject make_framebuffer(const Pass& pass, Table<TextureId, Texture>& 
   FramebufferObject framebuffer(name);
   label(GL_FRAMEBUFFER, name, pass.name);
   const auto attach = [&](GLenum point, const Attachment& to) {
-    glNamedFramebufferTexture(name, point, textures.at(to.texture).object.name(), static_cast<GLint>(to.level));
+    glNamedFramebufferTexture(name, point, textures.at(to.texture, pass.name).object.name(), static_cast<GLint>(to.level));
   };
   std::vector<GLenum> draw_buffers;
   for (const Attachment& color : pass.colors) {
@@ -29,30 +29,14 @@ FramebufferObject make_framebuffer(const Pass& pass, Table<TextureId, Texture>& 
 
 }  // namespace
 
-Framebuffers::Target Framebuffers::of(const Pass& pass, Table<TextureId, Texture>& textures) {
+GLuint Framebuffers::of(const Pass& pass, Table<TextureId, Texture>& textures) {
   Key key;
   for (const Attachment& color : pass.colors) key.attachments.emplace_back(color.texture, color.level);
   if (pass.depth) key.attachments.emplace_back(pass.depth->texture, pass.depth->level);
   key.depth = pass.depth.has_value();
-  if (key.attachments.empty()) throw_bad_input(pass.name, "a raster pass needs a colour or depth target");
-
-  Target target;
-  for (const auto& [id, level] : key.attachments) {
-    const Texture& texture = textures.at(id);
-    if (level >= texture.desc.levels)
-      throw_bad_input(pass.name, fmt::format("texture '{}' has no level {}", texture.desc.name, level));
-    const uint32_t width = level_width(texture.desc, level), height = level_height(texture.desc, level);
-    if (target.width != 0 && (target.width != width || target.height != height))
-      throw_bad_input(pass.name, fmt::format("texture '{}' is {} x {} pixels, others are {} x {}", texture.desc.name, width,
-                                             height, target.width, target.height));
-    target.width = width;
-    target.height = height;
-  }
-
   auto found = framebuffers_.find(key);
   if (found == framebuffers_.end()) found = framebuffers_.emplace(std::move(key), make_framebuffer(pass, textures)).first;
-  target.name = found->second.name();
-  return target;
+  return found->second.name();
 }
 
 void Framebuffers::forget(TextureId texture) {

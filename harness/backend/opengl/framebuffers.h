@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "harness/backend/common/table.h"
 #include "harness/backend/opengl/resources.h"
 
 namespace lamina::gl {
@@ -14,13 +15,8 @@ namespace lamina::gl {
 // One framebuffer for each set of attachments that was ever drawn to, until one of its textures goes.
 class Framebuffers {
  public:
-  struct Target {
-    GLuint name = 0;
-    uint32_t width = 0, height = 0;  // pixels
-  };
-  // Throws Error(bad_input) about the pass where it has no attachments or their sizes differ, Error(failed) where the driver
-  // finds the set incomplete.
-  Target of(const Pass& pass, Table<TextureId, Texture>& textures);
+  // Of a pass that check_targets() lets through. Throws Error(failed) where the driver finds the set incomplete.
+  GLuint of(const Pass& pass, Table<TextureId, Texture>& textures);
   void forget(TextureId texture);
 
  private:

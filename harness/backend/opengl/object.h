@@ -6,7 +6,6 @@
 
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 
 #include "harness/core/error.h"
@@ -58,34 +57,6 @@ using VertexArrayObject = Object<destroy_vertex_array>;
 using QueryObject = Object<destroy_query>;
 using ShaderObject = Object<destroy_shader>;
 using ProgramObject = Object<destroy_program>;
-
-// What an id of the backend's interface stands for. Ids are never used twice, so one that outlives its object is found out.
-template <class Id, class T>
-class Table {
- public:
-  // `kind` is "texture", "buffer" or "pipeline", for messages.
-  explicit Table(std::string_view kind) : kind_(kind) {}
-  Id add(T item) {
-    items_.emplace(next_, std::move(item));
-    return Id{next_++};
-  }
-  // Throws Error(failed) for an id that is not, or no longer, in the table.
-  T& at(Id id) {
-    const auto found = items_.find(id.value);
-    if (found == items_.end())
-      throw_failed(fmt::format("{} {}", kind_, id ? std::to_string(id.value) : "none"), "does not exist, or was destroyed");
-    return found->second;
-  }
-  void remove(Id id) {
-    at(id);
-    items_.erase(id.value);
-  }
-
- private:
-  std::string_view kind_;
-  std::unordered_map<uint32_t, T> items_;
-  uint32_t next_ = 0;
-};
 
 // Names an object for debuggers and for the driver's messages.
 inline void label(GLenum kind, GLuint name, std::string_view text) {

@@ -2,10 +2,9 @@
 #include "harness/backend/opengl/opengl_backend.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <utility>
 
+#include "harness/backend/common/choose_device.h"
 #include "harness/backend/opengl/commands.h"
 #include "harness/backend/opengl/debug_log.h"
 #include "harness/backend/opengl/device.h"
@@ -51,17 +50,21 @@ class OpenGlBackend : public Backend {
 
   void destroy(TextureId id) override {
     resources_.framebuffers.forget(id);
-    resources_.textures.remove(id);
+    resources_.textures.erase(id);
   }
-  void destroy(BufferId id) override { resources_.buffers.remove(id); }
-  void destroy(PipelineId id) override { resources_.pipelines.remove(id); }
+  void destroy(BufferId id) override { resources_.buffers.erase(id); }
+  void destroy(PipelineId id) override { resources_.pipelines.erase(id); }
 
-  void write_buffer(BufferId id, std::span<const std::byte> data) override { write(resources_.buffers.at(id), data); }
+  void write_buffer(BufferId id, std::span<const std::byte> data) override {
+    write(resources_.buffers.at(id, "write_buffer"), data);
+  }
   RunTimes run(std::span<const Pass> passes, Timing timing) override {
     return run_passes(resources_, timer_, samples_, passes, timing);
   }
-  std::vector<std::byte> read_texture(TextureId id, uint32_t level) override { return read(resources_.textures.at(id), level); }
-  std::vector<std::byte> read_buffer(BufferId id) override { return read(resources_.buffers.at(id)); }
+  std::vector<std::byte> read_texture(TextureId id, uint32_t level) override {
+    return read(resources_.textures.at(id, "read_texture"), level);
+  }
+  std::vector<std::byte> read_buffer(BufferId id) override { return read(resources_.buffers.at(id, "read_buffer")); }
   std::vector<std::string> take_messages() override { return debug_log_.take(); }
 
   // Another context takes this thread for a while; resume() undoes it.
@@ -83,14 +86,10 @@ class OpenGlBackend : public Backend {
   SampleCounts samples_;
 };
 
-bool contains_ignoring_case(std::string_view text, std::string_view part) {
-  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
-  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
-}
-
-// The devices of a platform: those that can be opened, each with its index among all, and why the others cannot.
+// The devices of a platform: those that can be opened, with their indices among all, and why the others cannot.
 struct Survey {
-  std::vector<std::pair<size_t, DeviceInfo>> usable;
+  std::vector<size_t> indices;
+  std::vector<DeviceInfo> usable;
   std::string refusals;
 };
 
@@ -98,7 +97,8 @@ Survey survey(std::string_view backend) {
   Survey found;
   for (size_t i = 0; i < platform_of(backend).device_count(); ++i) {
     try {
-      found.usable.emplace_back(i, open_device(backend, i, false).info);
+      found.usable.push_back(open_device(backend, i, false).info);
+      found.indices.push_back(i);
     } catch (const Error& error) {
       found.refusals += fmt::format("{}: {}; ", error.subject(), error.message());
     }
@@ -106,25 +106,14 @@ Survey survey(std::string_view backend) {
   return found;
 }
 
-// The index among all devices of the one that is meant: by its index in list_devices(), or the first with `wanted` in its name;
-// by default the first on the CPU, whose pictures do not depend on the machine, and else the first.
+// The index among all devices of the one that choose_device() names.
 size_t choose(std::string_view backend, std::string_view wanted) {
-  const auto [devices, refusals] = survey(backend);
-  if (devices.empty())
+  const auto [indices, usable, refusals] = survey(backend);
+  if (usable.empty())
     throw Error(ErrorKind::no_device, std::string(backend), "OpenGL 4.5 core with GL_ARB_gl_spirv",
                 fmt::format("no device offers it: {}{}", refusals.empty() ? "the platform names none; " : refusals,
                             platform_of(backend).remedy));
-  size_t index = 0;
-  const char* end = wanted.data() + wanted.size();
-  const auto parsed = std::from_chars(wanted.data(), end, index);
-  if (!wanted.empty() && parsed.ec == std::errc() && parsed.ptr == end && index < devices.size()) return devices[index].first;
-  for (const auto& [device, info] : devices)
-    if (wanted.empty() ? info.software : contains_ignoring_case(info.device, wanted)) return device;
-  if (wanted.empty()) return devices.front().first;
-  std::string names;
-  for (size_t i = 0; i < devices.size(); ++i) names += fmt::format("{}{}: {}", i > 0 ? ", " : "", i, devices[i].second.device);
-  throw Error(ErrorKind::no_device, std::string(backend), std::string(wanted),
-              fmt::format("no device has this index or this in its name; there is {}", names));
+  return indices[choose_device(backend, usable, wanted)];
 }
 
 }  // namespace
@@ -139,10 +128,8 @@ std::unique_ptr<Backend> open_opengl(std::string_view backend, const BackendOpti
 }
 
 std::vector<DeviceInfo> list_opengl_devices(std::string_view backend) {
-  std::vector<DeviceInfo> devices;
   if (OpenGlBackend::alive) OpenGlBackend::alive->suspend();
-  Survey found = survey(backend);
-  for (auto& [index, info] : found.usable) devices.push_back(std::move(info));
+  std::vector<DeviceInfo> devices = survey(backend).usable;
   if (OpenGlBackend::alive) OpenGlBackend::alive->resume();
   return devices;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "harness/backend/common/checks.h"
 #include "harness/backend/opengl/spirv_interface.h"
 
 namespace lamina::gl {
@@ -33,16 +34,6 @@ std::string info_log(GLuint name, Get get, GetLog get_log) {
   if (length > 0) get_log(name, length, &length, log.data());
   log.resize(static_cast<size_t>(std::max(length, 0)));
   return log.empty() ? "the driver gives no reason" : log;
-}
-
-void check(const PipelineDesc& desc) {
-  const auto has = [&](Stage stage) {
-    return std::any_of(desc.stages.begin(), desc.stages.end(), [&](const ShaderStage& s) { return s.stage == stage; });
-  };
-  if (!is_compute(desc) && !(desc.stages.size() == 2 && has(Stage::vertex) && has(Stage::fragment)))
-    throw_bad_input(desc.name, "a pipeline has a vertex and a fragment stage, or a compute stage alone");
-  if (desc.depth != Depth::none && !desc.depth_format) throw_bad_input(desc.name, "it tests depth and has no depth format");
-  check_blends(desc);
 }
 
 ShaderObject make_shader(const PipelineDesc& desc, const ShaderStage& stage, const std::map<uint32_t, uint32_t>& units) {
@@ -95,9 +86,6 @@ VertexArrayObject make_vertex_array(const PipelineDesc& desc) {
   VertexArrayObject array(name);
   label(GL_VERTEX_ARRAY, name, desc.name);
   for (uint32_t location : desc.vertex_locations) {
-    if (location >= components.size())
-      throw_bad_input(desc.name, fmt::format("the mesh has no vertex attribute at location {}; its locations are 0 to {}",
-                                             location, components.size() - 1));
     glEnableVertexArrayAttrib(name, location);
     glVertexArrayAttribFormat(name, location, components[location], GL_FLOAT, GL_FALSE, vertex_offset_bytes[location]);
     glVertexArrayAttribBinding(name, location, 0);
@@ -140,7 +128,7 @@ GLenum gl_compare(DepthTest test) {
 }  // namespace
 
 Pipeline make_pipeline(const PipelineDesc& desc) {
-  check(desc);
+  check_pipeline(desc);
   // Bindings are unique across kinds, while OpenGL counts each kind on its own, and some by very few (8 image units on NVIDIA):
   // so each kind gets units of its own from 0 on.
   std::array<GLuint, 4> next = {};

@@ -21,8 +21,6 @@ struct Pipeline {
   PipelineDesc desc;  // without the shaders' words
 };
 
-inline bool is_compute(const PipelineDesc& desc) { return desc.stages.size() == 1 && desc.stages[0].stage == Stage::compute; }
-
 // As Backend::create_pipeline says.
 Pipeline make_pipeline(const PipelineDesc& desc);
 

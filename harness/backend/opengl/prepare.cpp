@@ -8,24 +8,13 @@
 namespace lamina::gl {
 namespace {
 
-// The entry of `given` for a slot of the pipeline: what an earlier draw has left bound must never stand in for it.
-template <class Binding>
-const Binding& at_slot(const std::vector<Binding>& given, const BindingSlot& slot, const Pipeline& pipeline) {
-  const auto found = std::find_if(given.begin(), given.end(), [&](const Binding& b) { return b.binding == slot.binding; });
-  if (found == given.end()) throw_bad_input(pipeline.desc.name, fmt::format("a draw leaves binding {} empty", slot.binding));
-  return *found;
-}
-
 BoundResource resolve(Resources& resources, const Draw& draw, const Pipeline& pipeline, const Pipeline::Slot& at) {
   BoundResource bound{.kind = at.slot.kind, .unit = at.unit};
   switch (at.slot.kind) {
     case BindingKind::texture: {
-      const TextureBinding& given = at_slot(draw.textures, at.slot, pipeline);
-      Texture& texture = resources.textures.at(given.texture);
-      if (is_3d(texture.desc) != (at.slot.dimensions == 3))
-        throw_bad_input(pipeline.desc.name,
-                        fmt::format("binding {} is a sampler{}D, '{}' is a {} texture; give it one of the other kind",
-                                    at.slot.binding, at.slot.dimensions, texture.desc.name, is_3d(texture.desc) ? "3D" : "2D"));
+      const TextureBinding& given = binding_at(at.slot, draw.textures, pipeline.desc);
+      Texture& texture = resources.textures.at(given.texture, pipeline.desc.name);
+      check_dimensions(pipeline.desc, at.slot, texture.desc);
       // An integer texture under a linear sampler is incomplete, even to a shader that only fetches texels.
       const Sampler fetch{Filter::nearest, given.sampler.wrap};
       bound.name = given.level ? level_view(texture, *given.level) : texture.object.name();
@@ -34,11 +23,12 @@ BoundResource resolve(Resources& resources, const Draw& draw, const Pipeline& pi
     }
     case BindingKind::uniform_buffer:
     case BindingKind::storage_buffer:
-      bound.name = resources.buffers.at(at_slot(draw.buffers, at.slot, pipeline).buffer).object.name();
+      bound.name =
+          resources.buffers.at(binding_at(at.slot, draw.buffers, pipeline.desc).buffer, pipeline.desc.name).object.name();
       break;
     case BindingKind::storage_image: {
-      const ImageBinding& given = at_slot(draw.images, at.slot, pipeline);
-      const Texture& texture = resources.textures.at(given.texture);
+      const ImageBinding& given = binding_at(at.slot, draw.images, pipeline.desc);
+      const Texture& texture = resources.textures.at(given.texture, pipeline.desc.name);
       bound.name = texture.object.name();
       bound.level = static_cast<GLint>(given.level);
       bound.format = gl_format(texture.desc.format).internal;
@@ -48,55 +38,42 @@ BoundResource resolve(Resources& resources, const Draw& draw, const Pipeline& pi
   return bound;
 }
 
-void check_targets(Resources& resources, const Pass& pass, const Pipeline& pipeline) {
-  std::vector<Format> colors;
-  for (const Attachment& color : pass.colors) colors.push_back(resources.textures.at(color.texture).desc.format);
-  std::optional<Format> depth;
-  if (pass.depth) depth = resources.textures.at(pass.depth->texture).desc.format;
-  if (colors != pipeline.desc.colors || depth != pipeline.desc.depth_format)
-    throw_bad_input(pass.name,
-                    fmt::format("pipeline '{}' was made for other target formats than the pass has", pipeline.desc.name));
-}
-
-PreparedDraw prepare(Resources& resources, const Pass& pass, const Draw& draw) {
-  const Pipeline& pipeline = resources.pipelines.at(draw.pipeline);
-  const bool compute = is_compute(pipeline.desc);
-  if (compute != (pass.kind == PassKind::compute))
-    throw_bad_input(pass.name, fmt::format("pipeline '{}' is {}, the pass is not", pipeline.desc.name,
-                                           compute ? "for compute" : "for drawing"));
-  if (!compute) check_targets(resources, pass, pipeline);
+PreparedDraw prepare(Resources& resources, const Pass& pass, const Draw& draw, const FindTexture& find_texture) {
+  const Pipeline& pipeline = resources.pipelines.at(draw.pipeline, pass.name);
+  check_draw(pass, pipeline.desc, find_texture);
 
   PreparedDraw prepared{.pipeline = &pipeline, .draw = &draw};
   for (const Pipeline::Slot& slot : pipeline.slots) prepared.bound.push_back(resolve(resources, draw, pipeline, slot));
   if (!pipeline.desc.vertex_locations.empty()) {
     if (!draw.vertices)
       throw_bad_input(pass.name, fmt::format("pipeline '{}' draws without a vertex buffer", pipeline.desc.name));
-    prepared.vertices = resources.buffers.at(draw.vertices).object.name();
+    prepared.vertices = resources.buffers.at(draw.vertices, pass.name).object.name();
   }
-  if (draw.indices) prepared.indices = resources.buffers.at(draw.indices).object.name();
+  if (draw.indices) prepared.indices = resources.buffers.at(draw.indices, pass.name).object.name();
   return prepared;
 }
 
 PreparedPass prepare(Resources& resources, const Pass& pass) {
+  const FindTexture find_texture = [&](TextureId id) -> const TextureDesc& {
+    return resources.textures.at(id, pass.name).desc;
+  };
   PreparedPass prepared{.pass = &pass};
-  if (pass.kind == PassKind::mips) prepared.mips_of = resources.textures.at(pass.mips_of).object.name();
+  if (pass.kind == PassKind::mips) prepared.mips_of = resources.textures.at(pass.mips_of, pass.name).object.name();
   if (pass.kind == PassKind::copy) {
-    const Texture& from = resources.textures.at(pass.copy_from);
-    const Texture& to = resources.textures.at(pass.copy_to);
+    const Texture& from = resources.textures.at(pass.copy_from, pass.name);
+    const Texture& to = resources.textures.at(pass.copy_to, pass.name);
     check_copy(pass, from.desc, to.desc);
     prepared.copy = {from.object.name(), to.object.name(), static_cast<GLsizei>(from.desc.width),
                      static_cast<GLsizei>(from.desc.height)};
   }
   if (pass.kind == PassKind::raster) {
-    prepared.target = resources.framebuffers.of(pass, resources.textures);
-    check_levels(pass);
-    check_area(pass, prepared.target.width, prepared.target.height);
+    prepared.size = check_targets(pass, find_texture);
+    prepared.framebuffer = resources.framebuffers.of(pass, resources.textures);
   }
   for (const Attachment& color : pass.colors)
-    prepared.colors.push_back({.load = color.load,
-                               .clear = color.clear,
-                               .integer = resources.textures.at(color.texture).desc.format == Format::r32_uint});
-  for (const Draw& draw : pass.draws) prepared.draws.push_back(prepare(resources, pass, draw));
+    prepared.colors.push_back(
+        {.load = color.load, .clear = color.clear, .integer = find_texture(color.texture).format == Format::r32_uint});
+  for (const Draw& draw : pass.draws) prepared.draws.push_back(prepare(resources, pass, draw, find_texture));
   return prepared;
 }
 

@@ -46,15 +46,16 @@ struct PreparedCopy {
 };
 struct PreparedPass {
   const Pass* pass = nullptr;
-  Framebuffers::Target target;  // raster
+  GLuint framebuffer = 0;  // of a raster pass, and its size
+  Extent size;
   std::vector<PreparedAttachment> colors;
   std::vector<PreparedDraw> draws;
   GLuint mips_of = 0;
   PreparedCopy copy;
 };
 
-// Throws Error(bad_input) about the pass, or the pipeline, where they do not fit together; Error(failed) for handles that are
-// gone. The result points into `resources` and `passes`.
+// Throws Error(bad_input) about the pass, or the pipeline, where they do not fit together. The result points into `resources`
+// and `passes`.
 std::vector<PreparedPass> prepare(Resources& resources, std::span<const Pass> passes);
 
 }  // namespace lamina::gl

@@ -6,39 +6,16 @@
 namespace lamina::gl {
 namespace {
 
-void check_3d(const TextureDesc& desc) {
+uint32_t most_texels_3d() {
   GLint most = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &most);
-  if (desc.depth == 0 || std::max({desc.width, desc.height, desc.depth}) > static_cast<uint32_t>(most))
-    throw_bad_input(desc.name, fmt::format("{} x {} x {} texels; the device takes 1 to {} on a side of a 3D texture",
-                                           desc.width, desc.height, desc.depth, most));
-  if (desc.levels != 1 || desc.target || desc.storage || desc.format == Format::r32_uint || desc.format == Format::d32_float)
-    throw_bad_input(
-        desc.name,
-        "a 3D texture is sampled only: it has one level, is no target, no storage image, and holds no integers or depths");
-}
-
-void check(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels, uint32_t max_size) {
-  if (desc.width == 0 || desc.height == 0 || desc.width > max_size || desc.height > max_size)
-    throw_bad_input(desc.name,
-                    fmt::format("{} x {} pixels; the device takes 1 to {} on a side", desc.width, desc.height, max_size));
-  if (desc.depth != 1) check_3d(desc);
-  const uint32_t most = full_mip_levels(desc.width, desc.height);
-  if (desc.levels == 0 || desc.levels > most)
-    throw_bad_input(desc.name,
-                    fmt::format("{} levels; {} x {} pixels have 1 to {}", desc.levels, desc.width, desc.height, most));
-  if (levels.size() > desc.levels)
-    throw_bad_input(desc.name, fmt::format("texels for {} levels, but it has {}", levels.size(), desc.levels));
-  for (uint32_t level = 0; level < levels.size(); ++level)
-    if (levels[level].size() != level_bytes(desc, level))
-      throw_bad_input(desc.name, fmt::format("level {} needs {} bytes of {}, not {}", level, level_bytes(desc, level),
-                                             name_of(desc.format), levels[level].size()));
+  return static_cast<uint32_t>(most);
 }
 
 }  // namespace
 
 Texture make_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels, uint32_t max_size) {
-  check(desc, levels, max_size);
+  check_texture(desc, levels, max_size, most_texels_3d());
   const GlFormat format = gl_format(desc.format);
   GLuint name = 0;
   glCreateTextures(is_3d(desc) ? GL_TEXTURE_3D : GL_TEXTURE_2D, 1, &name);
@@ -53,9 +30,11 @@ Texture make_texture(const TextureDesc& desc, std::span<const std::vector<std::b
   throw_on_error(desc.name);  // before the upload: there may be no room
   if (is_3d(desc) && !levels.empty())
     glTextureSubImage3D(name, 0, 0, 0, 0, width, height, depth, format.layout, format.type, levels[0].data());
-  for (uint32_t level = 0; level < levels.size() && !is_3d(desc); ++level)
-    glTextureSubImage2D(name, static_cast<GLint>(level), 0, 0, static_cast<GLsizei>(level_width(desc, level)),
-                        static_cast<GLsizei>(level_height(desc, level)), format.layout, format.type, levels[level].data());
+  for (uint32_t level = 0; level < levels.size() && !is_3d(desc); ++level) {
+    const Extent extent = level_extent(desc, level);
+    glTextureSubImage2D(name, static_cast<GLint>(level), 0, 0, static_cast<GLsizei>(extent.width),
+                        static_cast<GLsizei>(extent.height), format.layout, format.type, levels[level].data());
+  }
   throw_on_error(desc.name);
   return texture;
 }
@@ -63,8 +42,7 @@ Texture make_texture(const TextureDesc& desc, std::span<const std::vector<std::b
 // A view, as GL_TEXTURE_BASE_LEVEL belongs to the texture: one draw may read two levels of it.
 GLuint level_view(Texture& texture, uint32_t level) {
   const TextureDesc& desc = texture.desc;
-  if (level >= desc.levels)
-    throw_bad_input(desc.name, fmt::format("it has {} levels, there is no level {}", desc.levels, level));
+  check_level(desc, level);
   if (desc.levels == 1) return texture.object.name();
   texture.levels.resize(desc.levels);
   TextureObject& view = texture.levels[level];
@@ -100,11 +78,11 @@ void write(const Buffer& buffer, std::span<const std::byte> data) {
 
 std::vector<std::byte> read(const Texture& texture, uint32_t level) {
   const TextureDesc& desc = texture.desc;
-  if (level >= desc.levels) throw_bad_input(desc.name, fmt::format("level {} of a texture of {} levels", level, desc.levels));
-  constexpr size_t most_bytes = 0x7fffffff;  // glGetTextureImage counts bytes in a signed 32-bit integer
-  if (level_bytes(desc, level) > most_bytes)
+  check_level(desc, level);
+  constexpr size_t max_bytes = 0x7fffffff;  // glGetTextureImage counts bytes in a signed 32-bit integer
+  if (level_bytes(desc, level) > max_bytes)
     throw_failed(desc.name, fmt::format("level {} has {} bytes, over the {} that OpenGL reads back at once", level,
-                                        level_bytes(desc, level), most_bytes));
+                                        level_bytes(desc, level), max_bytes));
   const GlFormat format = gl_format(desc.format);
   std::vector<std::byte> texels(level_bytes(desc, level));
   glMemoryBarrier(GL_ALL_BARRIER_BITS);

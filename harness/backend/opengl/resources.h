@@ -9,16 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "harness/backend/backend.h"
+#include "harness/backend/common/checks.h"
 #include "harness/backend/opengl/object.h"
 
 namespace lamina::gl {
-
-inline uint32_t level_width(const TextureDesc& desc, uint32_t level) { return std::max(1u, desc.width >> level); }
-inline uint32_t level_height(const TextureDesc& desc, uint32_t level) { return std::max(1u, desc.height >> level); }
-inline size_t level_bytes(const TextureDesc& desc, uint32_t level) {
-  return size_t{level_width(desc, level)} * level_height(desc, level) * desc.depth * bytes_per_texel(desc.format);
-}
 
 struct Texture {
   TextureObject object;

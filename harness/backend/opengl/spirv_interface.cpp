@@ -12,8 +12,6 @@ namespace {
 template <class Visit>
 void for_each_instruction(const std::vector<uint32_t>& spirv, std::string_view subject, Visit visit) {
   constexpr size_t header_words = 5;
-  if (spirv.size() < header_words || spirv[0] != spv::MagicNumber)
-    throw_failed(subject, "the words of a stage are no SPIR-V: the first is not its magic number");
   for (size_t at = header_words; at < spirv.size();) {
     const size_t words = spirv[at] >> spv::WordCountShift;
     if (words == 0 || words > spirv.size() - at)

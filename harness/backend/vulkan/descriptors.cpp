@@ -35,15 +35,6 @@ SamplerHandle make_sampler(Device& device, Sampler sampler) {
   return device.own<SamplerHandle>(created, name);
 }
 
-// The entry of `given` at this binding. Throws Error(bad_input) where there is none.
-template <class Binding>
-const Binding& find_binding(const std::vector<Binding>& given, uint32_t binding, const Pipeline& pipeline, const char* what) {
-  const auto found = std::find_if(given.begin(), given.end(), [&](const Binding& b) { return b.binding == binding; });
-  if (found == given.end())
-    throw_bad_input(pipeline.desc.name, fmt::format("a draw gives no {} for binding {}", what, binding));
-  return *found;
-}
-
 // What one write points to; kept where it does not move until the writes are done.
 struct Target {
   VkDescriptorImageInfo image{};
@@ -52,12 +43,11 @@ struct Target {
 
 Target buffer_target(const Pipeline& pipeline, const BindingSlot& slot, const Draw& draw, Resources& resources) {
   const bool uniform = slot.kind == BindingKind::uniform_buffer;
-  const char* what = uniform ? "uniform buffer" : "storage buffer";
-  const BufferBinding& given = find_binding(draw.buffers, slot.binding, pipeline, what);
+  const BufferBinding& given = binding_at(slot, draw.buffers, pipeline.desc);
   const Buffer& buffer = resources.at(given.buffer, pipeline.desc.name);
   if (given.kind != slot.kind || buffer.use != (uniform ? BufferUse::uniform : BufferUse::storage))
     throw_bad_input(pipeline.desc.name, fmt::format("binding {} takes a {}, buffer '{}' is bound or made as another kind",
-                                                    slot.binding, what, buffer.name));
+                                                    slot.binding, uniform ? "uniform buffer" : "storage buffer", buffer.name));
   Target target;
   target.buffer = {buffer.buffer.get(), 0, VK_WHOLE_SIZE};
   return target;
@@ -65,12 +55,9 @@ Target buffer_target(const Pipeline& pipeline, const BindingSlot& slot, const Dr
 
 Target texture_target(Device& device, const Pipeline& pipeline, const BindingSlot& slot, const Draw& draw, Resources& resources,
                       const PassLayouts& layouts, std::span<const SamplerHandle> samplers) {
-  const TextureBinding& given = find_binding(draw.textures, slot.binding, pipeline, "texture");
+  const TextureBinding& given = binding_at(slot, draw.textures, pipeline.desc);
   const Texture& texture = resources.at(given.texture, pipeline.desc.name);
-  if (is_3d(texture.desc) != (slot.dimensions == 3))
-    throw_bad_input(pipeline.desc.name,
-                    fmt::format("binding {} is a sampler{}D, '{}' is a {} texture; give it one of the other kind", slot.binding,
-                                slot.dimensions, texture.desc.name, is_3d(texture.desc) ? "3D" : "2D"));
+  check_dimensions(pipeline.desc, slot, texture.desc);
   const Format format = texture.desc.format;
   if (given.sampler.filter != Filter::nearest &&
       !device.supports(vk_format(format), VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT))
@@ -84,7 +71,7 @@ Target texture_target(Device& device, const Pipeline& pipeline, const BindingSlo
 
 Target storage_image_target(const Pipeline& pipeline, const BindingSlot& slot, const Draw& draw, Resources& resources,
                             const PassLayouts& layouts) {
-  const ImageBinding& given = find_binding(draw.images, slot.binding, pipeline, "storage image");
+  const ImageBinding& given = binding_at(slot, draw.images, pipeline.desc);
   const Texture& texture = resources.at(given.texture, pipeline.desc.name);
   if (!texture.desc.storage)
     throw_bad_input(pipeline.desc.name,

@@ -2,9 +2,10 @@
 #include "harness/backend/vulkan/device.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <optional>
+
+#include "harness/core/stopwatch.h"
 
 namespace lamina::vulkan {
 namespace {
@@ -139,11 +140,11 @@ double Device::submit_and_wait(VkCommandBuffer commands) {
   submit.pCommandBufferInfos = &buffer;
   const VkFence fence = fence_.get();
   check(vkResetFences(get(), 1, &fence), candidate_.info.device, "vkResetFences");
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   check(vkQueueSubmit2(queue_, 1, &submit, fence), candidate_.info.device, "vkQueueSubmit2");
   check(vkWaitForFences(get(), 1, &fence, VK_TRUE, std::numeric_limits<uint64_t>::max()), candidate_.info.device,
         "vkWaitForFences");
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return watch.elapsed_ms();
 }
 
 void Device::begin_label(VkCommandBuffer commands, const std::string& name) const {

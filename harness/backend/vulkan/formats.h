@@ -9,7 +9,6 @@
 namespace lamina::vulkan {
 
 VkFormat vk_format(Format format);
-inline bool is_depth(Format format) { return format == Format::d32_float; }
 inline VkImageAspectFlags aspect_of(Format format) {
   return is_depth(format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
 }

@@ -102,7 +102,7 @@ void FrameRunner::record_raster(VkCommandBuffer commands, const Pass& pass, cons
   if (pass.depth) depth = attachment_info(*pass.depth, prepared.layouts);
 
   VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
-  info.renderArea.extent = prepared.extent;
+  info.renderArea.extent = {prepared.extent.width, prepared.extent.height};
   if (const std::optional<Area>& area = pass.area)
     info.renderArea = {{static_cast<int32_t>(area->x), static_cast<int32_t>(area->y)}, {area->width, area->height}};
   info.layerCount = 1;
@@ -153,7 +153,7 @@ void FrameRunner::record_mips(VkCommandBuffer commands, const Pass& pass) {
     const VkImageMemoryBarrier2 to_destination =
         transition(texture, level, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
     full_barrier(commands, {&to_destination, 1});
-    const VkExtent2D from = level_extent(texture.desc, level - 1), to = level_extent(texture.desc, level);
+    const Extent from = level_extent(texture.desc, level - 1), to = level_extent(texture.desc, level);
     VkImageBlit blit{};
     blit.srcSubresource = {aspect, level - 1, 0, 1};
     blit.srcOffsets[1] = {static_cast<int32_t>(from.width), static_cast<int32_t>(from.height), 1};
@@ -178,7 +178,8 @@ void FrameRunner::record_copy(VkCommandBuffer commands, const Pass& pass) {
 }
 
 void FrameRunner::bind(VkCommandBuffer commands, const Pipeline& pipeline, VkDescriptorSet set) {
-  const VkPipelineBindPoint point = pipeline.compute ? VK_PIPELINE_BIND_POINT_COMPUTE : VK_PIPELINE_BIND_POINT_GRAPHICS;
+  const VkPipelineBindPoint point =
+      is_compute(pipeline.desc) ? VK_PIPELINE_BIND_POINT_COMPUTE : VK_PIPELINE_BIND_POINT_GRAPHICS;
   vkCmdBindPipeline(commands, point, pipeline.pipeline.get());
   vkCmdBindDescriptorSets(commands, point, pipeline.layout.get(), 0, 1, &set, 0, nullptr);
 }

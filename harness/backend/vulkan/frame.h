@@ -29,7 +29,7 @@ class FrameRunner {
 
  private:
   struct PreparedPass {
-    VkExtent2D extent{};
+    Extent extent;
     PassLayouts layouts;
     std::set<TextureId> whole;               // textures that are used as a whole: their levels share a layout
     std::vector<const Pipeline*> pipelines;  // of the draws
@@ -41,7 +41,7 @@ class FrameRunner {
   void prepare_draw(const Pass& pass, const Draw& draw, PreparedPass& prepared);
   void prepare_mips(const Pass& pass, PreparedPass& prepared);
   void prepare_copy(const Pass& pass, PreparedPass& prepared);
-  void check_targets_match(const Pass& pass, const Pipeline& pipeline);
+  FindTexture find_texture(const Pass& pass);
   void use(TextureId id, uint32_t level, VkImageLayout layout, const Pass& pass, PreparedPass& prepared);
   void use_whole(TextureId id, VkImageLayout layout, const Pass& pass, PreparedPass& prepared);
   static void agree_on_layouts(PreparedPass& prepared);

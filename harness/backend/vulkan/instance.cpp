@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <charconv>
 #include <cstring>
 #include <utility>
 
+#include "harness/backend/common/choose_device.h"
 #include "harness/backend/vulkan/result.h"
 
 namespace lamina::vulkan {
@@ -99,10 +98,6 @@ void describe_device(Candidate& candidate) {
   info.api_version = version_text(candidate.properties.apiVersion);
   info.software = candidate.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
   info.max_texture_size = std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight});
-}
-
-bool same_ignoring_case(char a, char b) {
-  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
 // The loader unloads drivers and layers with the last instance that uses them, and they leave their threads' data behind. So
@@ -199,23 +194,9 @@ const Candidate& choose(std::span<const Candidate> candidates, std::string_view 
     throw_no_device(std::string(wanted),
                     "no device with Vulkan 1.3, dynamic rendering and storage writes from all stages; the package "
                     "mesa-vulkan-drivers brings a software one");
-  if (wanted.empty()) {
-    const auto software =
-        std::find_if(candidates.begin(), candidates.end(), [](const Candidate& c) { return c.info.software; });
-    return software != candidates.end() ? *software : candidates.front();
-  }
-  size_t index = 0;
-  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
-  if (error == std::errc() && end == wanted.data() + wanted.size() && index < candidates.size()) return candidates[index];
-  for (const Candidate& candidate : candidates) {
-    const std::string& name = candidate.info.device;
-    const auto found = std::search(name.begin(), name.end(), wanted.begin(), wanted.end(), same_ignoring_case);
-    if (found != name.end()) return candidate;
-  }
-  std::string list;
-  for (size_t i = 0; i < candidates.size(); ++i)
-    list += fmt::format("{}{}: {}", i > 0 ? ", " : "", i, candidates[i].info.device);
-  throw_no_device(std::string(wanted), fmt::format("no device has this index or this in its name; there is {}", list));
+  std::vector<DeviceInfo> devices;
+  for (const Candidate& candidate : candidates) devices.push_back(candidate.info);
+  return candidates[choose_device("vulkan", devices, wanted)];
 }
 
 }  // namespace lamina::vulkan

@@ -57,8 +57,7 @@ struct Candidate {
 };
 std::vector<Candidate> find_candidates(const Instance& instance);
 
-// `wanted`: an index into `candidates`, or part of a device's name in any case; empty: the first software rasterizer, or the
-// first device where there is none. Throws Error(no_device) listing what there is.
+// By choose_device(). Throws Error(no_device) where there are none.
 const Candidate& choose(std::span<const Candidate> candidates, std::string_view wanted);
 
 }  // namespace lamina::vulkan

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <array>
 
+#include "harness/backend/common/checks.h"
 #include "harness/backend/vulkan/formats.h"
 
 namespace lamina::vulkan {
 namespace {
-
-constexpr uint32_t spirv_magic = 0x07230203;  // SPIR-V 1.6 specification, section 2.3
-constexpr size_t spirv_header_words = 5;
 
 VkShaderStageFlagBits stage_bit(Stage stage) {
   switch (stage) {
@@ -24,47 +22,18 @@ VkShaderStageFlagBits stage_bit(Stage stage) {
   return VK_SHADER_STAGE_ALL;
 }
 
-bool has_stage(const PipelineDesc& desc, Stage stage) {
-  return std::any_of(desc.stages.begin(), desc.stages.end(), [&](const ShaderStage& s) { return s.stage == stage; });
-}
-
-void check_stages(const PipelineDesc& desc) {
-  const bool compute = desc.stages.size() == 1 && has_stage(desc, Stage::compute);
-  const bool raster = desc.stages.size() == 2 && has_stage(desc, Stage::vertex) && has_stage(desc, Stage::fragment);
-  if (!compute && !raster) throw_bad_input(desc.name, "a pipeline has a vertex and a fragment stage, or a compute stage alone");
-  for (const ShaderStage& stage : desc.stages)
-    if (stage.spirv.size() <= spirv_header_words || stage.spirv[0] != spirv_magic)
-      throw_failed(desc.name, "a stage is not SPIR-V: its first word is not the magic number; compile the shader again");
-}
-
-void check_bindings(const PipelineDesc& desc) {
-  std::vector<uint32_t> bindings;
-  for (const BindingSlot& slot : desc.bindings) bindings.push_back(slot.binding);
-  std::sort(bindings.begin(), bindings.end());
-  const auto twice = std::adjacent_find(bindings.begin(), bindings.end());
-  if (twice != bindings.end()) throw_bad_input(desc.name, fmt::format("binding {} is listed twice", *twice));
-}
-
-void check_targets(const Device& device, const PipelineDesc& desc) {
-  check_blends(desc);
+// Throws Error(failed) where the device has too few colour targets, or cannot blend into them so.
+void check_blending(const Device& device, const PipelineDesc& desc) {
   if (desc.colors.size() > device.limits().maxColorAttachments)
     throw_failed(desc.name, fmt::format("{} colour targets, {} takes {}", desc.colors.size(), device.info().device,
                                         device.limits().maxColorAttachments));
   for (size_t i = 0; i < desc.colors.size(); ++i) {
     const Format format = desc.colors[i];
-    if (is_depth(format)) throw_bad_input(desc.name, fmt::format("{} is not a colour format", name_of(format)));
     if (blend_of(desc, i) != Blend::none && !device.supports(vk_format(format), VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT))
       throw_failed(desc.name, fmt::format("{} cannot blend into {}", device.info().device, name_of(format)));
     if (blend_of(desc, i) != blend_of(desc, 0) && !device.features().independentBlend)
       throw_failed(desc.name, fmt::format("{} blends into all targets alike", device.info().device));
   }
-  if (desc.depth_format && !is_depth(*desc.depth_format))
-    throw_bad_input(desc.name, fmt::format("{} is not a depth format", name_of(*desc.depth_format)));
-  if (desc.depth != Depth::none && !desc.depth_format) throw_bad_input(desc.name, "it tests depth and has no depth format");
-  for (const uint32_t location : desc.vertex_locations)
-    if (location >= vertex_offset_bytes.size())
-      throw_bad_input(desc.name, fmt::format("the mesh has no vertex attribute at location {}; its locations are 0 to {}",
-                                             location, vertex_offset_bytes.size() - 1));
 }
 
 DescriptorSetLayoutHandle make_set_layout(Device& device, const PipelineDesc& desc) {
@@ -268,16 +237,14 @@ VkDescriptorType descriptor_type(BindingKind kind) {
 }
 
 Pipeline make_pipeline(Device& device, const PipelineDesc& desc) {
-  check_stages(desc);
-  check_bindings(desc);
-  check_targets(device, desc);
+  check_pipeline(desc);
+  check_blending(device, desc);
   Pipeline made;
-  made.compute = has_stage(desc, Stage::compute);
   made.set_layout = make_set_layout(device, desc);
   made.layout = make_layout(device, desc, made.set_layout.get());
   const Stages stages(device, desc);
-  const VkPipeline pipeline = made.compute ? make_compute(device, desc, stages, made.layout.get())
-                                           : make_raster(device, desc, stages, made.layout.get());
+  const VkPipeline pipeline = is_compute(desc) ? make_compute(device, desc, stages, made.layout.get())
+                                               : make_raster(device, desc, stages, made.layout.get());
   made.pipeline = device.own<PipelineHandle>(pipeline, desc.name);
   made.desc = desc;
   for (ShaderStage& stage : made.desc.stages) stage.spirv = {};

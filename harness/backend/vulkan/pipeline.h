@@ -8,7 +8,6 @@ namespace lamina::vulkan {
 
 struct Pipeline {
   PipelineDesc desc;  // its stages without their words
-  bool compute = false;
   DescriptorSetLayoutHandle set_layout;
   PipelineLayoutHandle layout;
   PipelineHandle pipeline;

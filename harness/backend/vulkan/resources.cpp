@@ -18,13 +18,8 @@ constexpr size_t copy_alignment_bytes = 16;
 
 size_t aligned(size_t bytes) { return (bytes + copy_alignment_bytes - 1) / copy_alignment_bytes * copy_alignment_bytes; }
 
-size_t level_bytes(const TextureDesc& desc, uint32_t level) {
-  const VkExtent2D extent = level_extent(desc, level);
-  return size_t{extent.width} * extent.height * desc.depth * bytes_per_texel(desc.format);
-}
-
 VkBufferImageCopy copy_of(const TextureDesc& desc, uint32_t level, size_t offset) {
-  const VkExtent2D extent = level_extent(desc, level);
+  const Extent extent = level_extent(desc, level);
   VkBufferImageCopy copy{};
   copy.bufferOffset = offset;
   copy.imageSubresource = {aspect_of(desc.format), level, 0, 1};
@@ -66,53 +61,24 @@ VkImageUsageFlags usage_of(const TextureDesc& desc) {
 
 VkImageType image_type(const TextureDesc& desc) { return is_3d(desc) ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D; }
 
-void check_3d(const Device& device, const TextureDesc& desc) {
-  const uint32_t most = device.limits().maxImageDimension3D;
-  if (desc.depth == 0 || std::max({desc.width, desc.height, desc.depth}) > most)
-    throw_bad_input(desc.name, fmt::format("{}x{}x{} is not a size that {} can make; each side of a 3D texture must be 1 to {}",
-                                           desc.width, desc.height, desc.depth, device.info().device, most));
-  if (desc.levels != 1 || desc.target || desc.storage || desc.format == Format::r32_uint || is_depth(desc.format))
-    throw_bad_input(
-        desc.name,
-        "a 3D texture is sampled only: it has one level, is no target, no storage image, and holds no integers or depths");
-}
-
-void check_desc(const Device& device, const TextureDesc& desc, std::span<const std::vector<std::byte>> levels) {
-  const uint32_t most = device.info().max_texture_size;
-  if (desc.width == 0 || desc.height == 0 || desc.width > most || desc.height > most)
-    throw_bad_input(desc.name, fmt::format("{}x{} is not a size that {} can make; each side must be 1 to {}", desc.width,
-                                           desc.height, device.info().device, most));
-  if (desc.depth != 1) check_3d(device, desc);
-  if (desc.levels == 0 || desc.levels > full_mip_levels(desc.width, desc.height))
-    throw_bad_input(desc.name, fmt::format("{}x{} has 1 to {} mip levels, not {}", desc.width, desc.height,
-                                           full_mip_levels(desc.width, desc.height), desc.levels));
-  if (levels.size() > desc.levels)
-    throw_bad_input(desc.name, fmt::format("texels of {} levels for a texture of {}", levels.size(), desc.levels));
-  for (uint32_t level = 0; level < levels.size(); ++level)
-    if (levels[level].size() != level_bytes(desc, level))
-      throw_bad_input(desc.name, fmt::format("level {} needs {} bytes of {}, not {}", level, level_bytes(desc, level),
-                                             name_of(desc.format), levels[level].size()));
+void check_on_device(const Device& device, const TextureDesc& desc) {
   if (!device.supports(vk_format(desc.format), features_of(desc)))
     throw_failed(desc.name, fmt::format("{} cannot use {} as {}", device.info().device, name_of(desc.format),
                                         desc.storage  ? "a storage image"
                                         : desc.target ? "a target"
                                                       : "a texture"));
-  VkImageFormatProperties most_of_format{};
+  VkImageFormatProperties format_limits{};
   check(vkGetPhysicalDeviceImageFormatProperties(device.physical(), vk_format(desc.format), image_type(desc),
-                                                 VK_IMAGE_TILING_OPTIMAL, usage_of(desc), 0, &most_of_format),
+                                                 VK_IMAGE_TILING_OPTIMAL, usage_of(desc), 0, &format_limits),
         desc.name, "vkGetPhysicalDeviceImageFormatProperties");
   size_t size_bytes = 0;
   for (uint32_t level = 0; level < desc.levels; ++level) size_bytes += level_bytes(desc, level);
-  if (size_bytes > most_of_format.maxResourceSize)
+  if (size_bytes > format_limits.maxResourceSize)
     throw_failed(desc.name, fmt::format("it takes {} bytes and {} makes textures of at most {}; use a smaller size", size_bytes,
-                                        device.info().device, most_of_format.maxResourceSize));
+                                        device.info().device, format_limits.maxResourceSize));
 }
 
 }  // namespace
-
-VkExtent2D level_extent(const TextureDesc& desc, uint32_t level) {
-  return {std::max(1u, desc.width >> level), std::max(1u, desc.height >> level)};
-}
 
 VkImageMemoryBarrier2 transition(const Texture& texture, uint32_t level, VkImageLayout from, VkImageLayout to) {
   VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
@@ -134,7 +100,8 @@ VkImageMemoryBarrier2 transition(Texture& texture, uint32_t level, VkImageLayout
 }
 
 TextureId Resources::create_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels) {
-  check_desc(device_, desc, levels);
+  check_texture(desc, levels, device_.info().max_texture_size, device_.limits().maxImageDimension3D);
+  check_on_device(device_, desc);
   check_room(desc.name);
   Texture texture = make_texture(desc);
   if (!levels.empty()) upload(texture, levels);
@@ -194,8 +161,7 @@ std::vector<std::byte> Resources::read_buffer(BufferId id) {
 
 std::vector<std::byte> Resources::read_texture(TextureId id, uint32_t level) {
   Texture& texture = at(id, "read_texture");
-  if (level >= texture.desc.levels)
-    throw_bad_input(texture.desc.name, fmt::format("level {} of a texture of {} levels", level, texture.desc.levels));
+  check_level(texture.desc, level);
   const size_t size_bytes = level_bytes(texture.desc, level);
   Buffer& stage = staging(size_bytes);
   const VkCommandBuffer commands = device_.begin();

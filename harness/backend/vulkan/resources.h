@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "harness/backend/common/checks.h"
+#include "harness/backend/common/table.h"
 #include "harness/backend/vulkan/device.h"
-#include "harness/backend/vulkan/table.h"
 
 namespace lamina::vulkan {
 
@@ -31,9 +32,6 @@ struct Buffer {
   BufferHandle buffer;
   std::byte* mapped = nullptr;  // where the host reaches it directly
 };
-
-// Size of one mip level.
-VkExtent2D level_extent(const TextureDesc& desc, uint32_t level);
 
 // The barrier that brings one level from its layout to `layout`, and notes it there.
 VkImageMemoryBarrier2 transition(Texture& texture, uint32_t level, VkImageLayout layout);

@@ -7,15 +7,15 @@
 #include <span>
 #include <vector>
 
-#include "harness/backend/vulkan/device.h"
+#include "harness/backend/vulkan/query_pool.h"
 
 namespace lamina::vulkan {
 
 class SampleCounts {
  public:
-  explicit SampleCounts(Device& device) : device_(device) {}
+  explicit SampleCounts(Device& device) : device_(device), queries_(device, VK_QUERY_TYPE_OCCLUSION, "sample counts") {}
 
-  // Makes room for the passes. Throws Error(failed) where one asks and the device only tells some from none.
+  // Makes room for the passes. Throws Error(failed) where one asks and the device only distinguishes some from none.
   void start(VkCommandBuffer commands, std::span<const Pass> passes);
   void begin(VkCommandBuffer commands, uint32_t pass) const;
   void end(VkCommandBuffer commands, uint32_t pass) const;
@@ -24,8 +24,7 @@ class SampleCounts {
 
  private:
   Device& device_;
-  QueryPoolHandle pool_;
-  uint32_t capacity_ = 0;
+  QueryPool queries_;
 };
 
 }  // namespace lamina::vulkan

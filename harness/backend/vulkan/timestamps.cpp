@@ -1,36 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/backend/vulkan/timestamps.h"
 
-#include <algorithm>
-
 namespace lamina::vulkan {
 
 void Timestamps::start(VkCommandBuffer commands, uint32_t count) {
   if (device_.timestamp_bits() == 0)
     throw_failed(device_.info().device, "its queue has no timestamps, so its passes cannot be timed");
-  if (capacity_ < count) {
-    VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
-    info.queryType = VK_QUERY_TYPE_TIMESTAMP;
-    info.queryCount = std::max(count, 2 * capacity_);
-    VkQueryPool pool = VK_NULL_HANDLE;
-    check(vkCreateQueryPool(device_.get(), &info, nullptr, &pool), "timestamps", "vkCreateQueryPool");
-    pool_ = device_.own<QueryPoolHandle>(pool, "lamina timestamps");
-    capacity_ = info.queryCount;
-  }
   count_ = count;
-  vkCmdResetQueryPool(commands, pool_.get(), 0, count);
+  queries_.reset(commands, count);
 }
 
 void Timestamps::mark(VkCommandBuffer commands, uint32_t index) const {
   full_barrier(commands);
-  vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool_.get(), index);
+  vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_.get(), index);
 }
 
 std::vector<double> Timestamps::read_ms() const {
   std::vector<uint64_t> ticks(count_);
-  check(vkGetQueryPoolResults(device_.get(), pool_.get(), 0, count_, ticks.size() * sizeof(uint64_t), ticks.data(),
-                              sizeof(uint64_t), VK_QUERY_RESULT_64_BIT),
-        "timestamps", "vkGetQueryPoolResults");
+  queries_.read(0, count_, ticks.data());
   // The counter wraps at its valid bits; so does the difference.
   const uint32_t bits = device_.timestamp_bits();
   const uint64_t mask = bits >= 64 ? ~uint64_t{0} : (uint64_t{1} << bits) - 1;

@@ -8,13 +8,13 @@
 
 #include <vector>
 
-#include "harness/backend/vulkan/device.h"
+#include "harness/backend/vulkan/query_pool.h"
 
 namespace lamina::vulkan {
 
 class Timestamps {
  public:
-  explicit Timestamps(Device& device) : device_(device) {}
+  explicit Timestamps(Device& device) : device_(device), queries_(device, VK_QUERY_TYPE_TIMESTAMP, "timestamps") {}
 
   // Makes room for `count` marks. Throws Error(failed) where the device has no timestamps.
   void start(VkCommandBuffer commands, uint32_t count);
@@ -25,8 +25,8 @@ class Timestamps {
 
  private:
   Device& device_;
-  QueryPoolHandle pool_;
-  uint32_t capacity_ = 0, count_ = 0;
+  QueryPool queries_;
+  uint32_t count_ = 0;
 };
 
 }  // namespace lamina::vulkan

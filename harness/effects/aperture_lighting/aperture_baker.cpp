@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/effects/aperture_lighting/aperture_baker.h"
 
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 #include <span>
 
+#include "harness/core/bytes.h"
 #include "harness/core/error.h"
+#include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
 
 namespace lamina {
@@ -22,15 +23,13 @@ struct Rays {
   float bias_m;  // how far they start above the surface
 };
 
-std::string key_of(const Occluders& occluders, const SurfacePoints& surface, const Rays& rays) {
-  const std::string_view points(reinterpret_cast<const char*>(surface.points.data()),
-                                surface.points.size() * sizeof(SurfacePoint));
-  return "visibility-" + hash_hex(fmt::format("{} {} {} {} {} {}", cache_version, occluders.hash(), hash_hex(points),
-                                              rays.count, rays.seed, rays.bias_m));
+std::string visibility_key(const Occluders& occluders, const SurfacePoints& surface, const Rays& rays) {
+  return "visibility-" + hash_hex(fmt::format("{} {} {} {} {} {}", cache_version, occluders.hash(),
+                                              hash_hex(bytes_of(surface.points)), rays.count, rays.seed, rays.bias_m));
 }
 
 template <class T>
-std::vector<std::byte> bytes_of(const std::vector<T>& values) {
+std::vector<std::byte> copied_bytes(const std::vector<T>& values) {
   const auto bytes = std::as_bytes(std::span(values));
   return {bytes.begin(), bytes.end()};
 }
@@ -51,7 +50,7 @@ class ApertureBaker : public Baker {
                                                        : single_apertures(*of.visibility);
     Baked baked;
     if (of.surface.map_side == 0)
-      baked.buffers["Apertures"] = bytes_of(all);
+      baked.buffers["Apertures"] = copied_bytes(all);
     else
       for (uint32_t i = 0; i < kind.count; ++i) baked.textures[map_name(i)] = map_of(object, of.surface, all, kind, i);
     return baked;
@@ -74,9 +73,9 @@ class ApertureBaker : public Baker {
     Seen made;
     made.surface = map_texels > 0 ? map_points(of, map_texels) : vertex_points(of);
     made.visibility = std::make_unique<Visibility>(made.surface.points, rays.count, rays.seed);
-    const std::string key = key_of(tools_.occluders(), made.surface, rays);
+    const std::string key = visibility_key(tools_.occluders(), made.surface, rays);
     const std::span<uint64_t> bits = made.visibility->all_bits();
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     BakeStats stats;
     stats.points = made.surface.points.size(), stats.rays = rays.count;
     if (const auto kept = tools_.cache().find(key); kept && kept->size() == bits.size_bytes()) {
@@ -84,9 +83,9 @@ class ApertureBaker : public Baker {
       stats.from_cache = true;
     } else {
       made.visibility->cast(tools_.occluders(), rays.bias_m, [&](double fraction) { tools_.progress(fraction); });
-      tools_.cache().keep(key, {reinterpret_cast<const char*>(bits.data()), bits.size_bytes()});
+      tools_.cache().keep(key, bytes_of(bits));
     }
-    stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    stats.seconds = watch.elapsed_s();
     tools_.add_stats(stats);
     return seen_.emplace(object, std::move(made)).first->second;
   }
@@ -97,8 +96,11 @@ class ApertureBaker : public Baker {
     for (const uint32_t point : surface.point_of_texel)
       halves.push_back(glm::packHalf4x16(all[size_t{point} * kind.count + i]));
     const uint32_t side = surface.map_side;
-    return std::make_shared<const TextureImage>(TextureImage{
-        fmt::format("{} aperture {}", scene_.objects[object].name, i), Format::rgba16_float, side, side, {bytes_of(halves)}});
+    return std::make_shared<const TextureImage>(TextureImage{fmt::format("{} aperture {}", scene_.objects[object].name, i),
+                                                             Format::rgba16_float,
+                                                             side,
+                                                             side,
+                                                             {copied_bytes(halves)}});
   }
 
   const Scene& scene_;
@@ -116,8 +118,8 @@ std::string problem(const BakeOptions& options) {
   for (const auto& [name, value] : options)
     if (name != known[0] && name != known[1]) return unknown_name("key of [bake]", name, known);
   const double count = option(options, "count", 1), anti = option(options, "anti", 0);
-  if (count != std::floor(count) || count < 1 || count > double(most_apertures))
-    return fmt::format("'count' of [bake] must be a whole number from 1 to {}", most_apertures);
+  if (count != std::floor(count) || count < 1 || count > double(max_apertures))
+    return fmt::format("'count' of [bake] must be a whole number from 1 to {}", max_apertures);
   if (anti != 0 && anti != 1) return "'anti' of [bake] must be 0 or 1";
   return anti == 1 && count > 1 ? "an anti-aperture is one cap a point; leave out 'count' of [bake]" : "";
 }

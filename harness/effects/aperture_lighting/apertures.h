@@ -16,7 +16,7 @@ using Aperture = glm::vec4;
 
 // What a variant wants of every point.
 struct ApertureKind {
-  uint32_t count = 1;  // caps, 1 to most_apertures
+  uint32_t count = 1;  // caps, 1 to max_apertures
   bool anti = false;   // of what is blocked, and then count is 1
   auto operator<=>(const ApertureKind&) const = default;
 };
@@ -41,7 +41,7 @@ std::vector<Aperture> harmonic_apertures(const Visibility& visibility);
 // The next level of the slides: `count` (1 to 4) for each point, [point * count + i], for the contiguous regions of its visible
 // directions, the largest ones; smaller ones are added to the nearest of these. Where there are fewer regions the rest have
 // radius 0. Apertures of neighbouring points with the same i belong together, so that one may interpolate.
-inline constexpr size_t most_apertures = 4;
+inline constexpr size_t max_apertures = 4;
 std::vector<Aperture> region_apertures(const Visibility& visibility, const SurfacePoints& surface, size_t count);
 
 // Anti-apertures: one for each point, the cap of its blocked directions.

@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-constexpr double least_radius = 1e-4;  // a point light, as in shaders/aperture_lighting/light.frag
+constexpr double min_radius = 1e-4;  // a point light, as in shaders/aperture_lighting/light.frag
 constexpr size_t points_between_progress = 4096;
 
 double angle_between(glm::dvec3 a, glm::dvec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
@@ -171,12 +171,12 @@ class PointLight {
 
 LightCap light_cap(const Light& light, glm::vec3 position) {
   if (light.kind == Light::Kind::directional)
-    return {-light.direction, std::clamp<double>(light.angular_radius, least_radius, std::numbers::pi / 2),
+    return {-light.direction, std::clamp<double>(light.angular_radius, min_radius, std::numbers::pi / 2),
             std::numeric_limits<float>::infinity(), 0, light.radiance};
   const glm::vec3 to_light = light.position - position;
   const float distance = std::max(glm::length(to_light), 1e-4f);
   const double radius = std::asin(std::min(1.0, double(light.radius_m) / distance));
-  return {to_light / distance, std::clamp(radius, least_radius, std::numbers::pi / 2), distance, light.radius_m,
+  return {to_light / distance, std::clamp(radius, min_radius, std::numbers::pi / 2), distance, light.radius_m,
           light.radiance / (distance * distance)};
 }
 

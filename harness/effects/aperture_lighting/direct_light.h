@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Direct light of spherical lights and a sky on diffuse points, offline: the truth that aperture lighting is held to, and the
-// same with one assumption of it at a time, so that each assumption's share of the error can be told.
+// Direct light of spherical lights and a sky on diffuse points, offline: the truth of aperture lighting, and the same with one
+// of its assumptions at a time, so that each assumption's share of the error is known.
 //
 // A light of angular radius r that gives irradiance E at normal incidence has the radiance E / (pi sin^2 r). The sky's radiance
 // is ambient / pi wherever no light stands in front of it.

@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "harness/core/bytes.h"
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/effects/aperture_lighting/aperture_baker.h"
@@ -11,14 +12,9 @@
 namespace lamina {
 namespace {
 
-template <class T>
-std::string_view bytes_of(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
-
 // All that light at the points follows from.
-std::string key_of(const ShadingPoints& points, const Scene& scene, const Occluders& occluders, LightModel model,
-                   const DirectLightOptions& options) {
+std::string light_key(const ShadingPoints& points, const Scene& scene, const Occluders& occluders, LightModel model,
+                      const DirectLightOptions& options) {
   constexpr int version = 1;  // changes when the same input no longer gives the same light
   std::string text = fmt::format("{} {} {} {} {} {} {} {}", version, static_cast<int>(model), occluders.hash(),
                                  points.kind.count, points.kind.anti, options.light_rays, options.seed, options.bias_m);
@@ -74,7 +70,7 @@ class DirectLightTruth : public Truth {
 
  private:
   std::string key(const ShadingPoints& points, LightModel model) const {
-    return key_of(points, setting_.scene, setting_.occluders, model, options_);
+    return light_key(points, setting_.scene, setting_.occluders, model, options_);
   }
 
   // From the disk, or made.
@@ -91,7 +87,7 @@ class DirectLightTruth : public Truth {
     return light;
   }
 
-  // Rays do not ask for apertures, so all that are told of the same points share their light.
+  // Rays do not depend on apertures, so variants that show the same points share their light.
   const std::vector<glm::vec3>& traced(ShadingPoints points, const std::function<void(double)>& progress) {
     points.apertures.clear();
     points.kind = {0, false};

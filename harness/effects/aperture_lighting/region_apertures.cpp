@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contiguous regions of visibility: directions that touch and are both seen belong together (union-find; Tarjan 1975). Then
+// Contiguous regions of visibility: directions that touch and are both seen belong together (disjoint sets). Then
 // each point's regions are put in the order of a neighbour's, walking over the surface.
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
+#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -17,40 +18,33 @@ namespace lamina {
 namespace {
 
 // A region of fewer rays than this share is noise of a boundary.
-constexpr double least_share = 0.004;
+constexpr double min_share = 0.004;
 
 struct Region {
   size_t rays = 0;
   glm::dvec3 sum{0};  // of the directions, tangent space
 };
 
-uint32_t root_of(std::vector<uint32_t>& parent, uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 // At most `count` regions, the largest first; the rest is added to the nearest of them.
 std::vector<Region> regions_of(const Visibility& visibility, size_t point, size_t count,
                                const std::vector<std::vector<uint32_t>>& touching) {
   const auto rays = static_cast<uint32_t>(visibility.rays());
-  std::vector<uint32_t> parent(rays);
-  std::iota(parent.begin(), parent.end(), 0u);
+  boost::disjoint_sets_with_storage<> sets(rays);
   for (uint32_t ray = 0; ray < rays; ++ray) {
     if (!visibility.sees(point, ray)) continue;
     for (const uint32_t other : touching[ray])
-      if (visibility.sees(point, other)) parent[root_of(parent, ray)] = root_of(parent, other);
+      if (visibility.sees(point, other)) sets.union_set(ray, other);
   }
-  std::vector<Region> by_root(rays), regions;
+  std::vector<Region> by_set(rays), regions;
   for (uint32_t ray = 0; ray < rays; ++ray) {
     if (!visibility.sees(point, ray)) continue;
-    Region& region = by_root[root_of(parent, ray)];
+    Region& region = by_set[sets.find_set(ray)];
     ++region.rays;
     region.sum += glm::dvec3(visibility.directions()[ray]);
   }
-  std::copy_if(by_root.begin(), by_root.end(), std::back_inserter(regions),
-               [](const Region& region) { return region.rays > 0; });
+  std::copy_if(by_set.begin(), by_set.end(), std::back_inserter(regions), [](const Region& region) { return region.rays > 0; });
   std::stable_sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) { return a.rays > b.rays; });
-  const auto is_noise = [&](const Region& region) { return static_cast<double>(region.rays) < least_share * rays; };
+  const auto is_noise = [&](const Region& region) { return static_cast<double>(region.rays) < min_share * rays; };
   while (regions.size() > 1 && (regions.size() > count || is_noise(regions.back()))) {
     const Region last = regions.back();
     regions.pop_back();
@@ -65,7 +59,7 @@ std::vector<Region> regions_of(const Visibility& visibility, size_t point, size_
   return regions;
 }
 
-using Order = std::array<size_t, most_apertures>;
+using Order = std::array<size_t, max_apertures>;
 struct Match {
   Order order{};      // which of the apertures goes to each place
   double margin = 0;  // how much better than the next best order

@@ -10,7 +10,7 @@
 namespace lamina {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double pi_low = 1.2246467991473532e-16;  // pi less the double next to it
 
 double versine(double r) { return 2 * std::sin(r / 2) * std::sin(r / 2); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What caps bring: the oracle of their family of functions, and the table that one of these reads.
+// The C++ of caps: the oracle of their family of functions, and the table that lut_cap reads.
 #include "harness/effects/cap_intersection/cap_area.h"
 #include "harness/effects/cap_intersection/cap_sets.h"
 #include "harness/effects/cap_intersection/cap_table.h"

@@ -14,7 +14,7 @@
 namespace lamina {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr float below_pi = 3.14159250f;  // the largest binary32 below pi
 
 using CapInput = std::array<float, 3>;  // r0, r1, d

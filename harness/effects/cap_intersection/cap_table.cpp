@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-// Stands for a ratio or a radius of 0, where the share has a limit: it is nearer to it than half precision can tell.
+// Stands for a ratio or a radius of 0, where the share has a limit: the difference from it is below half precision.
 constexpr double nearly_none = 1e-6;
 
 double share(double overlap, double ratio, double larger) {

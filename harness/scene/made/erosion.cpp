@@ -12,7 +12,7 @@ namespace {
 
 constexpr uint32_t coarsest = 65, finest_eroded = 129;
 constexpr int coarse_steps = 150, fine_steps = 40, last_steps = 12;  // until the picture hardly changes
-constexpr float uplift = 1, erodibility = 1, step = 0.08f;  // lengths in units of the extent; the relief is set in the end
+constexpr float uplift = 1, erodibility = 1, time_step = 0.08f;  // lengths in units of the extent; the relief is set in the end
 
 // One level of detail, in units of the extent.
 class Land {
@@ -51,9 +51,9 @@ class Land {
         height_[i] = 0;
         continue;
       }
-      height_[i] += step * uplift * lift_[i];
+      height_[i] += time_step * uplift * lift_[i];
       if (to == i) continue;
-      const float cut = step * erodibility * std::sqrt(drained_[i]) / run(i, to);
+      const float cut = time_step * erodibility * std::sqrt(drained_[i]) / run(i, to);
       height_[i] = std::min(height_[i], (height_[i] + cut * height_[to]) / (1 + cut));
     }
   }

@@ -20,16 +20,11 @@ constexpr double beat_period_s = 0.9;
 // Thickness in texels at 1024, expanded and contracted, as Oat's figure 11 shows it: expanded, the layers lie far apart.
 constexpr float thick_texels = 16, thin_texels = 5;
 
-double smooth(double from, double to, double x) {
-  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
 // 0 expanded .. 1 contracted. Systole takes about a third of a beat: a quick squeeze, a short hold, a slower release, then rest
 // (after Wiggers' diagram of the cardiac cycle, 1915).
 float contraction(double time_s) {
   const double beats = time_s / beat_period_s, phase = beats - std::floor(beats);
-  return static_cast<float>(smooth(0.10, 0.28, phase) - smooth(0.40, 0.70, phase));
+  return static_cast<float>(glm::smoothstep(0.10, 0.28, phase) - glm::smoothstep(0.40, 0.70, phase));
 }
 
 }  // namespace

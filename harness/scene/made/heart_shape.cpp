@@ -78,7 +78,7 @@ class Tube {
     const float grown = growth * static_cast<float>(pieces_.size());
     float nearest = farthest;
     for (size_t span = 0; span < spans_.size(); ++span) {
-      // Most spans are farther than the nearest so far, which a ball around them tells without a root.
+      // Most spans are farther than the nearest so far, which a ball around them shows without a root.
       const glm::vec3 to_ball = p - spans_[span].at;
       const float bound = nearest + spans_[span].radius;
       if (bound <= 0 || glm::dot(to_ball, to_ball) >= bound * bound) continue;

@@ -28,11 +28,6 @@ glm::vec3 linear(uint32_t srgb) {
   return color;
 }
 
-float smooth(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
-}
-
 // 1 at 0, falling over `width`.
 float bell(float x, float width) { return std::exp(-(x / width) * (x / width)); }
 
@@ -173,12 +168,13 @@ struct Fibres {
 
 Tissue tissue_at(const Site& s) {
   Tissue t{};
-  t.tube = smooth(-0.03f, 0.05f, s.r.tube);
-  t.lumen = t.tube * smooth(-0.01f, 0.02f, s.r.lumen);
+  t.tube = glm::smoothstep(-0.03f, 0.05f, s.r.tube);
+  t.lumen = t.tube * glm::smoothstep(-0.01f, 0.02f, s.r.lumen);
   t.patches = fractal_noise(s.p * 2.3f, 4, 17);
   const float groove = std::max(bell(s.r.base, 0.09f), s.r.base < 0 ? 0.85f * bell(s.r.sulcus, 0.11f) : 0.0f);
   const float root = bell(s.r.tube - 0.01f, 0.05f);
-  t.fat = (1 - smooth(0.03f, 0.10f, s.r.tube)) * smooth(0.45f, 1.0f, std::max(groove, 0.85f * root) + 0.9f * t.patches);
+  t.fat = (1 - glm::smoothstep(0.03f, 0.10f, s.r.tube)) *
+          glm::smoothstep(0.45f, 1.0f, std::max(groove, 0.85f * root) + 0.9f * t.patches);
   if (t.fat > 0) {
     const glm::vec3 q = s.p * 9.0f;
     const glm::vec3 warp(gradient_noise(q, 31), gradient_noise(q, 32), gradient_noise(q, 33));
@@ -188,16 +184,17 @@ Tissue tissue_at(const Site& s) {
 
   const Fibres fibres(s.p);
   t.bundles = fibres.noise(13, 1.8f, 5);
-  t.strands = fibres.noise(34, 3.6f, 6) * smooth(0.03f, 0.15f, fibres.across);
-  t.threads = fibres.noise(85, 8.0f, 7) * smooth(0.08f, 0.30f, fibres.across);
+  t.strands = fibres.noise(34, 3.6f, 6) * glm::smoothstep(0.03f, 0.15f, fibres.across);
+  t.threads = fibres.noise(85, 8.0f, 7) * glm::smoothstep(0.08f, 0.30f, fibres.across);
   // Windows stretch along the fibres.
   const float windows = fibres.noise(4.0f, 1.3f, 19) + 0.55f * fibres.noise(9.0f, 2.4f, 20) + 0.4f * t.patches;
-  t.membrane = (1 - t.tube) * smooth(-0.22f, 0.20f, windows + 0.25f * groove + 0.12f * smooth(0.0f, 0.12f, s.r.base));
+  t.membrane =
+      (1 - t.tube) * glm::smoothstep(-0.22f, 0.20f, windows + 0.25f * groove + 0.12f * glm::smoothstep(0.0f, 0.12f, s.r.base));
   return t;
 }
 
 // Coronary vessels fade into the great vessels' walls.
-float bare(const Site& s) { return 1 - smooth(0.06f, 0.20f, s.r.tube); }
+float bare(const Site& s) { return 1 - glm::smoothstep(0.06f, 0.20f, s.r.tube); }
 
 // Height of the outer surface over the mesh, metres.
 float relief(const Site& s, const Tissue& t, const VesselMap::Hit& artery, const VesselMap::Hit& vein) {
@@ -210,7 +207,7 @@ float relief(const Site& s, const Tissue& t, const VesselMap::Hit& artery, const
   if (t.tube > 0) height += t.tube * (1 - t.lumen) * 0.0045f * fractal_noise(s.p * 14.0f, 3, 43);
   for (const VesselMap::Hit& hit : {artery, vein}) {
     const float d = std::max(1 + hit.gap / hit.radius, 0.0f);  // 0 on the axis, 1 at the wall
-    height += bare(s) * 0.75f * hit.radius * (1 - smooth(0.0f, 1.6f, d));
+    height += bare(s) * 0.75f * hit.radius * (1 - glm::smoothstep(0.0f, 1.6f, d));
   }
   return height;
 }
@@ -221,17 +218,17 @@ glm::vec4 outer_color(const Site& s, const Tissue& t, const VesselMap::Hit& arte
                          trunk = linear(0xb08a94), cava = linear(0x7d6e93), hollow = linear(0x3a0b10),
                          arterial = linear(0xb3201c), venous = linear(0x4a4878);
   const float mottle = t.patches;
-  glm::vec3 color = glm::mix(deep, red, smooth(-0.7f, 0.5f, t.bundles + 0.5f * t.strands + 0.5f * mottle));
-  color = glm::mix(color, pale, 0.55f * smooth(0.15f, 0.9f, t.strands + 0.6f * t.threads + 0.2f * t.bundles));
+  glm::vec3 color = glm::mix(deep, red, glm::smoothstep(-0.7f, 0.5f, t.bundles + 0.5f * t.strands + 0.5f * mottle));
+  color = glm::mix(color, pale, 0.55f * glm::smoothstep(0.15f, 0.9f, t.strands + 0.6f * t.threads + 0.2f * t.bundles));
   float clear = 0.04f;
 
   // Membrane: a clear film with whitish strands stretched across it.
-  const float strand = smooth(0.18f, 0.55f, t.strands + 0.35f * t.threads);
+  const float strand = glm::smoothstep(0.18f, 0.55f, t.strands + 0.35f * t.threads);
   color = glm::mix(color, glm::mix(film, cream, 0.5f * strand), t.membrane);
   clear = glm::mix(clear, 0.96f - 0.50f * strand, t.membrane);
 
-  const glm::vec3 lobule =
-      glm::mix(yellow, cream, t.lobule.shade) * (0.78f + 0.22f * smooth(0.0f, 0.45f, t.lobule.second - t.lobule.nearest));
+  const glm::vec3 lobule = glm::mix(yellow, cream, t.lobule.shade) *
+                           (0.78f + 0.22f * glm::smoothstep(0.0f, 0.45f, t.lobule.second - t.lobule.nearest));
   color = glm::mix(color, lobule, 0.9f * t.fat);
   clear = glm::mix(clear, 0.34f, t.fat);
 
@@ -244,11 +241,11 @@ glm::vec4 outer_color(const Site& s, const Tissue& t, const VesselMap::Hit& arte
 
   // Coronary vessels lie on top, in a shade of their own.
   const auto lay = [&](const VesselMap::Hit& hit, glm::vec3 blood) {
-    const float shade = bare(s) * (1 - smooth(0.0f, 0.022f, hit.gap));
+    const float shade = bare(s) * (1 - glm::smoothstep(0.0f, 0.022f, hit.gap));
     color *= 1 - 0.45f * shade;
     clear *= 1 - 0.5f * shade;
-    const float inside = bare(s) * (1 - smooth(-0.002f, 0.003f, hit.gap));
-    const float middle = smooth(0.0f, 1.0f, -hit.gap / hit.radius);
+    const float inside = bare(s) * (1 - glm::smoothstep(-0.002f, 0.003f, hit.gap));
+    const float middle = glm::smoothstep(0.0f, 1.0f, -hit.gap / hit.radius);
     color = glm::mix(color, blood * (0.65f + 0.75f * middle), 0.92f * inside);
     clear = glm::mix(clear, 0.05f, inside);
   };
@@ -261,12 +258,12 @@ glm::vec4 inner_color(const Site& s) {
   static const glm::vec3 dark = linear(0x34080c), flesh = linear(0x7a1c1a), warm = linear(0xb8523c),
                          arterial = linear(0xf03020), venous = linear(0x4463d0);
   const float cloud = fractal_noise(s.p * 4.0f, 4, 71), grain = fractal_noise(s.p * 26.0f, 2, 73);
-  glm::vec3 color = glm::mix(dark, flesh, smooth(-0.45f, 0.45f, cloud + 0.35f * grain));
-  color = glm::mix(color, warm, 0.5f * smooth(0.15f, 0.6f, fractal_noise(s.p * 2.6f, 2, 79) + 0.2f * grain));
+  glm::vec3 color = glm::mix(dark, flesh, glm::smoothstep(-0.45f, 0.45f, cloud + 0.35f * grain));
+  color = glm::mix(color, warm, 0.5f * glm::smoothstep(0.15f, 0.6f, fractal_noise(s.p * 2.6f, 2, 79) + 0.2f * grain));
   const auto lay = [&](const VesselMap::Hit& hit, glm::vec3 blood) {
-    color *= 1 - 0.4f * (1 - smooth(0.0f, 0.016f, hit.gap));
-    const float middle = smooth(0.0f, 1.0f, -hit.gap / hit.radius);
-    color = glm::mix(color, blood * (0.6f + 0.5f * middle), 1 - smooth(-0.003f, 0.003f, hit.gap));
+    color *= 1 - 0.4f * (1 - glm::smoothstep(0.0f, 0.016f, hit.gap));
+    const float middle = glm::smoothstep(0.0f, 1.0f, -hit.gap / hit.radius);
+    color = glm::mix(color, blood * (0.6f + 0.5f * middle), 1 - glm::smoothstep(-0.003f, 0.003f, hit.gap));
   };
   lay(networks().inner_veins.nearest(s.p), venous);
   lay(networks().inner_arteries.nearest(s.p), arterial);

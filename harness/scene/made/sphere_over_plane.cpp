@@ -9,7 +9,7 @@
 #include "harness/scene/made/coloured_object.h"
 #include "harness/scene/made/directional_light.h"
 #include "harness/scene/made/height_field.h"
-#include "harness/scene/tangents.h"
+#include "harness/scene/mesh/tangents.h"
 
 namespace lamina {
 namespace {
@@ -45,7 +45,7 @@ Mesh sphere() {
 }
 
 // A grid whose points crowd in the middle: 4 cm apart under the sphere, metres at the horizon.
-Mesh plane() {
+Mesh ground() {
   const auto place = [](uint32_t i) {
     const float t = 2 * static_cast<float>(i) / (plane_points - 1) - 1;
     return plane_half_m * (0.1f * t + 0.9f * t * t * t * t * t);
@@ -62,7 +62,7 @@ Mesh plane() {
 
 Scene make_sphere_over_plane() {
   Scene scene;
-  scene.objects.push_back(coloured_object("plane", plane(), {0.46f, 0.44f, 0.41f}, true));
+  scene.objects.push_back(coloured_object("plane", ground(), {0.46f, 0.44f, 0.41f}, true));
   scene.objects.push_back(coloured_object("sphere", sphere(), {0.62f, 0.34f, 0.22f}, true));
   scene.objects[1].world_from_object[3] = glm::vec4(0, centre_m, 0, 1);
   const glm::vec3 to_sun = glm::normalize(glm::vec3(-0.8f, 1, 0.6f));  // 45 degrees above the horizon

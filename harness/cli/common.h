@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// What commands do alike: where they read variants, shaders and scenes, which variants they compare, the folder they write.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "harness/cli/options.h"
+#include "harness/plan/plan.h"
+
+namespace lamina {
+
+// The folder that holds variants/ and shaders/: LAMINA_HOME in the environment, else the source folder of this build.
+std::filesystem::path home_folder();
+Library load_library_for(const SceneOptions& options);
+// A scene that has objects and views, or Error(bad_input).
+Scene load_scene_for(const SceneOptions& options, const Library& library);
+
+// Whether the options ask for this variant; a baseline is always compared.
+bool is_compared(const VariantManifest& variant, const CellOptions& options);
+// Effects with something to compare; where there are none, whatever the scene calls for, so that its picture and cost are
+// known.
+std::vector<const EffectManifest*> compared_effects(const Plan& plan);
+std::vector<std::string> variant_names(const std::vector<const EffectManifest*>& effects);
+// Throws Error(bad_input) for the first of `wanted` that is not in `known`, with the nearest known name. `stage` is the
+// command.
+void check_variant_names(std::string_view stage, const std::vector<std::string>& wanted, const std::vector<std::string>& known);
+
+// Makes `out` and its images/, which may be there. Throws Error(bad_input) where they cannot be made or written.
+void make_run_folder(std::string_view stage, const std::filesystem::path& out);
+
+}  // namespace lamina

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/cli/devices.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <thread>
+
+#include "harness/cli/run_line.h"
+#include "harness/gate/child.h"
+
+namespace lamina {
+namespace {
+
+DeviceInfo device_from_json(const nlohmann::json& line) {
+  DeviceInfo info;
+  info.backend = line["backend"], info.device = line["device"], info.driver = line["driver"];
+  info.api_version = line["api_version"], info.software = line["software"], info.max_texture_size = line["max_texture_size"];
+  return info;
+}
+
+ProbedBackend probe(const std::string& name, const DeviceOptions& options) {
+  if (std::ranges::find(backend_names(), name) == backend_names().end()) open_backend(name);  // throws: there is none
+  const ChildResult child = run_in_child([&](const EmitLine& emit) {
+    emit(to_json(open_backend(name, {options.device, options.validation})->info()));
+  });
+  if (!child.failure.empty())  // an error's words begin with the backend, those of a crash do not
+    return {name, std::nullopt, child.failure.starts_with(name) ? child.failure : name + ": " + child.failure};
+  return {name, device_from_json(child.lines.front()), ""};
+}
+
+}  // namespace
+
+std::vector<ProbedBackend> probe_backends(const DeviceOptions& options) {
+  std::vector<ProbedBackend> probed;
+  for (const std::string& name : options.backends) probed.push_back(probe(name, options));
+  return probed;
+}
+
+std::vector<DeviceInfo> devices_of(const std::vector<ProbedBackend>& backends) {
+  std::vector<DeviceInfo> devices;
+  for (const ProbedBackend& backend : backends)
+    if (backend.device) devices.push_back(*backend.device);
+  return devices;
+}
+
+void require_any(std::string_view stage, const std::vector<ProbedBackend>& backends) {
+  for (const ProbedBackend& backend : backends)
+    if (!backend.device) fmt::print(stderr, "lamina: {}\n", backend.failure);
+  if (std::ranges::any_of(backends, [](const ProbedBackend& backend) { return backend.device.has_value(); })) return;
+  throw Error(ErrorKind::no_device, std::string(stage), "no usable device",
+              "none of the backends could be opened; see the messages above");
+}
+
+void check_size(std::string_view stage, const CellOptions& options, const std::vector<DeviceInfo>& devices) {
+  for (const DeviceInfo& device : devices)
+    if (std::max(options.width_px, options.height_px) > device.max_texture_size)
+      throw Error(ErrorKind::bad_input, std::string(stage), "--size",
+                  fmt::format("{}x{} is larger than {} pixels, the most that {} can draw", options.width_px, options.height_px,
+                              device.max_texture_size, device.backend));
+}
+
+uint32_t thread_for_each_core() { return std::min(std::max(std::thread::hardware_concurrency(), 1u), 32u); }
+
+void pin_rasterizer_threads(uint32_t threads) { ::setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 0); }
+
+}  // namespace lamina

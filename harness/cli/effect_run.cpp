@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/cli/effect_run.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "harness/graph/inputs.h"
+
+namespace lamina {
+namespace {
+
+// Two, so that a grid that goes back and forth between layers apart and layers together builds nothing twice; few, so that a
+// long sweep takes no more memory than a short one.
+constexpr size_t max_prepared = 2;
+
+constexpr size_t once_repetitions = 6;  // enough for an interval
+
+class Clock {
+ public:
+  explicit Clock(double& sum_ms) : sum_ms_(sum_ms), start_(std::chrono::steady_clock::now()) {}
+  ~Clock() { sum_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  double& sum_ms_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+// Equal keys mean that passes are built from the same features.
+std::string key_of(const Plan& plan, const Scene& scene) {
+  std::string key;
+  for (const EffectPlan& effect : plan.effects) {
+    key += fmt::format("|{} {}", effect.effect->name, effect.called_for);
+    for (const FeaturePlan& feature : effect.features) key += fmt::format(" {}", feature.on);
+    for (const size_t object : effect.objects) {
+      key += fmt::format(" {}", object);
+      for (const auto& [name, value] : feature_defines(*effect.effect, scene, &scene.objects[object])) key += "," + name;
+    }
+  }
+  return key;
+}
+
+// Of these, the ones that are a variant's own.
+Parameters own_parameters(const VariantManifest& variant, const std::map<std::string, double>& params) {
+  Parameters own;
+  for (const ParameterManifest& parameter : variant.parameters)
+    if (const auto set = params.find(variant.name + "." + parameter.name); set != params.end()) own.insert(*set);
+  return own;
+}
+
+// The passes done once, repeated: [pass][repetition].
+std::vector<std::vector<double>> time_once(Frame& frame) {
+  std::vector<std::vector<double>> once_ms(frame.once_names().size());
+  for (size_t i = 0; i < once_repetitions; ++i) {
+    const FrameTimes times = frame.run_once(Timing::bracketed);
+    for (size_t pass = 0; pass < times.pass_ms.size(); ++pass) once_ms[pass].push_back(times.pass_ms[pass]);
+  }
+  return once_ms;
+}
+
+}  // namespace
+
+EffectRun::EffectRun(Backend& backend, const EffectManifest& effect, ShaderCache& shaders, const CellOptions& options,
+                     const std::string& images, const Tell& tell)
+    : backend_(backend), effect_(effect), shaders_(shaders), options_(options), images_(images), tell_(tell) {
+  for (const VariantManifest& manifest : effect.variants)
+    if (is_compared(manifest, options)) variants_.emplace_back().manifest = &manifest;
+}
+
+void EffectRun::start(const SceneOnDevice& scene, const MeasuredPoint& point, const std::string& failure) {
+  scene_ = scene;
+  point_ = point;
+  for (Variant& variant : variants_) {
+    variant.failure = failure;
+    variant.first_is_drawn = false;
+    variant.rows.clear();
+    for (const View& view : scene.scene->views) {
+      CellRow& row = variant.rows.emplace_back(blank_row(backend_.info().backend, backend_.info().device, *scene.scene,
+                                                         *scene.plan->library, view, *variant.manifest, options_));
+      for (const auto& [path, value] : point.params) row.params[path] = value;
+      for (const auto& [path, word] : point.words) row.words[path] = word;
+      row.timed = point.timed;
+      if (!failure.empty()) fail(row, failure);
+    }
+  }
+  if (!failure.empty()) return;
+  const std::string plan_key = lamina::key_of(*scene.plan, *scene.scene);
+  if (truth_ && plan_key == plan_key_)
+    truth_->forget();
+  else
+    truth_ = std::make_unique<TruthRun>(*scene.resources, *scene.plan, effect_, shaders_, *scene.bakes, options_);
+  plan_key_ = plan_key;
+}
+
+void EffectRun::release() {
+  truth_.reset();
+  for (Variant& variant : variants_) variant.prepared.clear();
+}
+
+void EffectRun::attempt(Variant& variant, const std::function<void()>& work) {
+  if (!lamina::attempt(variant.failure, variant.rows, work)) variant.prepared.clear();
+}
+
+void EffectRun::each(const std::string& doing, void (EffectRun::*step)(Variant&)) {
+  for (size_t i = 0; i < variants_.size(); ++i) {
+    tell_(static_cast<double>(i) / static_cast<double>(variants_.size()), doing + " " + variants_[i].manifest->name);
+    attempt(variants_[i], [&] { (this->*step)(variants_[i]); });
+  }
+}
+
+void EffectRun::prepare() { each("preparing", &EffectRun::prepare); }
+
+void EffectRun::count() { each("counting", &EffectRun::count); }
+
+// Equal keys mean the same passes, on the same resources.
+std::string EffectRun::key_of(const VariantManifest& variant) const {
+  std::string key = fmt::format("{} {}", plan_key_, scene_.scene->mesh_moves || scene_.scene->lights_move);
+  for (const VariantManifest* used : configuration_with(*scene_.plan, variant))
+    for (const auto& [name, value] : own_parameters(*used, point_.params)) key += fmt::format("|{}={}", name, value);
+  return key;
+}
+
+void EffectRun::prepare(Variant& variant) {
+  const std::string key = key_of(*variant.manifest);
+  const auto known = std::ranges::find_if(variant.prepared, [&](const Prepared& prepared) { return prepared.key == key; });
+  if (known == variant.prepared.end()) {
+    Parameters parameters;
+    for (const VariantManifest* used : configuration_with(*scene_.plan, *variant.manifest))
+      parameters.merge(own_parameters(*used, point_.params));
+    variant.prepared.resize(std::min(variant.prepared.size(), max_prepared - 1));
+    double cold_ms = 0;
+    {
+      const Clock clock(cold_ms);
+      auto ready = std::make_unique<ReadyFrame>(*scene_.resources, *scene_.plan, *variant.manifest, shaders_, parameters,
+                                                point_.timed ? Timing::bracketed : Timing::off);
+      variant.prepared.push_front({.key = key, .ready = std::move(ready)});
+    }
+    Prepared& made = variant.prepared.front();
+    made.once = once_inputs(made.ready->graph, *scene_.scene);
+    variant.first_is_drawn = true;
+    spent_.device += made.ready->wall_ms;
+    if (point_.params.empty())  // a sweep's points share frames
+      for (CellRow& row : variant.rows) row.cold_ms = cold_ms;
+  } else {
+    variant.prepared.splice(variant.prepared.begin(), variant.prepared, known);
+    known->ready->frame.set_background(scene_.scene->background);
+    if (const std::string once = once_inputs(known->ready->graph, *scene_.scene); known->once != once) {
+      const Clock clock(spent_.device);
+      known->ready->frame.run_once(Timing::off);
+      known->once = once;
+    }
+  }
+  const std::set<std::string> hashes = variant.prepared.front().ready->graph.shader_hashes();
+  for (CellRow& row : variant.rows) row.shader_hashes.assign(hashes.begin(), hashes.end());
+}
+
+void EffectRun::count(Variant& variant) {
+  Prepared& prepared = variant.prepared.front();
+  const Graph& graph = prepared.ready->graph;
+  const auto coverage = [&] { return coverage_inputs(graph, *scene_.scene, prepared.early_tests); };
+  const bool known = prepared.covered.size() == variant.rows.size() && prepared.coverage == coverage();
+  if (known && !point_.counted) {
+    for (size_t view = 0; view < variant.rows.size(); ++view)
+      variant.rows[view].covered_pixels = count_on(prepared.covered[view]);
+    return;
+  }
+  const Clock clock(spent_.device);
+  if (!prepared.counting) prepared.counting = std::make_unique<Frame>(*scene_.resources, graph, Build::counting);
+  prepared.counting->set_background(scene_.scene->background);
+  if (const std::string once = once_inputs(graph, *scene_.scene); prepared.counted_once != once) {
+    prepared.counting->run_once(Timing::off);
+    prepared.once_counts = prepared.counting->once_counts();
+    prepared.counted_once = once;
+  }
+  prepared.covered.clear();
+  prepared.early_tests = true;
+  for (CellRow& row : variant.rows) {
+    CellRow counted;
+    prepared.covered.push_back(
+        count_cell(counted, *prepared.counting, prepared.once_counts, *variant.manifest, prepared.covered.size()));
+    for (const PassRow& pass : counted.passes) prepared.early_tests = prepared.early_tests && pass.early_tests;
+    row.covered_pixels = counted.covered_pixels;
+    if (!point_.counted) continue;
+    row.passes = counted.passes;
+    row.fetches = counted.fetches;
+    row.fetches_per_pixel = counted.fetches_per_pixel;
+  }
+  prepared.coverage = coverage();
+  if (point_.params.empty()) prepared.counting.reset();  // no other point follows
+}
+
+// Ratios are to the baseline, where it has not failed.
+RoundsResult EffectRun::time(const RoundOptions& rounds) {
+  if (!point_.timed) return {};
+  const Clock clock(spent_.device);
+  std::vector<Arm> arms;
+  std::vector<std::pair<const Variant*, CellRow*>> cells;  // beside arms
+  for (Variant& variant : variants_) {
+    attempt(variant, [&] { variant.once_ms = time_once(variant.prepared.front().ready->frame); });
+    if (!variant.failure.empty()) continue;
+    variant.first_is_drawn = false;
+    Frame& frame = variant.prepared.front().ready->frame;
+    for (size_t view = 0; view < variant.rows.size(); ++view) {
+      Arm& arm = arms.emplace_back(Arm{[&frame, view] { return frame.run(view, Timing::bracketed); }, std::nullopt});
+      if (variants_.front().failure.empty()) arm.baseline = view;  // the baseline's come first, one a view
+      cells.emplace_back(&variant, &variant.rows[view]);
+    }
+  }
+  if (arms.empty()) return {};
+  RoundsResult result = run_rounds(arms, rounds, [&](double fraction) { tell_(fraction, "timing"); });
+
+  for (size_t i = 0; i < arms.size(); ++i) {
+    const ArmSamples& samples = result.arms[i];
+    const auto [variant, row] = cells[i];
+    if (!samples.failure.empty()) {
+      fail(*row, samples.failure);
+      continue;
+    }
+    size_t once = 0, frame = 0;
+    for (PassRow& pass : row->passes) pass.ms = pass.once ? variant->once_ms[once++] : samples.pass_ms[frame++];
+    const bool has_baseline = arms[i].baseline && result.arms[*arms[i].baseline].failure.empty();
+    if (has_baseline && !row->baseline)
+      row->ratio_to_baseline = ratio_interval(samples.frame_ms, result.arms[*arms[i].baseline].frame_ms);
+  }
+  return result;
+}
+
+EffectRun::Drawn EffectRun::draw(Variant& variant, size_t view) {
+  Prepared& prepared = variant.prepared.front();
+  if (view > 0 || !variant.first_is_drawn) {
+    const Clock clock(spent_.device);
+    prepared.ready->frame.run(view, Timing::off);
+    variant.first_is_drawn = false;
+  }
+  const Clock clock(spent_.read_back);
+  return {prepared.ready->frame.picture(), prepared.covered[view]};
+}
+
+void EffectRun::score(Variant& variant, size_t view, const Drawn* baseline, const Scoring& scoring) {
+  CellRow& row = variant.rows[view];
+  std::vector<std::pair<std::string, DisplayImage>> pictures;  // by path
+  attempt(variant, [&] {
+    if (row.failed) return;
+    std::optional<Drawn> own;
+    if (!variant.manifest->baseline) own = draw(variant, view);
+    const auto& [picture, covered] = own ? *own : *baseline;
+    KeepPicture keep;
+    if (point_.pictured)
+      keep = [&](const std::string& suffix, const DisplayImage& image) {
+        return pictures.emplace_back(images_ + "/" + picture_name(row, point_.picture_suffix + suffix), image).first;
+      };
+    const Clock clock(spent_.metrics);
+    const CellRow* known = scoring.known ? scoring.known({*variant.manifest, view, picture, covered}) : nullptr;
+    fill_picture(row, picture, covered, keep);
+    if (row.nonfinite_pixels == 0)
+      truth_->score(*variant.manifest, view, picture, row, keep,
+                    [&](double fraction) { tell_(fraction, "casting rays for the truth of view " + row.view); });
+    if (variant.manifest->baseline || !baseline) return;
+    if (known)
+      copy_errors(row, *known);
+    else
+      fill_errors(row, picture, baseline->picture, either(covered, baseline->covered), keep);
+  });
+  for (const auto& [path, image] : pictures) write_png((options_.out / path).string(), image);
+}
+
+bool EffectRun::score(const Scoring& scoring) {
+  Variant& first = variants_.front();
+  const size_t views = first.rows.size();
+  for (size_t view = 0; view < views; ++view) {
+    const std::string name = first.rows[view].view;
+    const auto is_wanted = [&](const Variant& variant) {
+      return !scoring.wanted || scoring.wanted(variant.manifest->name, name);
+    };
+    if (std::ranges::none_of(variants_, is_wanted)) continue;
+    tell_(static_cast<double>(view) / static_cast<double>(views), "scoring view " + name);
+    std::optional<Drawn> baseline;
+    attempt(first, [&] { baseline = draw(first, view); });
+    for (Variant& variant : variants_) {
+      if (!is_wanted(variant)) continue;
+      score(variant, view, baseline ? &*baseline : nullptr, scoring);
+      if (scoring.done && !scoring.done(variant.rows[view])) return false;
+    }
+  }
+  return true;
+}
+
+std::vector<CellRow> EffectRun::rows() const {
+  std::vector<CellRow> all;
+  for (const Variant& variant : variants_) all.insert(all.end(), variant.rows.begin(), variant.rows.end());
+  return all;
+}
+
+ReadyFrame* EffectRun::frame(std::string_view variant) {
+  for (Variant& candidate : variants_)
+    if (candidate.manifest->name == variant && !candidate.prepared.empty()) return candidate.prepared.front().ready.get();
+  return nullptr;
+}
+
+}  // namespace lamina

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/cli/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "harness/core/error.h"
+
+namespace lamina {
+namespace {
+
+constexpr uint32_t largest_px = 65536;
+
+std::pair<uint32_t, uint32_t> parse_size(const std::string& text) {
+  unsigned long width = 0, height = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%lux%lu%c", &width, &height, &rest) != 2 || text.starts_with('-') || width < 1 || height < 1 ||
+      width > largest_px || height > largest_px)
+    throw Error(ErrorKind::bad_input, "options", "--size",
+                fmt::format("'{}' must be WIDTHxHEIGHT, each from 1 to {}", text, largest_px));
+  return {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
+}
+
+}  // namespace
+
+void add_scene_name(CLI::App& command, SceneOptions& options, const std::string& help) {
+  command.add_option("scene", options.scene, help)->capture_default_str();
+}
+
+void add_variants_dir(CLI::App& command, SceneOptions& options, const std::string& help) {
+  command.add_option("--variants-dir", options.variants_dirs, help);
+}
+
+void add_scene(CLI::App& command, SceneOptions& options) {
+  add_scene_name(command, options);
+  command.add_option("--time", options.time_s, "Moment of the scene, in seconds");
+  add_variants_dir(command, options);
+}
+
+void add_out(CLI::App& command, std::filesystem::path& out, const std::string& help) {
+  command.add_option("--out", out, help)->capture_default_str();
+}
+
+void add_backends(CLI::App& command, DeviceOptions& options) {
+  command.add_option("--backend", options.backends, "vulkan, osmesa or egl (may be given again)")->capture_default_str();
+  command.add_option("--device", options.device, "Part of a device's name, or its number in 'lamina list'");
+}
+
+void add_variant(CLI::App& command, std::vector<std::string>& variants, const std::string& help) {
+  command.add_option("--variant", variants, help);
+}
+
+void add_size(CLI::App& command, CellOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--size", [&options](const std::string& text) { std::tie(options.width_px, options.height_px) = parse_size(text); },
+          "Size of the frame in pixels")
+      ->default_str(fmt::format("{}x{}", options.width_px, options.height_px));
+}
+
+void add_rounds(CLI::App& command, RoundOptions& rounds, const std::string& timed) {
+  command.add_option("--budget", rounds.budget_s, "Seconds of timed rounds " + timed)
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 86400.0));
+  command.add_option("--precision", rounds.precision, "Stop where each ratio's 95% interval has this half width, relative")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 1.0));
+}
+
+void add_truth(CLI::App& command, CellOptions& options) {
+  command.add_option("--truth-rays", options.truth_rays, "Rays a pixel and light for the truth; 0: no truth")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 65536));
+  command.add_option("--cache", options.cache, "Folder that keeps bakes and truths; \"\": none")->capture_default_str();
+}
+
+void add_seed(CLI::App& command, uint64_t& seed, const std::string& help) {
+  command.add_option("--seed", seed, help)->capture_default_str();
+}
+
+void add_validation(CLI::App& command, DeviceOptions& options) {
+  command.add_flag("--validation,!--no-validation", options.validation,
+                   "Check API use: Vulkan's validation layers, OpenGL's debug output");
+}
+
+}  // namespace lamina

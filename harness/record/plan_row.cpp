@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/record/plan_row.h"
+
+#include "harness/record/fields.h"
+
+namespace lamina {
+
+using lines::field;
+using lines::left_out;
+using lines::may_lack;
+
+constexpr auto fields(const PlanRow::Pass*) {
+  using Row = PlanRow::Pass;
+  return std::tuple(may_lack("pass", &Row::pass), may_lack("effect", &Row::effect), may_lack("runs", &Row::runs),
+                    may_lack("once", &Row::once), may_lack("reason", &Row::reason), may_lack("objects", &Row::objects),
+                    may_lack("reads", &Row::reads), may_lack("writes", &Row::writes));
+}
+
+constexpr auto fields(const PlanRow::Variant*) {
+  using Row = PlanRow::Variant;
+  return std::tuple(may_lack("variant", &Row::variant), may_lack("baseline", &Row::baseline), left_out("passes", &Row::passes),
+                    left_out("error", &Row::error));
+}
+
+constexpr auto fields(const PlanRow::Feature*) {
+  using Row = PlanRow::Feature;
+  return std::tuple(may_lack("feature", &Row::feature), may_lack("on", &Row::on), may_lack("reason", &Row::reason));
+}
+
+constexpr auto fields(const PlanRow::Effect*) {
+  using Row = PlanRow::Effect;
+  return std::tuple(field("effect", &Row::effect), field("called_for", &Row::called_for), field("reason", &Row::reason),
+                    may_lack("objects", &Row::objects), may_lack("features", &Row::features),
+                    may_lack("variants", &Row::variants));
+}
+
+constexpr auto fields(const PlanRow*) { return std::tuple(field("effects", &PlanRow::effects)); }
+
+lines::Line to_json(const PlanRow& row) { return lines::line_of("plan", row, "plan"); }
+
+template PlanRow row_of(const lines::Json& line, const std::string& where);
+
+}  // namespace lamina

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// A glTF 2.0 file (Khronos Group, "glTF 2.0 Specification", 2021) as tinygltf reads it, and its accessors as numbers, with
+// every reference and range checked. Pictures stay encoded: OpenImageIO decodes them, and only those that a scene uses.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lamina {
+
+// Throws Error(bad_input, "gltf", ...) about a part of a model.
+[[noreturn]] void refuse_gltf(const std::string& subject, const std::string& message);
+
+// .glb or .gltf, told apart by their first bytes. tinygltf's warnings go to `warnings`. Throws Error(bad_input) naming the
+// file.
+tinygltf::Model read_gltf_file(const std::filesystem::path& file, std::vector<std::string>& warnings);
+
+// An accessor's elements one after another, `components` numbers each; normalized integers become 0 to 1 or -1 to 1. Sparse
+// accessors are filled in. Throws Error(bad_input) about `subject` where the accessor is missing, has another number of
+// components, or leaves its buffer.
+std::vector<double> read_accessor(const tinygltf::Model& model, int accessor, int components, const std::string& subject);
+
+// A picture's encoded bytes. They live as long as the model. Throws Error(bad_input) about `subject`.
+std::span<const std::byte> encoded_picture(const tinygltf::Model& model, int image, const std::string& subject);
+
+}  // namespace lamina

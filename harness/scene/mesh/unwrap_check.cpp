@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/scene/mesh/unwrap_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/scene/mesh/uv_raster.h"
+
+namespace lamina {
+namespace {
+
+constexpr float tolerance = 1e-3f;  // of a tile; exporters round borders, and a texel of a 1024 texture is as wide
+constexpr double worrying_overlap = 0.02;
+
+struct Bounds {
+  glm::vec2 low{INFINITY}, high{-INFINITY};
+};
+Bounds uv_bounds(const Mesh& mesh) {
+  Bounds bounds;
+  for (const uint32_t index : mesh.indices) {
+    bounds.low = glm::min(bounds.low, mesh.vertices[index].uv);
+    bounds.high = glm::max(bounds.high, mesh.vertices[index].uv);
+  }
+  return bounds;
+}
+
+}  // namespace
+
+void move_to_unit_tile(Mesh& mesh) {
+  const Bounds bounds = uv_bounds(mesh);
+  glm::vec2 shift(0);
+  for (int axis = 0; axis < 2; ++axis)
+    if (bounds.low[axis] < -tolerance || bounds.high[axis] > 1 + tolerance)
+      shift[axis] = std::floor(bounds.low[axis] + tolerance);
+  if (shift == glm::vec2(0)) return;
+  for (Vertex& vertex : mesh.vertices) vertex.uv -= shift;
+}
+
+std::string unwrap_problem(const Mesh& mesh) {
+  const Bounds bounds = uv_bounds(mesh);
+  const glm::vec2 span = bounds.high - bounds.low;
+  if (span.x > 1 + 2 * tolerance || span.y > 1 + 2 * tolerance)
+    return fmt::format("texture coordinates span {:.4g} x {:.4g} tiles; unwrap the mesh into one", span.x, span.y);
+  if (bounds.low.x < -tolerance || bounds.low.y < -tolerance || bounds.high.x > 1 + tolerance || bounds.high.y > 1 + tolerance)
+    return "texture coordinates cross the border of a tile; unwrap the mesh into one";
+  return "";
+}
+
+double overlap_fraction(const Mesh& mesh) {
+  std::vector<uint8_t> counts(uv_raster_size * uv_raster_size, 0);
+  for (size_t triangle = 0; triangle < mesh.indices.size() / 3; ++triangle)
+    for (const uint32_t texel : covered_texels(mesh, triangle)) counts[texel] = std::min<uint8_t>(counts[texel] + 1, 2);
+  const auto covered = std::count_if(counts.begin(), counts.end(), [](uint8_t count) { return count > 0; });
+  const auto twice = std::count(counts.begin(), counts.end(), uint8_t{2});
+  return covered > 0 ? double(twice) / double(covered) : 0.0;
+}
+
+void settle_unwrap(Object& object, std::vector<std::string>& warnings) {
+  move_to_unit_tile(object.mesh);
+  object.unwrap_problem = unwrap_problem(object.mesh);
+  if (!object.unwrap_problem.empty()) return;
+  if (const double overlap = overlap_fraction(object.mesh); overlap > worrying_overlap)
+    warnings.push_back(
+        fmt::format("{:.1f}% of {}'s texture is used twice; a map over its unwrap holds what is true of one use.",
+                    100 * overlap, object.name));
+}
+
+}  // namespace lamina

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a mesh can be drawn into its own texture: its texture coordinates must fill one tile at most, and should use no texel
+// twice.
+#pragma once
+
+#include <string>
+
+#include "harness/scene/scene.h"
+
+namespace lamina {
+
+// Moves texture coordinates by whole tiles, the same for all vertices, so that they lie in the unit square where they span no
+// more than that.
+void move_to_unit_tile(Mesh& mesh);
+
+// Empty, or why the mesh cannot be drawn unwrapped: its texture coordinates leave the unit square by more than a thousandth.
+std::string unwrap_problem(const Mesh& mesh);
+
+// The share of texels covered by more than one triangle, among those covered by any; 0 where none is covered. Counted on 512 x
+// 512 texels at their centres, with the top-left rule, so that neighbours in the unwrap share no texel.
+double overlap_fraction(const Mesh& mesh);
+
+// Sets unwrap_problem after moving to the unit tile; warns of an overlap above 2%.
+void settle_unwrap(Object& object, std::vector<std::string>& warnings);
+
+}  // namespace lamina
