@@ -37,7 +37,7 @@ TEST(Apertures, WhatBlocksNoLightHidesNothing) {
   Scene scene = scene_of({receiver(), ring("lid", 0, 1, 500, 1)});
   EXPECT_LT(aperture(scene).w, 0.1f) << "nearly all of the sky is hidden";
   scene.objects[1].blocks_light = false;
-  EXPECT_FLOAT_EQ(aperture(scene).w, pi / 2);
+  EXPECT_FLOAT_EQ(aperture(scene).w, pi_f / 2);
 }
 
 TEST(Apertures, AntiApertureIsTheCapOfADisc) {
