@@ -103,8 +103,8 @@ TEST_P(LayeredMaterial_, InnerLightIsTheMeanOfThirteenTaps) {
                                          : glm::vec4(0.5f + 0.5f * std::sin(lean), 0.5f, 0.5f + 0.5f * std::cos(lean), 1);
              }),
       TexelMeaning::normal);
-  for (const std::string_view name : {"light_map", "normal_map_taps"})
-    EXPECT_NEAR(pixel(picture(scene, name), 32, 32).r, (1 + 12 * 0.5) / 13, tolerance) << name;
+  // A light map filters the light of the middle texel with its neighbours', so the variant that lights each tap is asked.
+  EXPECT_NEAR(pixel(picture(scene, "normal_map_taps"), 32, 32).r, (1 + 12 * 0.5) / 13, tolerance);
 }
 
 // A lamp over the middle, at one and a half and at three metres: a quarter of the light at twice the distance.
