@@ -10,6 +10,7 @@
 #include "harness/bake/occluders_embree.h"
 #include "harness/bake/visibility.h"
 #include "harness/core/stopwatch.h"
+#include "harness/manifest/library.h"
 #include "harness/measure/statistics.h"
 
 namespace {
