@@ -98,7 +98,7 @@ std::string markdown_summary(const Record& record) {
   const std::vector<SummaryRow> rows = summarize(record);
   std::string text = fmt::format("# {}\n\n", escaped_markdown(title_of(record)));
   for (const std::string& warning : warnings_of(record)) text += fmt::format("**Warning:** {}\n\n", escaped_markdown(warning));
-  for (const Headline& headline : answers(rows))
+  for (const Headline& headline : worth_having(rows))
     text += fmt::format("- **{}**: {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
   for (const std::string& line : gate_lines(record)) text += fmt::format("- {}\n", escaped_markdown(line));
   for (const Headline& headline : headlines(rows))

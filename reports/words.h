@@ -40,7 +40,7 @@ struct Headline {
 std::vector<Headline> headlines(const std::vector<SummaryRow>& rows);
 // One sentence an effect and reference (baseline, truth): the variants worth having and the dominated ones, by time (by fetches
 // where nothing is timed) and mean SSIM; `variant` holds the effect's name. None for an effect with nothing to weigh.
-std::vector<Headline> answers(const std::vector<SummaryRow>& rows);
+std::vector<Headline> worth_having(const std::vector<SummaryRow>& rows);
 // A row as the frontier weighs it; a baseline without trouble has no error against itself.
 CostAndErrors figures_of(const SummaryRow& row);
 

@@ -28,7 +28,7 @@ std::string findings(const Record& record, const std::vector<SummaryRow>& rows) 
     return html.empty() ? "" : "<ul class=\"headlines\">\n" + html + "</ul>\n";
   };
   // A sweep was made for its crossovers, which come before figures that are means over all its points.
-  return list(answers(rows), ":") + html_gate_answer(record) + list(crossover_headlines(record), ":") +
+  return list(worth_having(rows), ":") + html_gate_answer(record) + list(crossover_headlines(record), ":") +
          list(headlines(rows), "");
 }
 

@@ -122,7 +122,7 @@ CostAndErrors figures_of(const SummaryRow& row) {
           .to_truth = row.mean_to_truth};
 }
 
-std::vector<Headline> answers(const std::vector<SummaryRow>& rows) {
+std::vector<Headline> worth_having(const std::vector<SummaryRow>& rows) {
   std::vector<Headline> all;
   std::vector<std::string> done;
   for (const SummaryRow& row : rows) {

@@ -9,7 +9,7 @@ namespace lamina {
 namespace {
 
 std::vector<Headline> answers_of(const std::vector<CellRow>& cells, const std::vector<TimerRow>& timers) {
-  return answers(summarize(example_record(cells, timers)));
+  return worth_having(summarize(example_record(cells, timers)));
 }
 
 TEST(Answers, SayWhatIsWorthHavingAndWhatIsDominated) {
