@@ -277,10 +277,6 @@ class Pairs {
   std::set<std::tuple<std::string, std::string, std::string>> ahead_;  // metric, one, other: of those in order
 };
 
-bool one_group(const Curve& a, const Curve& b) {
-  return a.backend == b.backend && a.effect == b.effect && a.parameter == b.parameter && a.held == b.held;
-}
-
 }  // namespace
 
 Limit parse_limit(const std::string& text) {
@@ -311,7 +307,7 @@ std::string place_words(const Curve& curve) {
 std::vector<CrossoverRow> answers(const std::vector<Curve>& curves, const std::vector<Limit>& limits) {
   std::vector<CrossoverRow> rows;
   for (size_t begin = 0, end = 0; begin < curves.size(); begin = end) {
-    while (end < curves.size() && one_group(curves[begin], curves[end])) ++end;
+    while (end < curves.size() && in_one_group(curves[begin], curves[end])) ++end;
     for (size_t i = begin; i < end; ++i)
       for (const Limit& limit : limits)
         if (!curves[i].baseline || limit.metric.starts_with("truth.")) add_limit(curves[i], limit, rows);

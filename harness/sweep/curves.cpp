@@ -8,6 +8,10 @@
 
 namespace lamina {
 
+bool in_one_group(const Curve& a, const Curve& b) {
+  return a.backend == b.backend && a.effect == b.effect && a.parameter == b.parameter && a.held == b.held;
+}
+
 const Metric* metric_named(std::string_view name) {
   const auto found = std::find_if(metrics.begin(), metrics.end(), [&](const Metric& metric) { return name == metric.name; });
   return found == metrics.end() ? nullptr : &*found;

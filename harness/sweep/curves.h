@@ -53,6 +53,8 @@ struct Curve {
   // By metric; NaN where a view has none or failed. "ratio.low" and "ratio.high" are the ends of the ratio's interval.
   std::map<std::string, std::vector<double>> y;
 };
+// Whether they are variants' curves over the same: one backend, effect, parameter, and the others held at the same values.
+bool in_one_group(const Curve& a, const Curve& b);
 
 // By backend, effect, parameter and what is held, in the order of the record, each with its variants, the baseline first. Of
 // zipped parameters the first is x. Parameters of one value have no curve. None for a record without a sweep.

@@ -66,11 +66,7 @@ Table table_of(std::span<const Curve> group, size_t max_rows) {
 std::vector<Table> curve_tables(const std::vector<Curve>& curves, size_t max_rows) {
   std::vector<Table> tables;
   for (size_t begin = 0, end = 0; begin < curves.size(); begin = end) {
-    const auto in_group = [&](const Curve& curve) {
-      return curve.backend == curves[begin].backend && curve.effect == curves[begin].effect &&
-             curve.parameter == curves[begin].parameter && curve.held == curves[begin].held;
-    };
-    while (end < curves.size() && in_group(curves[end])) ++end;
+    while (end < curves.size() && in_one_group(curves[begin], curves[end])) ++end;
     tables.push_back(table_of(std::span(curves).subspan(begin, end - begin), max_rows));
   }
   return tables;
