@@ -65,6 +65,8 @@ struct ShaderStage {
   Stage stage = Stage::vertex;
   std::vector<uint32_t> spirv;  // entry point "main"
 };
+// Of a SPIR-V module: magic number, version, generator, bound of ids, schema (SPIR-V specification, section 2.3).
+inline constexpr size_t spirv_header_words = 5;
 struct SpecConstant {
   uint32_t id = 0;
   uint32_t bits = 0;  // of a 32-bit int, uint, float or bool

@@ -17,9 +17,6 @@
 
 namespace lamina {
 
-// Of a module: magic number, version, generator, bound of ids, schema (SPIR-V specification, section 2.3).
-inline constexpr size_t spirv_header_words = 5;
-
 // A view of one instruction's words; the module's words own them.
 struct SpirvInstruction {
   std::span<const uint32_t> words;  // the first holds word count and opcode

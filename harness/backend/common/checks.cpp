@@ -8,7 +8,6 @@ namespace lamina {
 namespace {
 
 constexpr uint32_t spirv_magic = 0x07230203;  // SPIR-V specification, section 2.3
-constexpr size_t spirv_header_words = 5;
 
 [[noreturn]] void refuse(const std::string& subject, std::string message) {
   throw Error(ErrorKind::bad_input, "backend", subject, std::move(message));
