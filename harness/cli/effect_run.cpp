@@ -2,8 +2,8 @@
 #include "harness/cli/effect_run.h"
 
 #include <algorithm>
-#include <chrono>
 
+#include "harness/core/stopwatch.h"
 #include "harness/graph/inputs.h"
 
 namespace lamina {
@@ -15,18 +15,19 @@ constexpr size_t max_prepared = 2;
 
 constexpr size_t once_repetitions = 6;  // enough for an interval
 
+// Adds the time that its scope takes.
 class Clock {
  public:
-  explicit Clock(double& sum_ms) : sum_ms_(sum_ms), start_(std::chrono::steady_clock::now()) {}
-  ~Clock() { sum_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count(); }
+  explicit Clock(double& sum_ms) : sum_ms_(sum_ms) {}
+  ~Clock() { sum_ms_ += watch_.elapsed_ms(); }
 
  private:
   double& sum_ms_;
-  std::chrono::steady_clock::time_point start_;
+  Stopwatch watch_;
 };
 
 // Equal keys mean that passes are built from the same features.
-std::string key_of(const Plan& plan, const Scene& scene) {
+std::string plan_key(const Plan& plan, const Scene& scene) {
   std::string key;
   for (const EffectPlan& effect : plan.effects) {
     key += fmt::format("|{} {}", effect.effect->name, effect.called_for);
@@ -39,11 +40,12 @@ std::string key_of(const Plan& plan, const Scene& scene) {
   return key;
 }
 
-// Of these, the ones that are a variant's own.
-Parameters own_parameters(const VariantManifest& variant, const std::map<std::string, double>& params) {
+// Of these, the ones that belong to variants of the configuration.
+Parameters own_parameters(const Configuration& configuration, const std::map<std::string, double>& params) {
   Parameters own;
-  for (const ParameterManifest& parameter : variant.parameters)
-    if (const auto set = params.find(variant.name + "." + parameter.name); set != params.end()) own.insert(*set);
+  for (const VariantManifest* variant : configuration)
+    for (const ParameterManifest& parameter : variant->parameters)
+      if (const auto set = params.find(variant->name + "." + parameter.name); set != params.end()) own.insert(*set);
   return own;
 }
 
@@ -83,12 +85,12 @@ void EffectRun::start(const SceneOnDevice& scene, const MeasuredPoint& point, co
     }
   }
   if (!failure.empty()) return;
-  const std::string plan_key = lamina::key_of(*scene.plan, *scene.scene);
-  if (truth_ && plan_key == plan_key_)
+  const std::string key = plan_key(*scene.plan, *scene.scene);
+  if (truth_ && key == plan_key_)
     truth_->forget();
   else
     truth_ = std::make_unique<TruthRun>(*scene.resources, *scene.plan, effect_, shaders_, *scene.bakes, options_);
-  plan_key_ = plan_key;
+  plan_key_ = key;
 }
 
 void EffectRun::release() {
@@ -111,21 +113,13 @@ void EffectRun::prepare() { each("preparing", &EffectRun::prepare); }
 
 void EffectRun::count() { each("counting", &EffectRun::count); }
 
-// Equal keys mean the same passes, on the same resources.
-std::string EffectRun::key_of(const VariantManifest& variant) const {
-  std::string key = fmt::format("{} {}", plan_key_, scene_.scene->mesh_moves || scene_.scene->lights_move);
-  for (const VariantManifest* used : configuration_with(*scene_.plan, variant))
-    for (const auto& [name, value] : own_parameters(*used, point_.params)) key += fmt::format("|{}={}", name, value);
-  return key;
-}
-
 void EffectRun::prepare(Variant& variant) {
-  const std::string key = key_of(*variant.manifest);
+  const Parameters parameters = own_parameters(configuration_with(*scene_.plan, *variant.manifest), point_.params);
+  // Equal keys mean the same passes, on the same resources.
+  std::string key = fmt::format("{} {}", plan_key_, scene_.scene->mesh_moves || scene_.scene->lights_move);
+  for (const auto& [name, value] : parameters) key += fmt::format("|{}={}", name, value);
   const auto known = std::ranges::find_if(variant.prepared, [&](const Prepared& prepared) { return prepared.key == key; });
   if (known == variant.prepared.end()) {
-    Parameters parameters;
-    for (const VariantManifest* used : configuration_with(*scene_.plan, *variant.manifest))
-      parameters.merge(own_parameters(*used, point_.params));
     variant.prepared.resize(std::min(variant.prepared.size(), max_prepared - 1));
     double cold_ms = 0;
     {
@@ -238,6 +232,9 @@ EffectRun::Drawn EffectRun::draw(Variant& variant, size_t view) {
 void EffectRun::score(Variant& variant, size_t view, const Drawn* baseline, const Scoring& scoring) {
   CellRow& row = variant.rows[view];
   std::vector<std::pair<std::string, DisplayImage>> pictures;  // by path
+  const auto write_pictures = [&] {
+    for (const auto& [path, image] : std::exchange(pictures, {})) write_png((options_.out / path).string(), image);
+  };
   attempt(variant, [&] {
     if (row.failed) return;
     std::optional<Drawn> own;
@@ -260,7 +257,11 @@ void EffectRun::score(Variant& variant, size_t view, const Drawn* baseline, cons
     else
       fill_errors(row, picture, baseline->picture, either(covered, baseline->covered), keep);
   });
-  for (const auto& [path, image] : pictures) write_png((options_.out / path).string(), image);
+  // Whoever waits for cells makes this one again, where it stops. Else the cell fails and the others go on.
+  if (scoring.done)
+    write_pictures();
+  else
+    attempt(variant, write_pictures);
 }
 
 bool EffectRun::score(const Scoring& scoring) {

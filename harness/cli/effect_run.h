@@ -60,8 +60,8 @@ class EffectRun {
     std::function<const CellRow*(const Scored&)> known;
     std::function<bool(const CellRow& row)> done;  // a cell whose pictures are kept; returns whether to go on
   };
-  // Pictures, and their errors, view by view; after count(). Returns false where `done` did. Throws Error where a picture
-  // cannot be written.
+  // Pictures, and their errors, view by view; after count(). Returns false where `done` did. A picture that cannot be written
+  // fails its variant; with `done`, it throws Error instead, so that a sweep stops and makes the cell again when it goes on.
   bool score(const Scoring& scoring = {});
 
   // One row a variant and view, the baseline's first.
@@ -100,7 +100,6 @@ class EffectRun {
   void count(Variant& variant);
   Drawn draw(Variant& variant, size_t view);
   void score(Variant& variant, size_t view, const Drawn* baseline, const Scoring& scoring);
-  std::string key_of(const VariantManifest& variant) const;
 
   Backend& backend_;
   const EffectManifest& effect_;

@@ -5,17 +5,15 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace lamina {
 namespace {
 
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 constexpr const char* erase_line = "\r\033[K";
 
 }  // namespace
 
-Progress::Progress(std::string title) : title_(std::move(title)), watched_(::isatty(STDERR_FILENO) == 1), start_s_(now_s()) {}
+Progress::Progress(std::string title) : title_(std::move(title)), watched_(::isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
   if (watched_) fmt::print(stderr, "{}", erase_line);
@@ -23,7 +21,7 @@ Progress::~Progress() {
 
 void Progress::show(double fraction, const std::string& what) {
   if (!watched_) return;
-  const double done = std::clamp(fraction, 0.0, 1.0), elapsed_s = now_s() - start_s_;
+  const double done = std::clamp(fraction, 0.0, 1.0), elapsed_s = watch_.elapsed_s();
   std::string left;
   if (done > 0.02) left = fmt::format(", {:.0f} s left", elapsed_s / done - elapsed_s);
   fmt::print(stderr, "{}{}: {:.0f}%{} {}", erase_line, title_, done * 100, left, what);

@@ -4,6 +4,8 @@
 #include <functional>
 #include <string>
 
+#include "harness/core/stopwatch.h"
+
 namespace lamina {
 
 // Told what is being done, and which fraction of it is.
@@ -23,7 +25,7 @@ class Progress {
  private:
   std::string title_;
   bool watched_;
-  double start_s_;
+  Stopwatch watch_;
 };
 
 }  // namespace lamina

@@ -13,6 +13,7 @@
 #include "harness/cli/effect_run.h"
 #include "harness/cli/run_line.h"
 #include "harness/cli/sweep_end.h"
+#include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
 #include "harness/measure/timer_certificate.h"
 #include "harness/scene/digest.h"
@@ -216,7 +217,7 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
   const Tell tell = [&](double, const std::string& what) { progress.show(sweep.tally.fraction(), what); };
   bool go_on = true;
   for (const EffectManifest* effect : sweep.effects) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     size_t cells = 0;
     EffectRun run(*backend, *effect, shaders, options.compare, "images", tell);
     for (size_t point = 0; point < sweep.scenes.points().count() && go_on; ++point) {
@@ -243,7 +244,7 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
       go_on = run.score({.wanted = wanted, .done = done});
     }
     if (cells == 0) continue;
-    const double wall_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const double wall_ms = watch.elapsed_ms();
     fmt::print("{}: {} cells of {} in {:.1f} s, {:.3f} times device ({:.1f} s), read-back ({:.1f} s) and metrics ({:.1f} s)\n",
                name, cells, effect->name, wall_ms / 1000, wall_ms / run.spent().sum(), run.spent().device / 1000,
                run.spent().read_back / 1000, run.spent().metrics / 1000);
