@@ -7,15 +7,13 @@ const {launch, median, open, scrub} = await import('../tests/browser/browser.js'
 const rounds = 5;
 const browser = await launch();
 const session = await browser.newBrowserCDPSession();
-const spent_s = async known =>
-    (await session.send('SystemInfo.getProcessInfo')).processInfo
-        .filter(one => one.type === 'renderer' && !known.includes(one.id))
-        .reduce((sum, one) => sum + one.cpuTime, 0);
 const renderers = async () =>
-    (await session.send('SystemInfo.getProcessInfo')).processInfo.filter(one => one.type === 'renderer').map(one => one.id);
+    (await session.send('SystemInfo.getProcessInfo')).processInfo.filter(one => one.type === 'renderer');
+const spent_s = async known =>
+    (await renderers()).filter(one => !known.includes(one.id)).reduce((sum, one) => sum + one.cpuTime, 0);
 
 async function cost_of(name) {
-  const known = await renderers();
+  const known = (await renderers()).map(one => one.id);
   const page = await open(browser, name);
   await page.waitForSelector('#samples svg');
   const opened = await spent_s(known);
