@@ -7,7 +7,8 @@
 
 namespace lamina {
 
-// The bytes that a value lies in, or those of a contiguous range's elements: for hashes and files. Padding is among them.
+// The bytes that a value lies in, or those of a contiguous range's elements: for hashes and files. Bytes that pad a
+// structure are among them and hold anything, so a structure that has some is hashed member by member.
 template <class T>
 std::string_view bytes_of(const T& value) {
   if constexpr (std::ranges::contiguous_range<T>) {

@@ -2,6 +2,7 @@
 // Apertures of places whose visible directions are known in closed form.
 #include <gtest/gtest.h>
 
+#include "harness/bake/surface_points.h"
 #include "harness/core/error.h"
 #include "tests/effects/made_scenes.h"
 
@@ -177,6 +178,18 @@ TEST(Apertures, MapHasATexelsOwnPointOrTheNearest) {
   doubled.objects[0].unwrap_problem = "texture coordinates overlap";
   Bakes refused(doubled, effect_code(), DiskCache(""));
   EXPECT_THROW(map_apertures(refused, 0), Error);
+}
+
+TEST(Apertures, MapsDoNotSpreadAroundTheirBorders) {
+  constexpr uint32_t side = 16;
+  const Object right = quad("right half", {0, 0, -1}, {0, 0, 1}, {1, 0, 1}, {1, 0, -1});
+  const std::vector<uint32_t> point = map_points(right, side).point_of_texel;
+  const Object left = quad("left half", {-1, 0, -1}, {-1, 0, 1}, {0, 0, 1}, {0, 0, -1});
+  const std::vector<uint32_t> mirrored = map_points(left, side).point_of_texel;
+  for (uint32_t y = 0; y < side; ++y) {
+    EXPECT_EQ(point[y * side], point[y * side + side / 2]) << "row " << y << ": the nearest point lies in the row";
+    EXPECT_EQ(mirrored[y * side + side - 1], mirrored[y * side + side / 2 - 1]) << "row " << y;
+  }
 }
 
 }  // namespace

@@ -18,7 +18,12 @@ std::string light_key(const ShadingPoints& points, const Scene& scene, const Occ
   constexpr int version = 1;  // changes when the same input no longer gives the same light
   std::string text = fmt::format("{} {} {} {} {} {} {} {}", version, static_cast<int>(model), occluders.hash(),
                                  points.kind.count, points.kind.anti, options.light_rays, options.seed, options.bias_m);
-  text += hash_hex(bytes_of(points.points)) + hash_hex(bytes_of(points.apertures));
+  std::string seen;  // member by member: bytes that pad a point differ from one run to the next
+  for (const ShadingPoint& point : points.points) {
+    seen += bytes_of(point.pixel);
+    for (const glm::vec3& v : {point.position, point.normal, point.albedo}) seen += bytes_of(v);
+  }
+  text += hash_hex(seen) + hash_hex(bytes_of(points.apertures));
   const auto add = [&](glm::vec3 v) { text += fmt::format(" {} {} {}", v.x, v.y, v.z); };
   add(scene.ambient);
   for (const Light& light : scene.lights) {
