@@ -35,6 +35,7 @@ std::vector<PassRow> count_rows(const Frame& counting, const std::vector<PassCou
       row.early_tests = counts[i].early_tests;
       row.fetches = counts[i].fetches();
       row.by_texture = counts[i].by_texture;
+      row.operations = counts[i].operations;
     }
   };
   add(counting.once_names(), once, true);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct PassCounts {
   uint64_t fragments = 0;   // invocations of the fragment shader, or of the compute shader
   bool early_tests = true;  // false: some shader discards or writes depth, so fragments hidden later are counted too
   std::vector<TextureFetches> by_texture;
+  std::map<std::string, uint64_t> operations;  // by the name of the class (shader/operations.h), of all stages
 
   uint64_t fetches() const {
     uint64_t sum = 0;

@@ -153,12 +153,17 @@ std::vector<PassCounts> Frame::counts(Sequence& sequence) {
       std::memcpy(&value, bytes.data() + size_t{word} * 4, 8);
       return value;
     };
+    Operations operations;
     for (const Counted& counted : step.counted) {
       (counted.stage == Stage::vertex ? pass.vertices : pass.fragments) += counter(counted.first_word);
       pass.early_tests = pass.early_tests && (counted.stage != Stage::fragment || counted.early_tests);
-      for (size_t k = 0; k < counted.slots.size(); ++k) {
-        TextureFetches row = counted.slots[k];
-        row.fetches = counter(counted.first_word + 2 + 2 * static_cast<uint32_t>(k));
+      Work work;
+      for (size_t k = 0; k < counted.blocks.size(); ++k)
+        work.add(counted.blocks[k], counter(counted.first_word + 2 + 2 * static_cast<uint32_t>(k)));
+      operations.add(work.operations);
+      for (const auto& [binding, texture] : counted.textures) {
+        TextureFetches row = texture;
+        row.fetches = work.fetches.at(binding);
         bool merged = false;
         for (TextureFetches& other : pass.by_texture)
           if (other.texture == row.texture && other.format == row.format && other.filter == row.filter)
@@ -166,6 +171,7 @@ std::vector<PassCounts> Frame::counts(Sequence& sequence) {
         if (!merged) pass.by_texture.push_back(row);
       }
     }
+    pass.operations = operations.by_name();
   }
   return all;
 }

@@ -71,7 +71,8 @@ class Frame {
   struct Counted {
     Stage stage;
     uint32_t first_word;
-    std::vector<TextureFetches> slots;
+    std::vector<Work> blocks;
+    std::map<uint32_t, TextureFetches> textures;  // by binding, without a count
     bool early_tests;
   };
   struct Step {

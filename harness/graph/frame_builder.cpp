@@ -327,13 +327,15 @@ void FrameBuilder::count(const Repetition& repetition, const GraphDraw& draw, Pi
     const uint32_t coverage = shader.stage == Stage::fragment ? step.coverage_word : 0;
     CountingShader counting = add_counters(shader, backend_.info().api, {binding, next_word_, coverage});
     Frame::Counted& counted =
-        step.counted.emplace_back(Frame::Counted{shader.stage, next_word_, {}, counting.early_fragment_tests});
-    next_word_ += counting.words;
-    for (const uint32_t slot : counting.slots)
-      for (const ResolvedRead& read : draw.reads)
-        if (read.binding == slot)
-          counted.slots.push_back({read.sampler, std::string(name_of(format_of(repetition.pass, draw, read.source))),
-                                   std::string(name_of(read.source.sampler.filter)), 0});
+        step.counted.emplace_back(Frame::Counted{shader.stage, next_word_, {}, {}, counting.early_fragment_tests});
+    next_word_ += counting.words();
+    counted.blocks = std::move(counting.blocks);
+    for (const Work& block : counted.blocks)
+      for (const auto& [texture, times] : block.fetches)
+        for (const ResolvedRead& read : draw.reads)
+          if (read.binding == texture)
+            counted.textures[texture] = {read.sampler, std::string(name_of(format_of(repetition.pass, draw, read.source))),
+                                         std::string(name_of(read.source.sampler.filter)), 0};
     desc.stages[i].spirv = std::move(counting.spirv);
   }
   desc.bindings.push_back({binding, BindingKind::storage_buffer});

@@ -63,7 +63,7 @@ constexpr auto fields(const PassRow*) {
   return std::tuple(field("name", &Row::name), field("once", &Row::once), field("ms", &Row::ms),
                     field("median_ms", &Row::median_ms), field("fragments", &Row::fragments), field("vertices", &Row::vertices),
                     field("fetches", &Row::fetches), field("early_tests", &Row::early_tests),
-                    field("by_texture", &Row::by_texture));
+                    field("by_texture", &Row::by_texture), left_out("operations", &Row::operations));
 }
 
 constexpr auto fields(const ErrorFigures*) {

@@ -25,6 +25,7 @@ struct PassRow {
   std::optional<uint64_t> fetches;
   bool early_tests = true;  // false: fragments hidden later are counted too, since the shader discards or writes depth
   std::vector<TextureFetches> by_texture;
+  std::map<std::string, uint64_t> operations;  // by class (shader/operations.h); empty: a record of before has none
 };
 
 // The frame's time of each round in ms: the sum over the passes that are not done once. Empty where nothing was timed. Throws

@@ -61,6 +61,7 @@ struct Kind<bool> : Scalar<bool> {
 };
 template <>
 struct Kind<uint64_t> : Scalar<uint64_t> {
+  static constexpr const char* many = "whole numbers";
   static std::string words() { return "a whole number"; }
   static bool fits(const Json& value) { return value.is_number_unsigned(); }
 };

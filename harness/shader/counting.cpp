@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The counting build: rewrites SPIR-V so that a shader counts its texture operations and its invocations.
+// The counting build: rewrites SPIR-V so that a shader counts its invocations and how often they run each basic block.
 //
-// In: a module of compile_shader(). Out: the same module, all functions inlined into main. Each invocation adds up its texture
-// operations in variables of its own as it comes to them, and adds the sums to the counters where it ends (returns or is
-// discarded): one atomic a texture, where one an operation takes several times as long. The invocation itself is counted at
-// main's beginning. What is counted is what the source says: an operation whose result nothing uses still counts, though a
-// driver leaves it out of the timed build.
+// In: a module of compile_shader(). Out: the same module, all functions inlined into main. Each invocation counts the blocks
+// that it runs in variables of its own, and adds these to the counters where it ends (returns or is discarded). Times what a
+// block does, that is exact through loops and branches, and costs an atomic a block where one an operation takes several times
+// as long. A block that follows another one without a branch shares its counter. The invocation itself is counted at main's
+// beginning. What is counted is what the source says: an operation whose result nothing uses still counts, though a driver
+// leaves it out of the timed build.
 #include <algorithm>
 #include <initializer_list>
 #include <map>
+#include <optional>
 #include <spirv-tools/optimizer.hpp>
+#include <utility>
 
 #include "harness/shader/early_tests.h"
 #include "harness/shader/shader.h"
@@ -93,9 +96,8 @@ class Instrumenter {
     write();
     CountingShader result;
     result.spirv = std::move(out_);
-    for (const auto& [binding, slot] : slots_) result.slots.push_back(binding);
+    result.blocks = std::move(blocks_);
     result.early_fragment_tests = early_;
-    result.words = static_cast<uint32_t>(2 + 2 * slots_.size());
     return result;
   }
 
@@ -109,12 +111,44 @@ class Instrumenter {
                                     module_.name(i.words[1])));
       if (i.op() == spv::OpDecorate && i.words[2] == spv::DecorationBuiltIn && i.words[3] == spv::BuiltInFragCoord)
         frag_coord_ = i.words[1];
-      if (is_texture_operation(i.op())) slots_.emplace(texture_binding(module_, i), 0);
     }
-    uint32_t next = 0;
-    for (auto& [binding, slot] : slots_) slot = next++;
+    read_blocks();
     early_ = stage_ == Stage::fragment && (demands_early_tests(module_) || allows_early_tests(module_));
     maps_coverage_ = stage_ == Stage::fragment && layout_.coverage_word != 0;
+  }
+
+  // The blocks that have work, and those that share a counter.
+  void read_blocks() {
+    std::map<uint32_t, int> entries;       // by label: branches that lead to it
+    std::map<uint32_t, uint32_t> follows;  // label -> the block that goes on there, and nowhere else
+    uint32_t label = 0;
+    const auto enter = [&](uint32_t to) { ++entries[to]; };
+    for (const SpirvInstruction& i : module_.instructions()) {
+      if (i.op() == spv::OpLabel) label = i.result;
+      if (i.op() == spv::OpBranch) enter(i.words[1]), follows[i.words[1]] = label;
+      if (i.op() == spv::OpBranchConditional) enter(i.words[2]), enter(i.words[3]);
+      if (i.op() == spv::OpSwitch)
+        for (size_t word = 2; word < i.words.size(); word += 2) enter(i.words[word]);  // the default, then value and label
+    }
+    std::map<uint32_t, Work> work;  // by the label of the first block that shares the counter
+    bool in_function = false;
+    for (const SpirvInstruction& i : module_.instructions()) {
+      if (i.op() == spv::OpFunction) in_function = true;
+      if (i.op() == spv::OpLabel) {
+        label = i.result;
+        for (size_t steps = 0; steps < follows.size() && follows.contains(label) && entries[label] == 1; ++steps)
+          label = follows[label];
+      }
+      if (!in_function || i.op() == spv::OpFunction || i.op() == spv::OpFunctionParameter) continue;
+      if (is_texture_operation(i.op()))
+        work[label].fetches[texture_binding(module_, i)] += 1;
+      else if (const Operations done = operations_of(module_, i, stage_); done.sum() > 0)
+        work[label].operations.add(done);
+    }
+    for (auto& [first, done] : work) {
+      block_of_.emplace(first, static_cast<uint32_t>(blocks_.size()));
+      blocks_.push_back(std::move(done));
+    }
   }
 
   // The counter buffer, and the types and constants that counting needs.
@@ -145,11 +179,11 @@ class Instrumenter {
     emit(decorations_, spv::OpDecorate, {frag_coord_, spv::DecorationBuiltIn, spv::BuiltInFragCoord});
   }
 
-  // A private variable for every texture: what this invocation has done so far.
+  // A private variable for every block: how often this invocation has run it so far.
   void declare_sums() {
-    if (slots_.empty()) return;
+    if (blocks_.empty()) return;
     const uint32_t pointer = type(spv::OpTypePointer, {spv::StorageClassPrivate, uint_});
-    while (sums_.size() < slots_.size()) {
+    while (sums_.size() < blocks_.size()) {
       sums_.push_back(new_id());
       emit(globals_, spv::OpVariable, {pointer, sums_.back(), spv::StorageClassPrivate, constant(0)});
     }
@@ -203,15 +237,15 @@ class Instrumenter {
     atomic_add(constant(word + 1), carry);
   }
 
-  void add_to_sum(uint32_t slot) {
-    const uint32_t sum = value(spv::OpIAdd, uint_, {value(spv::OpLoad, uint_, {sums_[slot]}), constant(1)});
-    emit(body_, spv::OpStore, {sums_[slot], sum});
+  void add_to_sum(uint32_t block) {
+    const uint32_t sum = value(spv::OpIAdd, uint_, {value(spv::OpLoad, uint_, {sums_[block]}), constant(1)});
+    emit(body_, spv::OpStore, {sums_[block], sum});
   }
 
   // What an invocation has added up, into the counters; before it ends.
   void count_sums() {
-    for (uint32_t slot = 0; slot < sums_.size(); ++slot)
-      count(layout_.first_word + 2 + 2 * slot, value(spv::OpLoad, uint_, {sums_[slot]}));
+    for (uint32_t block = 0; block < sums_.size(); ++block)
+      count(layout_.first_word + 2 + 2 * block, value(spv::OpLoad, uint_, {sums_[block]}));
   }
 
   void map_coverage() {
@@ -238,16 +272,21 @@ class Instrumenter {
   }
 
   void write_functions(std::span<const SpirvInstruction> instructions) {
-    bool in_main = false, begins = false;  // begins: between main's OpFunction and the first instruction that is no variable
+    bool in_main = false, begins = false;  // begins: main's first block has not begun
+    std::optional<uint32_t> entered;       // the block whose label was written, until it is counted
     for (const SpirvInstruction& i : instructions) {
       const spv::Op op = i.op();
-      if (begins && op != spv::OpLabel && op != spv::OpVariable && op != spv::OpLine && op != spv::OpNoLine) {
-        count(layout_.first_word, constant(1));
-        if (maps_coverage_) map_coverage();
-        begins = false;
-      }
       if (op == spv::OpFunction) in_main = begins = i.result == main_;
-      if (is_texture_operation(op)) add_to_sum(slots_.at(texture_binding(module_, i)));
+      if (op == spv::OpLabel) {
+        if (const auto block = block_of_.find(i.result); block != block_of_.end()) entered = block->second;
+      } else if (op != spv::OpPhi && op != spv::OpVariable && op != spv::OpLine && op != spv::OpNoLine &&
+                 op != spv::OpFunction && op != spv::OpFunctionParameter) {
+        if (std::exchange(begins, false)) {
+          count(layout_.first_word, constant(1));
+          if (maps_coverage_) map_coverage();
+        }
+        if (entered) add_to_sum(*std::exchange(entered, std::nullopt));
+      }
       if (op == spv::OpKill || (in_main && op == spv::OpReturn)) count_sums();
       append(body_, i.words);
     }
@@ -286,8 +325,9 @@ class Instrumenter {
   const CountingLayout& layout_;
   uint32_t bound_;
   uint32_t main_ = 0, frag_coord_ = 0;
-  std::map<uint32_t, uint32_t> slots_;  // binding -> slot
-  std::vector<uint32_t> sums_;          // by slot: the variable
+  std::vector<Work> blocks_;
+  std::map<uint32_t, uint32_t> block_of_;  // label -> index into blocks_
+  std::vector<uint32_t> sums_;             // beside blocks_: the variable
   bool early_ = false, maps_coverage_ = false;
   uint32_t uint_ = 0, bool_ = 0, float_ = 0, float4_ = 0, uint_pointer_ = 0, counters_ = 0;
   std::map<uint32_t, uint32_t> constants_;  // value -> id
@@ -295,6 +335,11 @@ class Instrumenter {
 };
 
 }  // namespace
+
+void Work::add(const Work& other, uint64_t times) {
+  for (const auto& [binding, count] : other.fetches) fetches[binding] += times * count;
+  operations.add(other.operations, times);
+}
 
 CountingShader add_counters(const CompiledShader& shader, Api api, const CountingLayout& layout) {
   const Words spirv = inlined(shader.spirv, api);

@@ -32,8 +32,9 @@ struct RunSetup {
 
 struct Counts {
   uint64_t invocations = 0;
-  std::map<uint32_t, uint64_t> fetches;  // by binding
-  std::vector<uint32_t> coverage;        // a word a pixel
+  std::map<uint32_t, uint64_t> fetches;        // by binding
+  std::map<std::string, uint64_t> operations;  // by class
+  std::vector<uint32_t> coverage;              // a word a pixel
   bool early_fragment_tests = false;
   std::vector<float> picture;  // RGBA of the counting build
 
@@ -77,8 +78,7 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
     const CompiledShader vertex = compile(Stage::vertex, api(), setup.vertex);
     const CompiledShader fragment = compile(Stage::fragment, api(), setup.fragment);
     const CompiledShader& counted = setup.count_vertex ? vertex : fragment;
-    // The coverage map starts behind as many slots as there can be.
-    const uint32_t coverage_word = 4 + 2 * static_cast<uint32_t>(counted.reflection.resources.size());
+    const uint32_t coverage_word = 2 + add_counters(counted, api(), {.binding = counter_binding}).words();
     const CountingShader counting = add_counters(counted, api(), {.binding = counter_binding, .coverage_word = coverage_word});
 
     const std::vector<float> plain = draw(setup, vertex, fragment, vertex.spirv, fragment.spirv, {});
@@ -105,7 +105,7 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
     desc.stages = {{Stage::compute, counting.spirv}};
     Draw draw;
     bind(desc, draw, shader.reflection);
-    const BufferId buffer = make_counters(std::vector<uint32_t>(2 + counting.words));
+    const BufferId buffer = make_counters(std::vector<uint32_t>(2 + counting.words()));
     bind_counters(desc, draw, buffer);
     draw.pipeline = backend_->create_pipeline(desc);
     draw.groups = groups;
@@ -187,7 +187,10 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
 
   static void take_counts(Counts& counts, const std::vector<uint32_t>& words, const CountingShader& counting) {
     counts.invocations = counter_at(words, 2);
-    for (size_t k = 0; k < counting.slots.size(); ++k) counts.fetches[counting.slots[k]] = counter_at(words, 4 + 2 * k);
+    Work work;
+    for (size_t k = 0; k < counting.blocks.size(); ++k) work.add(counting.blocks[k], counter_at(words, 4 + 2 * k));
+    counts.fetches = work.fetches;
+    counts.operations = work.operations.by_name();
     counts.early_fragment_tests = counting.early_fragment_tests;
   }
 
