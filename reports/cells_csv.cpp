@@ -30,6 +30,15 @@ std::string in_cell(const CellRow& cell) {
   return cell.*member ? csv_words((*(cell.*member)).*figure) : "";
 }
 
+// By class, over the passes that are not done once.
+std::map<std::string, uint64_t> operations_of_frame(const CellRow& cell) {
+  std::map<std::string, uint64_t> sum;
+  for (const PassRow& pass : cell.passes)
+    if (!pass.once)
+      for (const auto& [operation, times] : pass.operations) sum[operation] += times;
+  return sum;
+}
+
 // Whether a column is a time of the device, which only a good certificate lets out.
 struct CsvColumn {
   const char* name;
@@ -96,13 +105,16 @@ std::string csv_field(const std::string& text) {
 }
 
 std::string cells_csv(const Record& record) {
-  std::set<std::string> params;
-  for (const CellRow& cell : record.cells)
+  std::set<std::string> params, operations;
+  for (const CellRow& cell : record.cells) {
     for (const auto& [path, value] : cell.params) params.insert(path);
+    for (const auto& [operation, times] : operations_of_frame(cell)) operations.insert(operation);
+  }
 
   std::string csv = "build";
   for (const CsvColumn& column : csv_columns) csv += fmt::format(",{}", column.name);
   for (const std::string& path : params) csv += "," + csv_field("params." + path);
+  for (const std::string& operation : operations) csv += "," + csv_field("operations." + operation);
   csv += "\r\n";
   for (const CellRow& cell : record.cells) {
     const bool shown = times_shown(record, cell.backend);
@@ -112,6 +124,12 @@ std::string cells_csv(const Record& record) {
     for (const std::string& path : params) {
       const auto value = cell.params.find(path);
       csv += "," + (value == cell.params.end() ? "" : csv_words(value->second));
+    }
+    const std::map<std::string, uint64_t> done = operations_of_frame(cell);
+    for (const std::string& operation : operations) {
+      const auto times = done.find(operation);
+      // A class that a counted frame does not have is 0; a frame that was not counted has no figure.
+      csv += "," + (times != done.end() ? csv_words(times->second) : done.empty() ? "" : "0");
     }
     csv += "\r\n";
   }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each pass of a variant costs, over the views: time, shaded fragments, and fetches by texture, format and filter.
+// What each pass of a variant costs, over the views: time, shaded fragments, fetches by texture, format and filter, and
+// operations by class.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "reports/words.h"
 
@@ -54,6 +56,7 @@ std::vector<PassSummary> summarize_passes(const Record& record) {
       sum.fetches += fetches;
       sum.covered_pixels += static_cast<double>(cell.covered_pixels.value_or(0));
       for (const TextureFetches& fetched : row.by_texture) share_of(pass, fetched).fetches += fetched.fetches;
+      for (const auto& [operation, times] : row.operations) pass.operations[operation] += static_cast<double>(times);
       if (!row.ms.empty() && cell.timed && times_shown(record, cell.backend)) {
         sum.ms += median(row.ms);
         sum.timed_fetches += fetches;
@@ -67,11 +70,39 @@ std::vector<PassSummary> summarize_passes(const Record& record) {
     pass.fragments /= static_cast<double>(pass.views);
     if (sum.timed_views > 0) pass.ms = sum.ms / static_cast<double>(sum.timed_views);
     if (sum.timed_fetches > 0) pass.ns_per_fetch = 1e6 * sum.ms / sum.timed_fetches;
-    if (sum.covered_pixels == 0) continue;
+    if (sum.covered_pixels == 0) {
+      pass.operations.clear();
+      continue;
+    }
+    for (auto& [operation, times] : pass.operations) times /= sum.covered_pixels;
     pass.fetches_per_pixel = sum.fetches / sum.covered_pixels;
     for (PassSummary::Share& share : pass.shares) share.per_pixel = static_cast<double>(share.fetches) / sum.covered_pixels;
   }
   return passes;
+}
+
+double PassSummary::operations_per_pixel() const {
+  return std::accumulate(operations.begin(), operations.end(), 0.0,
+                         [](double sum, const auto& one) { return sum + one.second; });
+}
+
+std::string_view operation_group(std::string_view operation) {
+  struct Group {
+    std::string_view name;
+    std::vector<std::string_view> of;
+  };
+  static const std::vector<Group> groups = {
+      {"add, multiply", {"add", "multiply", "fma"}},
+      {"divide, root", {"divide", "root"}},
+      {"transcendental", {"sin", "cos", "tan", "asin", "acos", "atan", "hyperbolic", "exp", "log", "pow"}},
+      {"integer", {"integer"}},
+      {"compare, select, branch", {"compare", "select", "branch"}},
+      {"convert", {"convert"}},
+      {"inputs, derivatives", {"derivative", "interpolation", "input"}},
+      {"memory", {"uniform", "storage", "image", "query"}}};
+  for (const Group& group : groups)
+    if (std::ranges::find(group.of, operation) != group.of.end()) return group.name;
+  return "other";
 }
 
 std::string words_for_fragments(const PassSummary& pass) {
@@ -85,19 +116,25 @@ std::string words_for_share(const PassSummary::Share& share) {
 Table passes_table(const std::vector<PassSummary>& passes) {
   Table table = {
       .caption =
-          "Means over views; fetches per pixel that the effect covers; ns per fetch: the pass's whole time over its fetches",
+          "Means over views; fetches and operations per pixel that the effect covers; ns per fetch: the pass's whole time over "
+          "its "
+          "fetches",
       .columns = {words_column("variant"), words_column("backend"), words_column("pass"), words_column("done"),
                   figures_column("ms"), figures_column("fragments"), figures_column("fetches/px"), figures_column("ns/fetch"),
-                  words_column("by texture, format and filter")},
+                  words_column("by texture, format and filter"), figures_column("operations/px"), words_column("by class")},
       .html_class = "wide"};
+  constexpr size_t by_texture = 8;  // the column
   const auto figure = [](const std::optional<double>& value, int digits) {
     return value ? fmt::format("{:.{}f}", *value, digits) : std::string("-");
   };
   for (const PassSummary& pass : passes) {
-    Row& row = table.rows.emplace_back(row_of({pass.variant, pass.backend, pass.name, pass.once ? "once" : "each frame",
-                                               pass.ms ? words_for_ms(*pass.ms) : "-", words_for_fragments(pass),
-                                               figure(pass.fetches_per_pixel, 1), figure(pass.ns_per_fetch, 2), ""}));
-    for (const PassSummary::Share& share : pass.shares) row.cells.back().items.push_back(words_for_share(share));
+    Row& row = table.rows.emplace_back(
+        row_of({pass.variant, pass.backend, pass.name, pass.once ? "once" : "each frame",
+                pass.ms ? words_for_ms(*pass.ms) : "-", words_for_fragments(pass), figure(pass.fetches_per_pixel, 1),
+                figure(pass.ns_per_fetch, 2), "", pass.operations.empty() ? "-" : figure(pass.operations_per_pixel(), 1), ""}));
+    for (const PassSummary::Share& share : pass.shares) row.cells[by_texture].items.push_back(words_for_share(share));
+    for (const auto& [operation, per_pixel] : pass.operations)
+      if (per_pixel >= 0.05) row.cells.back().items.push_back(fmt::format("{} {:.1f}", operation, per_pixel));
   }
   return table;
 }

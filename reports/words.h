@@ -78,11 +78,15 @@ struct PassSummary {
   std::optional<double> fetches_per_pixel;
   std::optional<double> ns_per_fetch;  // the pass's time over its fetches; absent where it is not timed or fetches nothing
   std::vector<Share> shares;
+  std::map<std::string, double> operations;  // by class (harness/shader/operations.h): executed / covered pixels
+  double operations_per_pixel() const;
 };
 std::vector<PassSummary> summarize_passes(const Record& record);
 Table passes_table(const std::vector<PassSummary>& passes);
 std::string words_for_fragments(const PassSummary& pass);      // "5210", or "5210, hidden ones too"
 std::string words_for_share(const PassSummary::Share& share);  // "light_map (rgba16_float, linear) 13.0/px"
+// The kind of work that a class of operations belongs to, as charts group them: "add" is "add, multiply".
+std::string_view operation_group(std::string_view operation);
 
 struct Certificate {
   std::string backend;

@@ -154,6 +154,10 @@ void add_passes(Json& passes, const Record& record, size_t number) {
                         {"format", share.format},
                         {"filter", share.filter},
                         {"per_pixel", six_digits(share.per_pixel)}});
+    Json operations = Json::array();
+    for (const auto& [operation, per_pixel] : pass.operations)
+      operations.push_back(
+          {{"operation", operation}, {"group", operation_group(operation)}, {"per_pixel", six_digits(per_pixel)}});
     passes.push_back({{"record", number},
                       {"effect", pass.effect},
                       {"variant", pass.variant},
@@ -163,7 +167,8 @@ void add_passes(Json& passes, const Record& record, size_t number) {
                       {"ms", or_null(pass.ms)},
                       {"per_pixel", or_null(pass.fetches_per_pixel)},
                       {"ns_per_fetch", or_null(pass.ns_per_fetch)},
-                      {"shares", shares}});
+                      {"shares", shares},
+                      {"operations", operations}});
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the time goes: passes stacked for each variant, beside them fetches by texture, and what a fetch costs.
+// Where the time goes: passes stacked for each variant, beside them operations by class, fetches by texture, and what a fetch
+// costs.
 if (page) {
   const section = section_of('passes');
   // A legend of these names alone, of which each has its colour by its place in all.
@@ -31,6 +32,14 @@ if (page) {
         bars(
             plot_place(grid), 'Time of a frame, by pass', 'ms', timed, 'ms', 'pass',
             p => `${p.variant}: ${p.pass}\n${digits(p.ms)} ms`, names);
+      const operations = passes.filter(p => !p.once)
+                             .flatMap(p => p.operations.map(one => ({...one, variant: p.variant, pass: p.pass})))
+                             .sort((a, b) => d3.ascending(a.group, b.group));
+      if (operations.length)
+        bars(
+            plot_place(grid), 'Operations a pixel, by class', 'operations a covered pixel', operations, 'per_pixel', 'group',
+            o => `${o.variant}: ${o.operation}\n${digits(o.per_pixel)} a pixel, in ${o.pass}`,
+            unique(operations.map(o => o.group)));
       const shares =
           passes.filter(p => !p.once)
               .flatMap(

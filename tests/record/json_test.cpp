@@ -32,6 +32,7 @@ PassRow pass(std::string name, std::vector<double> ms, bool once = false) {
   row.fetches = 1300;
   row.early_tests = false;
   row.by_texture = {{.texture = "light_map", .format = "rgba16_float", .filter = "linear", .fetches = 1300}};
+  row.operations = {{"add", 5000000000}, {"root", 7}};
   return row;
 }
 
@@ -87,7 +88,7 @@ TEST(CellToJson, HasTheFieldsThatTheDesignFixes) {
   all.insert(added.begin(), added.end());
   EXPECT_EQ(names_of(line), all);
   EXPECT_EQ(names_of(line["passes"][0]), (std::set<std::string>{"name", "once", "ms", "median_ms", "fragments", "vertices",
-                                                                "fetches", "early_tests", "by_texture"}));
+                                                                "fetches", "early_tests", "by_texture", "operations"}));
   EXPECT_EQ(names_of(line["passes"][0]["by_texture"][0]), (std::set<std::string>{"texture", "format", "filter", "fetches"}));
   EXPECT_EQ(names_of(line["ratio_to_baseline"]), (std::set<std::string>{"median", "low", "high", "rounds", "coverage"}));
   EXPECT_EQ(names_of(line["error"]), (std::set<std::string>{"baseline", "frame", "truth"}));
@@ -284,6 +285,7 @@ TEST(RowOf, GivesBackThePassesThatWereWritten) {
   EXPECT_EQ(back[2].by_texture[0].format, "rgba16_float");
   EXPECT_EQ(back[2].by_texture[0].filter, "linear");
   EXPECT_EQ(back[2].by_texture[0].fetches, 1300u);
+  EXPECT_EQ(back[2].operations, (std::map<std::string, uint64_t>{{"add", 5000000000}, {"root", 7}}));
 }
 
 }  // namespace

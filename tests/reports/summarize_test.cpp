@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "harness/shader/operations.h"
 #include "reports/words.h"
 #include "tests/reports/example_record.h"
 
@@ -197,8 +198,19 @@ TEST(SummarizePasses, MeansOverViewsAndFetchesByTexture) {
   ASSERT_EQ(passes[0].shares.size(), 2u);
   EXPECT_EQ(words_for_share(passes[0].shares[0]), "light_map_texture (rgba16_float, linear) 6.5/px");
   EXPECT_EQ(words_for_share(passes[0].shares[1]), "outer_albedo (rgba8_srgb, trilinear) 1.0/px");
+  EXPECT_TRUE(passes[0].operations.empty()) << "as in records from before they were counted";
+  cells[0].passes[0].operations = {{"add", 1000}, {"exp", 100}}, cells[1].passes[0].operations = {{"add", 600}};
+  const PassSummary counted = summarize_passes(example_record(cells))[0];
+  EXPECT_EQ(counted.operations, (std::map<std::string, double>{{"add", 4}, {"exp", 0.25}}));  // over 400 pixels
+  EXPECT_DOUBLE_EQ(counted.operations_per_pixel(), 4.25);
   cells[1].passes[0].early_tests = false;
   EXPECT_EQ(words_for_fragments(summarize_passes(example_record(cells))[0]), "120, hidden ones too");
+}
+
+TEST(SummarizePasses, EveryClassOfOperationsHasAGroup) {
+  for (size_t k = 0; k < operation_class_count; ++k)
+    EXPECT_NE(operation_group(name_of(static_cast<OperationClass>(k))), "other") << name_of(static_cast<OperationClass>(k));
+  EXPECT_EQ(operation_group("teleport"), "other") << "of a record from another version";
 }
 
 }  // namespace

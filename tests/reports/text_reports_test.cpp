@@ -263,6 +263,22 @@ TEST(CellsCsv, OneLineACellUnderNamesFromTheRecord) {
   EXPECT_EQ(field(csv, 0, "ratio_to_baseline.low"), "");
 }
 
+TEST(CellsCsv, OperationsOfTheFrameByClass) {
+  std::vector<CellRow> cells = example_cells();
+  PassRow once = cells[0].passes[0], second = once;
+  once.once = true, once.operations = {{"sin", 9}};
+  second.operations = {{"add", 30}, {"root", 2}};
+  cells[0].passes[0].operations = {{"add", 400}};
+  cells[0].passes.insert(cells[0].passes.end(), {once, second});
+  cells[1].passes[0].operations = {{"root", 1}};
+  const auto csv = parse_csv(cells_csv(example_record(cells)));
+  EXPECT_EQ(field(csv, 0, "operations.add"), "430");
+  EXPECT_EQ(field(csv, 0, "operations.root"), "2");
+  EXPECT_EQ(field(csv, 1, "operations.add"), "0") << "counted, and none";
+  EXPECT_EQ(field(csv, 2, "operations.add"), "") << "not counted";
+  EXPECT_EQ(std::ranges::count(csv[0], "operations.sin"), 0) << "done once";
+}
+
 TEST(CellsCsv, QuotesCommasQuotesAndNewlines) {
   std::vector<CellRow> cells = example_cells();
   cells[0].failed = true;
