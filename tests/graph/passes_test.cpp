@@ -309,5 +309,19 @@ TEST_P(Passes, ComputeWritesImagesAndBuffersAndIsCounted) {
   EXPECT_EQ(counts.fetches(), 2u * 13u * 9u) << "threads beyond the image return first";
 }
 
+TEST_P(Passes, OperationsOfAllObjectsAndStagesAddUp) {
+  write_effect("rooted", "key = \"rooted\"");
+  write("rooted/draw.frag", "layout(location = 0) out vec4 color;\nvoid main() { color = vec4(sqrt(gl_FragCoord.xyz), 1); }\n");
+  write_variant("rooted", "rooted_full", objects_pass("draw.frag"));
+  const Library library = made();
+  const Scene scene = squares({square("a", 0, {"rooted"}), square("b", 0, {"rooted"})});
+  const auto counted = drawn(library, scene, {}, Build::counting);
+  const PassCounts counts = counted->frame->frame_counts().at(0);
+  EXPECT_EQ(counts.fragments, 2u * 16u * 16u);
+  EXPECT_EQ(counts.operations.at("root"), 3 * counts.fragments);
+  EXPECT_EQ(counts.operations.at("input"), (3u + 3u + 4u + 1u + 2u) * counts.vertices)
+      << "as common/object.vert reads them: the w of the tangent by itself";
+}
+
 }  // namespace
 }  // namespace lamina
