@@ -27,9 +27,10 @@ TruthRun::TruthRun(SceneResources& resources, const Plan& plan, const EffectMani
                    Bakes& bakes, const CellOptions& options)
     : resources_(resources), plan_(plan), effect_(effect), shaders_(shaders), bakes_(bakes), options_(options) {}
 
-// The variant that has passes for the truth and the same bake options as this one.
+// The variant itself where it has passes for the truth, else the one that has them and the same bake options.
 const VariantManifest* TruthRun::teller(const VariantManifest& variant) const {
   if (effect_.truth.empty()) return nullptr;
+  if (has_truth_passes(variant)) return &variant;
   for (const VariantManifest& candidate : effect_.variants)
     if (candidate.bake == variant.bake && has_truth_passes(candidate)) return &candidate;
   return nullptr;

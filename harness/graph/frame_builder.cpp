@@ -133,7 +133,7 @@ void FrameBuilder::build_pass(const Repetition& repetition, std::span<const Grap
   for (const GraphDraw& draw : draws) prepare_read_back(repetition, draw, turning);
   Pass into = begin_pass(repetition, draws.front());
   for (size_t i = 0; i < draws.size() && manifest.draw != DrawKind::mips; ++i)
-    into.draws.push_back(make_draw(repetition, draws[i], into));
+    if (!draws[i].stages.empty()) into.draws.push_back(make_draw(repetition, draws[i], into));
   into.count_samples = manifest.until_empty;
   repetition.passes.push_back(std::move(into));
   for (FrameTarget* target : turning) target->current = 1 - target->current;

@@ -30,7 +30,7 @@ std::string frequency_words(const PassManifest& pass, const Scene& scene, bool& 
   once = pass.when == Frequency::once;
   if (pass.when == Frequency::once) return "once for the scene";
   if (pass.when == Frequency::truth) return "for the truth alone";
-  if (pass.when == Frequency::frame) return "every frame";
+  if (pass.when == Frequency::frame || pass.when == Frequency::frame_and_truth) return "every frame";
   once = !scene.mesh_moves && !scene.lights_move;
   if (once) return "once: meshes and lights are still";
   return scene.mesh_moves ? "every frame: a mesh moves" : "every frame: a light moves";
@@ -59,7 +59,10 @@ class Maker {
         pass.draws.push_back(make_draw(pass, std::nullopt, light));
         continue;
       }
-      for (const size_t object : objects_of(effect, manifest)) pass.draws.push_back(make_draw(pass, object, light));
+      const std::vector<size_t>& objects = objects_of(effect, manifest);
+      for (const size_t object : objects) pass.draws.push_back(make_draw(pass, object, light));
+      // A scene without any such object still has the targets that are cleared before them.
+      if (objects.empty() && manifest.draw == DrawKind::objects) pass.draws.push_back({.light = light});
     }
     return pass;
   }
@@ -216,7 +219,7 @@ Graph make_graph(const Plan& plan, const Configuration& configuration, const Sce
     const EffectPlan& effect = *plan.of(variant->effect);
     const bool truth = purpose == Purpose::truth && has_truth_passes(*variant);
     for (const PassManifest& manifest : variant->passes) {
-      if ((manifest.when == Frequency::truth) != truth) continue;
+      if ((manifest.when == Frequency::truth) != truth && manifest.when != Frequency::frame_and_truth) continue;
       if (variant->value_of(manifest.repeat, parameters) < 1) continue;
       graph.passes.push_back(maker.make_pass(effect, *variant, manifest));
     }

@@ -28,7 +28,7 @@ struct ResolvedBuffer {
 struct GraphDraw {
   std::optional<size_t> object;  // none: a full-screen or compute pass of the frame or of a light
   std::optional<size_t> light;   // that it is drawn for
-  std::vector<std::shared_ptr<const CompiledShader>> stages;
+  std::vector<std::shared_ptr<const CompiledShader>> stages;  // none: nothing is drawn, and targets are cleared alone
   std::vector<ResolvedRead> reads;
   std::vector<ResolvedBuffer> buffers;  // storage
 };
@@ -54,7 +54,7 @@ struct Graph {
 // What the passes are for.
 enum class Purpose : uint8_t {
   frame,  // pictures and times
-  truth,  // a variant that has passes for the truth runs those in place of its others
+  truth,  // a variant that has passes for the truth runs those, and those for both, in place of its others
 };
 
 // Throws Error(bad_input) for a shader that does not compile or names something unknown, for a target that is read before

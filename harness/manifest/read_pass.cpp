@@ -221,7 +221,7 @@ PassManifest read_pass(const TomlTable& table, const VariantManifest& variant, c
   pass.draw = choice(table, "draw", {"objects", "unwrapped", "fullscreen", "compute", "mips"}, DrawKind::objects);
   pass.of = choice(table, "of", {"own", "all", "opaque"}, DrawnObjects::own);
   pass.view = choice(table, "view", {"eye", "light", "mirror"}, PassView::eye);
-  pass.when = choice(table, "when", {"frame", "mesh_or_lights_move", "once", "truth"}, Frequency::frame);
+  pass.when = choice(table, "when", {"frame", "mesh_or_lights_move", "once", "truth", "frame_and_truth"}, Frequency::frame);
   read_repeat(table, variant, pass);
   pass.vertex = find_shader(table, "vertex", folder, shaders);
   if (pass.draw == DrawKind::fullscreen && pass.vertex.empty()) pass.vertex = shaders / "common/fullscreen.vert";

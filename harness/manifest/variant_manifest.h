@@ -22,6 +22,7 @@ enum class Frequency : uint8_t {
   mesh_or_lights_move,  // every frame while a mesh or a light moves, else once
   once,                 // once for a scene
   truth,                // never in a frame: draws for the offline truth what each pixel shows
+  frame_and_truth,      // every frame, and before the passes for the truth, which read what it writes
 };
 enum class DrawKind : uint8_t {
   objects,     // objects on screen

@@ -81,6 +81,22 @@ TEST_F(BadInput, NotARecord) {
   EXPECT_SAYS(outcome.output, "record.jsonl:1");
 }
 
+// Fog that cannot be: one message each, with file and line.
+TEST_F(BadInput, Fog) {
+  square_model();
+  const auto plan = [&](const std::string& rest) {
+    const auto file = write("scene.toml", "[scene]\nmodel = \"square.gltf\"\n" + rest);
+    const Outcome outcome = lamina_program("plan " + file.string());
+    EXPECT_EQ(outcome.status, 2) << rest;
+    return outcome.output;
+  };
+  EXPECT_SAYS(plan("[objects.square.fog]\n"), "volume_fog needs a closed hull, and its mesh is open");
+  EXPECT_SAYS(plan("[effects.volume_fog]\ndensity = -1\n"), "scene.toml:4");
+  EXPECT_SAYS(plan("[objects.square.fog]\nshare = 1.5\n"), "scene.toml:4");
+  EXPECT_SAYS(plan("[objects.square.fog]\nvolume = \"hloe\"\n"), "did you mean 'hole'?");
+  EXPECT_SAYS(plan("[effects.volume_fog]\nreach = -2\n"), "scene.toml:4");
+}
+
 TEST_F(BadInput, HelpAndVersionAreNotErrors) {
   EXPECT_EQ(lamina_program("--help").status, 0);
   EXPECT_EQ(lamina_program("compare --help").status, 0);

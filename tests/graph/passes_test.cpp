@@ -48,6 +48,47 @@ TEST_P(Passes, TargetsOfTwoVariantsWithOneNameAreTwo) {
   EXPECT_EQ(told->frame->target(library.effect("two").baseline(), "seen").rgba[0], 2);
 }
 
+// What a pass for both wrote is what a pass for the truth reads; a pass of the frame alone is not run for the truth.
+TEST_P(Passes, APassForTheFrameAndTheTruthServesBoth) {
+  write_effect("one", "key = \"one\"");
+  write_variant("one", "one_full",
+                "[targets.value]\nformat = \"rgba32_float\"\n[targets.seen]\nformat = \"rgba32_float\"\n" +
+                    fullscreen_pass("fill", "fill.frag", "value", "when = \"frame_and_truth\"\n") +
+                    fullscreen_pass("tell", "copy.frag", "seen", "when = \"truth\"\n") +
+                    fullscreen_pass("show", "copy.frag", "frame"));
+  write("one/fill.frag", "layout(location = 0) out vec4 value;\nvoid main() { value = vec4(0.625); }\n");
+  write("one/copy.frag",
+        "layout(binding = 4) uniform sampler2D value;\nlayout(location = 0) out vec4 seen;\n"
+        "void main() { seen = texelFetch(value, ivec2(0), 0); }\n");
+  const Library library = made();
+  const Scene scene = squares({square("a", 0, {"one"})});
+  const auto shown = drawn(library, scene);
+  EXPECT_EQ(shown->frame->frame_names(), (std::vector<std::string>{"fill", "show"}));
+  EXPECT_EQ(pixel(shown->picture(), 3, 8).r, 0.625f);
+  const auto told = drawn(library, scene, {}, Build::timed, 16, Purpose::truth);
+  EXPECT_EQ(told->frame->frame_names(), (std::vector<std::string>{"fill", "tell"}));
+  EXPECT_EQ(told->frame->target(library.effect("one").baseline(), "seen").rgba[0], 0.625f);
+}
+
+// A pass of all opaque objects in a scene that has none leaves its target as it clears it.
+TEST_P(Passes, APassWithoutObjectsClearsItsTargets) {
+  write_effect("one", "key = \"one\"\nsolid = false");
+  write_variant("one", "one_full",
+                "[targets.value]\nformat = \"rgba32_float\"\n" +
+                    pass_text("fill",
+                              "draw = \"objects\"\nof = \"opaque\"\nvertex = \"common/object.vert\"\n"
+                              "fragment = \"fill.frag\"\nwrite = [\"value\"]\nclear = [0.625, 0, 0, 0]\n") +
+                    fullscreen_pass("show", "copy.frag", "frame"));
+  write("one/fill.frag", "layout(location = 0) out vec4 value;\nvoid main() { value = vec4(1.0); }\n");
+  write("one/copy.frag",
+        "layout(binding = 4) uniform sampler2D value;\nlayout(location = 0) out vec4 seen;\n"
+        "void main() { seen = texelFetch(value, ivec2(0), 0); }\n");
+  const Library library = made();
+  Scene scene = squares({square("a", 0, {"one"})});
+  scene.objects[0].solid = false;
+  EXPECT_EQ(pixel(drawn(library, scene)->picture(), 3, 8).r, 0.625f);
+}
+
 // Two effects share a target: the first to draw it serves both, and each reads it.
 TEST_P(Passes, ASharedTargetIsDrawnOnce) {
   for (const std::string name : {"one", "two"}) {

@@ -54,7 +54,7 @@ TEST_P(BuiltinScene, IsSoundInEveryVertexAndTriangle) {
       away += glm::dot(glm::cross(b.position - a.position, c.position - a.position), a.normal + b.normal + c.normal) <= 0;
     }
     // The heart's sharpest folds have smooth normals: heart_test.cpp says how it is closed.
-    if (scene.name != "heart") {
+    if (object.name != "heart") {
       EXPECT_EQ(away, 0u) << "triangles that do not face where their normals point";
     }
     size_t bad_frames = 0, outside = 0;

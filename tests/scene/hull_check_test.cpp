@@ -8,6 +8,8 @@
 #include <ctime>
 #include <numbers>
 
+#include "harness/scene/made/cube_sphere.h"
+
 namespace lamina {
 namespace {
 
@@ -184,6 +186,11 @@ TEST(HullCheck, AHundredThousandTrianglesAreQuick) {
   EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 2.0);
   remove_triangle(mesh, 77'777);
   EXPECT_NE(hull_problem(mesh), std::nullopt);
+}
+
+// Six charts with seams between them, whose vertices stand at exactly the same places.
+TEST(HullCheck, ACubeSphereIsClosedAtItsSeams) {
+  for (const uint32_t points : {2u, 3u, 8u, 25u, 41u}) EXPECT_EQ(hull_problem(cube_sphere(points)), std::nullopt) << points;
 }
 
 }  // namespace

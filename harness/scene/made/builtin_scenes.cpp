@@ -7,6 +7,11 @@
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/scene/made/conical_pit.h"
+#include "harness/scene/made/fog_flight.h"
+#include "harness/scene/made/fog_heart.h"
+#include "harness/scene/made/fog_shaft.h"
+#include "harness/scene/made/fog_valley.h"
+#include "harness/scene/made/fog_xray.h"
 #include "harness/scene/made/heart.h"
 #include "harness/scene/made/open_plane.h"
 #include "harness/scene/made/sphere_over_plane.h"
@@ -28,6 +33,11 @@ constexpr Builtin builtins[] = {
     {"two_windows", [](float) { return make_two_windows(); }},
     {"open_plane", [](float) { return make_open_plane(); }},
     {"conical_pit", [](float) { return make_conical_pit(); }},
+    {"fog_heart", make_fog_heart},
+    {"fog_valley", make_fog_valley},
+    {"fog_shaft", [](float) { return make_fog_shaft(); }},
+    {"fog_xray", make_fog_xray},
+    {"fog_flight", make_fog_flight},
 };
 
 }  // namespace

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// See cube_sphere.h.
+#include "harness/scene/made/cube_sphere.h"
+
+#include <array>
+#include <cmath>
+
+#include "harness/scene/made/height_field.h"
+#include "harness/scene/mesh/tangents.h"
+
+namespace lamina {
+namespace {
+
+// Where points stand along a face of the cube from -1 to 1. Both ends are exactly 1, and the two halves exactly each other's
+// negatives: two faces that meet run along their seam in opposite directions.
+std::vector<float> along_face(uint32_t points) {
+  std::vector<float> places(points);
+  for (uint32_t i = 0; 2 * i < points; ++i) {
+    const float t = static_cast<float>(i) / static_cast<float>(points - 1);
+    const float place = i == 0 ? 1 : -std::tan(static_cast<float>(M_PI) / 4 * (2.0f * t - 1.0f));
+    places[i] = -place, places[points - 1 - i] = place;
+  }
+  if (points % 2 == 1) places[points / 2] = 0;
+  return places;
+}
+
+}  // namespace
+
+Mesh cube_sphere(uint32_t points_per_edge) {
+  // What u and v run along; the face looks along cross(v, u), as columns run right and rows run down.
+  static constexpr std::array<std::array<glm::vec3, 2>, 6> faces = {{{{{0, 0, -1}, {0, -1, 0}}},
+                                                                     {{{0, 0, 1}, {0, -1, 0}}},
+                                                                     {{{1, 0, 0}, {0, 0, 1}}},
+                                                                     {{{1, 0, 0}, {0, 0, -1}}},
+                                                                     {{{1, 0, 0}, {0, -1, 0}}},
+                                                                     {{{-1, 0, 0}, {0, -1, 0}}}}};
+  constexpr float gap = 0.02f;  // around a chart, as a share of its cell
+  const std::vector<float> places = along_face(points_per_edge);
+  Mesh mesh;
+  for (uint32_t face = 0; face < 6; ++face) {
+    const auto [right, down] = faces[face];
+    add_grid(mesh, points_per_edge, points_per_edge, [&, u = right, v = down](uint32_t column, uint32_t row) -> Vertex {
+      const glm::vec2 t = glm::vec2(column, row) / static_cast<float>(points_per_edge - 1);
+      const glm::vec3 out = glm::normalize(glm::cross(v, u) + places[column] * u + places[row] * v);
+      const glm::vec2 uv = (glm::vec2(face % 3, face / 3) + gap + (1 - 2 * gap) * t) / glm::vec2(3, 2);
+      return {out, out, glm::vec4(0), uv};
+    });
+  }
+  compute_tangents(mesh);
+  return mesh;
+}
+
+}  // namespace lamina

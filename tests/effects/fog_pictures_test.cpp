@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures with fog: backends agree, nothing is NaN, colour follows the formula, and fog that is none costs nothing.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "harness/effects/volume_fog/fog_color.h"
+#include "harness/quality/quality.h"
+#include "harness/scene/textures.h"
+#include "tests/effects/fog_cases.h"
+
+namespace lamina {
+namespace {
+
+// A ball in two hulls and a hole, before a wall.
+Scene ball_in_fog(float density) {
+  Scene scene;
+  scene.name = scene.source = "ball in fog";
+  scene.objects.push_back(coloured_object("ball", cube_sphere(17), {0.5f, 0.4f, 0.3f}, false));
+  scene.objects.push_back(wall(-3, 6));
+  scene.objects.push_back(fog_ball("outer", {0, 0.3f, 0}, {2.0f, 1.7f, 1.9f}, 0.3f));
+  scene.objects.push_back(fog_ball("low", {0.4f, -0.8f, 0}, {2.4f, 0.6f, 0.9f}, 1, 25));
+  scene.objects.push_back(fog_box("shaft", {0.5f, -0.5f, -0.2f}, {0.9f, 1, 1}, 0.3f, true));
+  scene.ambient = {0.9f, 0.8f, 0.7f};
+  scene.views = {{"front", {0.5f, 1.3f, 5.6f}, {0.06f, 0.27f, 0}, {0, 1, 0}, 40, 0.1f, 14}};
+  set_fog(scene, density, {0.3f, 0.4f, 0.5f});
+  return settled(std::move(scene));
+}
+
+class FogPictures : public FogOnEachBackend {};
+
+// A box of fog 2 m deep before a wall: both ways to colour, by hand.
+TEST_P(FogPictures, ColourFollowsTheFormula) {
+  FogCases cases;
+  cases.add("box", {fog_box("box", {-1, -1, -1}, {1, 1, 1}, 0.5f), wall(-2)}, {0, 0, 5}, {0, 0, 0}, 1);
+  Scene scene = cases.scene();
+  scene.ambient = glm::vec3(0.8f);
+  scene.effects.at("volume_fog").numbers["density"] = 0.7;
+  const glm::vec3 behind = pixel(picture(settled([&] {
+                                           Scene bare = scene;
+                                           bare.objects.erase(bare.objects.begin());
+                                           return bare;
+                                         }()),
+                                         "lambert", 33),
+                                 16, 16);
+  const FogColor exponential(scene);
+  const glm::dvec3 seen = pixel(picture(scene, "float_sum", 33), 16, 16), through = exponential.over(behind, 1);
+  const double kept = std::exp(-0.7);
+  const glm::dvec3 colour(base_texels(*scene.effects.at("volume_fog").textures.at("fog_color")).rgba.at(0));
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(through[c], behind[c] * kept + colour[c] * (1 - kept), 1e-12);
+    EXPECT_NEAR(seen[c], through[c], 1e-3) << c;
+  }
+  // A ramp of three texels, 4 m long: a metre is half way from the first to the second.
+  Texels ramp{3, 1, {{1, 0, 0, 0}, {0, 1, 0, 0.5f}, {0, 0, 1, 1}}};
+  scene.effects.at("volume_fog").textures["ramp"] = make_texture("ramp", ramp, TexelMeaning::colour);
+  scene.effects.at("volume_fog").numbers["ramp_length"] = 4;
+  const FogColor ramped(scene);
+  const glm::dvec3 with_ramp = pixel(picture(scene, "float_sum", 33), 16, 16), expected = ramped.over(behind, 1);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(with_ramp[c], expected[c], 5e-3) << c;
+  EXPECT_NEAR(expected.r, 0.5 * 0.25 + behind.r * 0.75, 2e-3);
+}
+
+// Density 0, hulls of no share, and hulls that no view sees: the picture of a scene without them, to the bit.
+TEST_P(FogPictures, NoFogCostsNothing) {
+  Scene none = ball_in_fog(1);
+  none.objects.resize(2);
+  const Image bare = picture(none, "lambert");
+  const auto same = [&](const Scene& scene) {
+    const Image foggy = picture(scene, "lambert");
+    return foggy.rgba == bare.rgba;
+  };
+  const Scene clear = ball_in_fog(0);
+  EXPECT_TRUE(same(clear));
+  EXPECT_FALSE(make_plan(library(), clear).of("volume_fog")->called_for);
+  Scene no_share = ball_in_fog(1);
+  for (Object& object : no_share.objects)
+    if (const auto fog = object.effects.find("volume_fog"); fog != object.effects.end()) fog->second.numbers["share"] = 0;
+  EXPECT_TRUE(same(no_share));
+  EXPECT_FALSE(make_plan(library(), no_share).of("volume_fog")->called_for);
+  Scene behind = ball_in_fog(1);
+  for (Object& object : behind.objects)
+    if (!object.solid) object.world_from_object[3].z += 40;
+  EXPECT_TRUE(same(behind));
+  EXPECT_FALSE(same(ball_in_fog(1))) << "where there is fog it is seen";
+}
+
+// Every variant on two backends.
+TEST(FogBackends, AgreeAndHaveNoNaN) {
+  std::vector<std::unique_ptr<Backend>> backends;
+  for (const std::string_view name : {"vulkan", "osmesa"}) {
+    try {
+      backends.push_back(open_backend(name, {"", true}));
+    } catch (const Error& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+  const Scene scene = ball_in_fog(0.9f);
+  const Library& library = builtin_library();
+  const Plan plan = make_plan(library, scene);
+  Bakes bakes(scene, *library.code, DiskCache(""));
+  for (const VariantManifest& variant : library.effect("volume_fog").variants) {
+    std::vector<Image> pictures;
+    for (const auto& backend : backends) {
+      ShaderCache shaders(backend->info().api, library.shaders);
+      SceneResources resources(*backend, scene, library, 48, 48, &bakes);
+      const Graph graph = make_graph(plan, configuration_with(plan, variant), scene, shaders);
+      Frame frame(resources, graph, Build::timed);
+      frame.run_once(Timing::off);
+      frame.run(0, Timing::off);
+      pictures.push_back(frame.picture());
+    }
+    EXPECT_GE(psnr_db(to_display(pictures[0]), to_display(pictures[1])), 45) << variant.name;
+    for (const Image& image : pictures)
+      for (const float value : image.rgba) ASSERT_TRUE(std::isfinite(value)) << variant.name;
+  }
+  for (const auto& backend : backends)
+    for (const std::string& message : backend->take_messages()) ADD_FAILURE() << message;
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, FogPictures, backend_parameters, backend_test_name);
+
+}  // namespace
+}  // namespace lamina
