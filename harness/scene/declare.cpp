@@ -2,6 +2,7 @@
 #include "harness/scene/declare.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "harness/core/text.h"
 #include "harness/scene/mesh/hull_check.h"
@@ -114,6 +115,10 @@ void apply_scene_keys(Scene& scene, const EffectManifest& effect, const Keys& ke
   const auto [entry, fresh] = scene.effects.try_emplace(effect.name);
   const std::string owner = "scene '" + scene.name + "'";
   Declaration(effect.scene, keys, owner, nullptr, nullptr, *library.code, entry->second).apply(fresh);
+}
+
+void declare_said(Scene& scene, const Library& library) {
+  for (const auto& [name, keys] : std::exchange(scene.said, {})) apply_scene_keys(scene, library.effect(name), keys, library);
 }
 
 void declare_objects(std::vector<Object>& objects, const Library& library) {

@@ -27,6 +27,7 @@ Scene read_scene(const std::string& source, const Library& library, std::optiona
   if (std::find(builtin.begin(), builtin.end(), source) != builtin.end()) {
     Scene scene = read_builtin(source, time_s.value_or(0));
     declare_objects(scene.objects, library);
+    declare_said(scene, library);
     return scene;
   }
   const std::filesystem::path file(source);

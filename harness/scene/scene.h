@@ -85,6 +85,8 @@ struct Scene {
   std::vector<View> views;
   bool mesh_moves = false;  // some mesh changes from frame to frame
   bool lights_move = false;
+  // Until load_scene() makes values of them: what the scene's code says to effects of the whole scene, by effect.
+  std::map<std::string, Keys> said;
   std::vector<std::string> warnings;  // what the loader had to assume, one sentence each
 };
 

@@ -166,6 +166,7 @@ Scene read_scene_file(const std::filesystem::path& file, const Library& library,
   scene.background = colour(table, "background", brightest).value_or(scene.background);
   scene.ambient = colour(table, "ambient", brightest).value_or(scene.ambient);
   declare_objects(scene.objects, library);
+  declare_said(scene, library);
   read_objects(scene, root, folder, library);
   read_effects(scene, root, folder, library);
   read_lights(scene, root);

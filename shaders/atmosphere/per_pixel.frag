@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The air before each pixel of the frame: L = L0 F_ex + L_in (James and Green, "Real-Time Animated Translucency", GDC 2004, after
-// Hoffman and Preetham), each pixel's ray marched in VIEW_STEPS steps.
+// Hoffman and Preetham), each pixel's ray marched in VIEW_STEPS steps, and sunlight's
+// own path integrated at each, or read from a table where TRANSMITTANCE_TABLE_BINDING is defined.
 #define FRAME_MEMBERS mat4 view_from_world, clip_from_view;
 #include "common/frame.glsl"
-#include "air.glsl"
-#include "phase.glsl"
-#include "sun_path.glsl"
-#include "march.glsl"
+#include "air_march.glsl"
 #include "seen_ray.glsl"
 layout(binding = 4) uniform sampler2D frame;
 layout(binding = 5) uniform sampler2D view_depth;

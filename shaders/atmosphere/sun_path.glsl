@@ -26,9 +26,8 @@ float ozone_column(AirRay ray) {
   return column;
 }
 
-vec3 sun_transmittance(vec3 point, vec3 to_sun) {
-  AirRay ray = air_ray(point, to_sun);
-  if (meets_planet(ray)) return vec3(0.0);
+// Along a ray that the planet does not stop.
+vec3 transmittance_of_path(AirRay ray) {
   vec2 span = span_in_air(ray, 1e30);
   float length = span.y - span.x;
   vec3 column = vec3(0.0);
@@ -42,4 +41,9 @@ vec3 sun_transmittance(vec3 point, vec3 to_sun) {
   column.z = ozone_column(ray);
 #endif
   return exp(-extinction(column));
+}
+
+vec3 sun_transmittance(vec3 point, vec3 to_sun) {
+  AirRay ray = air_ray(point, to_sun);
+  return meets_planet(ray) ? vec3(0.0) : transmittance_of_path(ray);
 }

@@ -7,6 +7,7 @@
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/scene/made/conical_pit.h"
+#include "harness/scene/made/far_ridges.h"
 #include "harness/scene/made/heart.h"
 #include "harness/scene/made/open_plane.h"
 #include "harness/scene/made/sphere_over_plane.h"
@@ -28,6 +29,7 @@ constexpr Builtin builtins[] = {
     {"two_windows", [](float) { return make_two_windows(); }},
     {"open_plane", [](float) { return make_open_plane(); }},
     {"conical_pit", [](float) { return make_conical_pit(); }},
+    {"far_ridges", make_far_ridges},
 };
 
 }  // namespace
