@@ -2,18 +2,15 @@
 // Sunlight that is scattered once into a ray: after Nishita, Sirai, Tadamura and Nakamae, "Display of the Earth Taking into
 // Account Atmospheric Scattering", SIGGRAPH 1993. Steps grow as the square of their number; within each, air and sunlight are
 // those at its middle, and then the integral is exact (Hillaire, "Physically Based and Unified Volumetric Rendering in
-// Frostbite", SIGGRAPH 2015 course, slide 28).
+// Frostbite", SIGGRAPH 2015 course).
+#include "../mean_transmittance/mean_transmittance.glsl"
 
 struct Scattered {
   vec3 transmittance;  // of the whole ray
   vec3 light;          // in the unit of pictures: times pi, as a white surface shows its irradiance
 };
 
-// (1 - e^-x) / x, without its cancellation near 0.
-vec3 mean_transmittance(vec3 x) {
-  vec3 series = 1.0 - x * (0.5 - x * (1.0 / 6.0 - x * (1.0 / 24.0 - x * (1.0 / 120.0))));
-  return mix((1.0 - exp(-x)) / max(x, vec3(1e-20)), series, lessThan(x, vec3(0.25)));
-}
+vec3 mean_along(vec3 depth) { return vec3(stable_mean(depth.r), stable_mean(depth.g), stable_mean(depth.b)); }
 
 Scattered march(AirRay ray, vec2 span, int steps, vec3 to_sun) {
   float cosine = dot(ray.direction, to_sun);
@@ -32,7 +29,7 @@ Scattered march(AirRay ray, vec2 span, int steps, vec3 to_sun) {
 #ifdef HAZE
     scattering += kinds.y * from_haze;
 #endif
-    all.light += all.transmittance * scattering * size * mean_transmittance(depth) * sun_transmittance(point_on(ray, middle), to_sun);
+    all.light += all.transmittance * scattering * size * mean_along(depth) * sun_transmittance(point_on(ray, middle), to_sun);
     all.transmittance *= exp(-depth);
   }
   all.light *= 3.14159265 * sun_above_air();

@@ -2,7 +2,11 @@
 // Pictures of the atmosphere on every backend, against closed forms and against the truth.
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "harness/effects/atmosphere/single_scattering_truth.h"
@@ -150,6 +154,110 @@ TEST_P(Atmosphere, WithoutASunItOnlyTakesLight) {
   const Image image = picture(scene, "per_pixel", 9);
   EXPECT_NEAR(pixel(image, 4, 4).r, std::exp(-0.1), 2 * half_ulp);
   EXPECT_NEAR(truth(scene, 9).rgba[4 * (4 * 9 + 4)], std::exp(-0.1), 1e-3);
+}
+
+// The three rays for which errors of marching are known; 4 pixels around each.
+TEST_P(Atmosphere, EightStepsAreWithinFivePercentOfTheTruth) {
+  for (const auto& [zenith, sun] : {std::pair{0.0, 60.0}, {80.0, 60.0}, {89.0, 85.0}}) {
+    const Scene scene = sky(zenith, sun_at(sun), {{"sun_red", 3}, {"sun_green", 3}, {"sun_blue", 3}}, 0, 0.2f);
+    const Image right = truth(scene, 2);
+    EXPECT_LT(worst(picture(scene, "march_8", 2), right, 0), 0.05) << zenith << " " << sun;
+    EXPECT_LT(worst(picture(scene, "transmittance_table", 2), right, 0), 0.05) << zenith << " " << sun;
+  }
+}
+
+TEST_P(Atmosphere, ATableGivesTheSunlightThatItsPathGives) {
+  for (const double sun : {20.0, 80.0, 89.0, 92.0}) {
+    const Scene scene = sky(60, sun_at(sun, 90), {{"sun_red", 30}, {"sun_green", 30}, {"sun_blue", 30}}, 600);
+    const Image path = picture(scene, "march_8", 12), table = picture(scene, "transmittance_table", 12);
+    EXPECT_LT(worst(table, path, 0.01f), sun < 91 ? 0.01 : 0.03) << sun;
+  }
+}
+
+TEST_P(Atmosphere, TheMisprintLosesTheShareThatItLosesOfAllDirections) {
+  const std::map<std::string, double> haze = {{"rayleigh_red", 0}, {"rayleigh_green", 0}, {"rayleigh_blue", 0}, {"mie_amount", 100}, {"mie_g", 0.76}};
+  const Scene scene = sky(45, sun_at(50, 20), haze);
+  const Image right = picture(scene, "per_pixel", 6), wrong = picture(scene, "misprinted_phase", 6);
+  for (size_t i = 0; i < right.rgba.size(); i += 4) EXPECT_NEAR(wrong.rgba[i] / right.rgba[i], 0.24 / 1.76, 2 * half_ulp * 0.24 / 1.76);
+}
+
+// Where air has one density and sunlight one colour the formula is exact.
+TEST_P(Atmosphere, HoffmanAndPreethamsFormulaIsExactInEvenAir) {
+  std::map<std::string, double> numbers = even_air(0.05);
+  numbers["rayleigh_height"] = 1;  // the sun's path is 1 m of such air straight up
+  const Scene scene = square_in_air({1, 1, 1}, numbers);
+  const Image image = picture(scene, "hoffman_preetham", 33);
+  for (int c = 0; c < 3; ++c) {
+    const double beta = 0.05 / (1 << c), passed = std::exp(-10 * beta), sun = std::exp(-beta);
+    const double right = passed + std::numbers::pi * 3 / (16 * std::numbers::pi) * sun * (1 - passed);
+    EXPECT_NEAR(pixel(image, 16, 16)[c], right, 2 * half_ulp * right);
+  }
+}
+
+// Which the slides' formula gives for the sky: the errors that are known of its green.
+TEST_P(Atmosphere, HoffmanAndPreethamsFormulaIsOffAsItIsKnownToBe) {
+  const std::map<std::string, double> bright = {{"sun_red", 3}, {"sun_green", 3}, {"sun_blue", 3}};
+  for (const auto& [zenith, sun, low, high] : {std::tuple{0.0, 60.0, -0.15, 0.0}, {80.0, 60.0, -0.2, 0.0}, {89.0, 85.0, -0.7, -0.4}}) {
+    const Scene scene = sky(zenith, sun_at(sun), bright, 0, 0.2f);
+    const double error = picture(scene, "hoffman_preetham", 2).rgba[1] / truth(scene, 2).rgba[1] - 1;
+    EXPECT_GT(error, low) << zenith << " " << sun;
+    EXPECT_LT(error, high) << zenith << " " << sun;
+  }
+}
+
+// The square's corners are its vertices, all at one distance: so is all of it between them.
+TEST_P(Atmosphere, VerticesAreInterpolated) {
+  Scene scene = square_in_air({1, 1, 1}, dark(even_air(0.4)));
+  scene.views[0].eye = {0, 0, 0.6f};
+  scene.views[0].fov_y_degrees = 70;
+  const Image image = picture(scene, "per_vertex", 33);
+  const double corner = std::sqrt(0.6 * 0.6 + 0.5);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(pixel(image, 16, 16)[c], std::exp(-0.4 / (1 << c) * corner), 3 * half_ulp);
+}
+
+TEST_P(Atmosphere, AFineGridOfVerticesIsTheSkyOfEveryPixel) {
+  const Scene scene = sky(60, sun_at(40, 60), {{"sun_red", 3}, {"sun_green", 3}, {"sun_blue", 3}});
+  EXPECT_LT(worst(picture(scene, "per_vertex", 16), picture(scene, "march_8", 16), 1e-3f), 0.02);
+}
+
+TEST_P(Atmosphere, EveryVariantIsFiniteUnderEverySun) {
+  for (const VariantManifest& made : library().effect("atmosphere").variants)
+    for (const double sun : {0.0, 90.0, 100.0, 180.0}) {
+      SCOPED_TRACE(made.name + " " + std::to_string(sun));
+      expect_finite(picture(sky(85, sun_at(sun)), made.name, 8));
+    }
+}
+
+TEST(AtmosphereScenes, TheFilesLoadAndCallForIt) {
+  for (const auto& entry : std::filesystem::directory_iterator(LAMINA_SOURCE_DIR "/variants/atmosphere/scenes")) {
+    const Scene scene = load_scene(entry.path().string(), builtin_library());
+    const Plan plan = make_plan(builtin_library(), scene);
+    EXPECT_TRUE(plan.of("atmosphere")->called_for) << entry.path();
+    EXPECT_EQ(scene.background, glm::vec3(0)) << entry.path();
+  }
+  const Scene ridges = load_scene("far_ridges", builtin_library());
+  EXPECT_EQ(ridges.effects.at("atmosphere").numbers.at("sun_red"), 2);
+  EXPECT_EQ(ridges.effects.at("atmosphere").numbers.at("top"), 100000);
+}
+
+// One message with file and line.
+TEST(AtmosphereScenes, MistakesAreRefused) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / ("air_" + std::to_string(::getpid()) + ".toml");
+  const auto refused = [&](const std::string& says, const std::string& why) {
+    std::ofstream(file) << "[scene]\nbuiltin = \"open_plane\"\n" << says << "\n";
+    try {
+      load_scene(file.string(), builtin_library());
+      ADD_FAILURE() << says;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(file.string() + ":4"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+    }
+    std::filesystem::remove(file);
+  };
+  refused("[effects.atmosphere]\nmie.g = 1", "0.999");
+  refused("[effects.atmosphere]\ndensity = -1", "0");
+  refused("[effects.atmosphere]\nturbidity = 3", "density");
+  refused("[views.near]\nfar = 1\neye = [0, 1, 1]\ntarget = [0, 0, 0]", "'far'");  // planes are fitted, so none lies before another
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, Atmosphere, backend_parameters, backend_test_name);

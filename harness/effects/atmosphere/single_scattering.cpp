@@ -48,7 +48,8 @@ std::vector<double> parted(const Air& air, const AirRay& ray, const std::vector<
 double rayleigh(double cosine) { return 3 / (16 * pi) * (1 + cosine * cosine); }
 
 double henyey_greenstein(double g, double cosine) {
-  const double base = (1 - g) * (1 - g) + 2 * g * (1 - cosine);
+  // 1 + g^2 - 2 g cosine, by the angle's distance from the peak, ahead or behind.
+  const double base = (1 - std::abs(g)) * (1 - std::abs(g)) + 2 * std::abs(g) * (1 - (g < 0 ? -cosine : cosine));
   return (1 - g) * (1 + g) / (4 * pi * base * std::sqrt(base));
 }
 

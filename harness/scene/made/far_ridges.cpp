@@ -43,7 +43,7 @@ float ridge_height_m(glm::vec2 p) {
   for (const MountainRange& range : mountain_ranges) {
     const float bent = 0.5f * range.width_m * fractal_noise(glm::vec3(p.y / (3 * range.width_m), 0.5f, range.height_m), 3, ridge_seed + 2);
     const float off = (p.x - range.distance_m - bent) / range.width_m;
-    height += range.height_m * std::exp(-off * off) * std::max(0.0f, 0.35f + 0.65f * ridged_noise(p, 2.2f * range.width_m));
+    height += range.height_m * std::exp(-off * off) * std::max(0.0f, 0.2f + 0.8f * ridged_noise(p, 1.3f * range.width_m));
   }
   return height;
 }
@@ -51,7 +51,7 @@ float ridge_height_m(glm::vec2 p) {
 // Rows lie closer together near the eye; columns fan out.
 glm::vec2 ridge_place(float column, float row) {
   const float t = row / (ridge_rows - 1), distance = nearest_ridge_m + (furthest_ridge_m - nearest_ridge_m) * t * t;
-  return {distance, (2 * column / (ridge_columns - 1) - 1) * (0.72f * distance + 600)};
+  return {distance, (2 * column / (ridge_columns - 1) - 1) * (1.1f * distance + 900)};
 }
 
 glm::vec2 ridge_slope(glm::vec2 p) {
@@ -105,7 +105,7 @@ const Object& made_ridges() {
 
 // Above the air, and what is left at the sea's level after the earth's air straight up (the optical depths of clear air with
 // some haze and ozone).
-constexpr float ridge_sun_above_air = 3;
+constexpr float ridge_sun_above_air = 2;
 constexpr glm::vec3 ridge_optical_depth{0.0615f, 0.1420f, 0.2714f};
 
 }  // namespace
@@ -123,8 +123,8 @@ Scene make_far_ridges(float time_s) {
   scene.background = glm::vec3(0);  // space
   Keys& air = scene.said["atmosphere"];
   for (const char* channel : {"sun.red", "sun.green", "sun.blue"}) air.values[channel] = {double{ridge_sun_above_air}};
-  scene.views = {{"ridges", {0, 560, 0}, {-1000, 545, 0}, {0, 1, 0}, 28},
-                 {"sky", {0, 560, 0}, {-1000, 900, 0}, {0, 1, 0}, 75},
+  scene.views = {{"ridges", {0, 520, 0}, {-1000, 530, 0}, {0, 1, 0}, 20},
+                 {"sky", {0, 520, 0}, {-1000, 900, 0}, {0, 1, 0}, 55},
                  {"high", {-2000, 5200, 0}, {-22000, 900, 0}, {0, 1, 0}, 45}};
   for (View& view : scene.views) view.near_m = 40, view.far_m = 75000;
   scene.lights_move = true;
