@@ -20,6 +20,8 @@ void declare_said(Scene& scene, const Library& library);
 // What objects have before any file speaks of them: what a model gets, what the scene's code says, and what every object has.
 // Gives up `said` of every object.
 void declare_objects(std::vector<Object>& objects, const Library& library);
+// What the scene's code says to effects of the whole scene. Gives up the scene's `said`.
+void declare_said(Scene& scene, const Library& library);
 // The scene's values of all effects that objects call for and that no key spoke of.
 void declare_scene(Scene& scene, const Library& library);
 

@@ -7,6 +7,7 @@
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/scene/made/conical_pit.h"
+#include "harness/scene/made/far_ridges.h"
 #include "harness/scene/made/fog_flight.h"
 #include "harness/scene/made/fog_heart.h"
 #include "harness/scene/made/fog_shaft.h"
@@ -38,6 +39,7 @@ constexpr Builtin builtins[] = {
     {"fog_shaft", [](float) { return make_fog_shaft(); }},
     {"fog_xray", make_fog_xray},
     {"fog_flight", make_fog_flight},
+    {"far_ridges", make_far_ridges},
 };
 
 }  // namespace

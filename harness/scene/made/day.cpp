@@ -28,13 +28,12 @@ constexpr std::array<Sky, 5> skies = {{{-14, {0.010f, 0.013f, 0.024f}, {0.003f, 
                                        {10, {0.180f, 0.205f, 0.265f}, {0.400f, 0.500f, 0.640f}},
                                        {35, {0.190f, 0.230f, 0.310f}, {0.300f, 0.470f, 0.720f}}}};
 
-// Of the air straight up; at the horizon about 38.
+}  // namespace
+
 float air_mass(float elevation_degrees) {
   const float h = std::max(elevation_degrees, 0.0f);
   return 1 / (std::sin(glm::radians(h)) + 0.50572f * std::pow(h + 6.07995f, -1.6364f));
 }
-
-}  // namespace
 
 Daylight daylight(float time_s) {
   const double days = (time_s - noon_s) / day_s, hour_angle = 2 * M_PI * (days - std::floor(days));

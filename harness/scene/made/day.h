@@ -20,6 +20,9 @@ struct Daylight {
   glm::vec3 background{0};    // the sky's colour
 };
 
+// How many times as much air as straight up a light passes that stands so high over the horizon; below it as at it, about 38.
+float air_mass(float elevation_degrees);
+
 // Any finite time; days repeat. At 0 the sun stands 10 degrees high, noon is at 6.1 s, and it sets at 13.2 s.
 Daylight daylight(float time_s);
 
