@@ -12,6 +12,7 @@
 #include "harness/scene/made/sphere_over_plane.h"
 #include "harness/scene/made/terrain.h"
 #include "harness/scene/made/two_windows.h"
+#include "harness/scene/made/wax_block.h"
 
 namespace lamina {
 namespace {
@@ -28,6 +29,7 @@ constexpr Builtin builtins[] = {
     {"two_windows", [](float) { return make_two_windows(); }},
     {"open_plane", [](float) { return make_open_plane(); }},
     {"conical_pit", [](float) { return make_conical_pit(); }},
+    {"wax_block", [](float) { return make_wax_block(); }},
 };
 
 }  // namespace

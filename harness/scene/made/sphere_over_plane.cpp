@@ -2,47 +2,20 @@
 // See sphere_over_plane.h.
 #include "harness/scene/made/sphere_over_plane.h"
 
-#include <array>
 #include <cmath>
 
 #include "harness/scene/default_views.h"
 #include "harness/scene/made/coloured_object.h"
 #include "harness/scene/made/directional_light.h"
 #include "harness/scene/made/height_field.h"
-#include "harness/scene/mesh/tangents.h"
+#include "harness/scene/made/sphere_mesh.h"
 
 namespace lamina {
 namespace {
 
 constexpr float centre_m = 1.15f;  // the sphere's, above the plane: a gap of 0.15 m
-constexpr uint32_t face_points = 41, plane_points = 193;
+constexpr uint32_t plane_points = 193;
 constexpr float plane_half_m = 40;
-
-// Six faces of a cube blown up, each a chart of its own. Points are spread by equal angles, which keeps them about as far apart
-// at the corners as in the middle.
-Mesh sphere() {
-  // What u and v run along; the face looks along cross(v, u), as columns run right and rows run down.
-  static constexpr std::array<std::array<glm::vec3, 2>, 6> faces = {{{{{0, 0, -1}, {0, -1, 0}}},
-                                                                     {{{0, 0, 1}, {0, -1, 0}}},
-                                                                     {{{1, 0, 0}, {0, 0, 1}}},
-                                                                     {{{1, 0, 0}, {0, 0, -1}}},
-                                                                     {{{1, 0, 0}, {0, -1, 0}}},
-                                                                     {{{-1, 0, 0}, {0, -1, 0}}}}};
-  constexpr float gap = 0.02f;  // around a chart, as a share of its cell
-  Mesh mesh;
-  for (uint32_t face = 0; face < 6; ++face) {
-    const auto [right, down] = faces[face];
-    add_grid(mesh, face_points, face_points, [&, u = right, v = down](uint32_t column, uint32_t row) -> Vertex {
-      const glm::vec2 t = glm::vec2(column, row) / static_cast<float>(face_points - 1);
-      const glm::vec2 angle = static_cast<float>(M_PI) / 4 * (2.0f * t - 1.0f);
-      const glm::vec3 out = glm::normalize(glm::cross(v, u) + std::tan(angle.x) * u + std::tan(angle.y) * v);
-      const glm::vec2 uv = (glm::vec2(face % 3, face / 3) + gap + (1 - 2 * gap) * t) / glm::vec2(3, 2);
-      return {out, out, glm::vec4(0), uv};
-    });
-  }
-  compute_tangents(mesh);
-  return mesh;
-}
 
 // A grid whose points crowd in the middle: 4 cm apart under the sphere, metres at the horizon.
 Mesh ground() {
@@ -63,7 +36,7 @@ Mesh ground() {
 Scene make_sphere_over_plane() {
   Scene scene;
   scene.objects.push_back(coloured_object("plane", ground(), {0.46f, 0.44f, 0.41f}, true));
-  scene.objects.push_back(coloured_object("sphere", sphere(), {0.62f, 0.34f, 0.22f}, true));
+  scene.objects.push_back(coloured_object("sphere", sphere_mesh(), {0.62f, 0.34f, 0.22f}, true));
   scene.objects[1].world_from_object[3] = glm::vec4(0, centre_m, 0, 1);
   const glm::vec3 to_sun = glm::normalize(glm::vec3(-0.8f, 1, 0.6f));  // 45 degrees above the horizon
   scene.lights.push_back(directional_light("sun", to_sun, {1.15f, 1.08f, 0.98f}, glm::radians(10.0f)));
