@@ -18,14 +18,24 @@ struct Entry {
   float share;  // of the irradiance at normal incidence
 };
 
+// How much farther the light comes at a place in a texel than at its middle, on the plane through what is drawn there. Without
+// it, lit slopes would get paths of up to a texel at random.
+float slope_in_texel(Lit lit, vec3 position, vec2 from_middle, vec3 entry_normal, float cosine) {
+  mat4 m = casting_clip_from_world[lit.map];
+  vec3 right = normalize(vec3(m[0].x, m[1].x, m[2].x)), down = normalize(vec3(m[0].y, m[1].y, m[2].y));
+  return dot(entry_normal, right * from_middle.x + down * from_middle.y) / max(cosine, 0.1) * texel_width(lit.map, position);
+}
+
 Entry entry_at(Lit lit, vec4 light, vec3 position, vec2 offset, vec3 normal) {
-  ivec2 texel = ivec2(floor(map_place(lit.map, position) + offset));
+  vec2 place = map_place(lit.map, position) + offset;
+  ivec2 texel = ivec2(floor(place));
   vec4 entry = in_map(texel) ? entry_map(lit.map, texel) : vec4(0.0, 0.0, 0.0, 1e30);
   bool covered = entry.w < 1e29 && dot(entry.xyz, entry.xyz) > 0.0;
   float cosine = max(dot(covered ? entry.xyz : normal, lit.direction), 0.0);
   if (cosine <= 0.0) return Entry(0.0, 0.0);
   float spread = cosine / max(refracted_cosine(cosine, refraction_index), min_cosine);
-  float straight = covered ? max(light_distance(light, position) - entry.w, 0.0) : 0.0;
+  float come = entry.w + (covered ? slope_in_texel(lit, position, place - vec2(texel) - 0.5, entry.xyz, cosine) : 0.0);
+  float straight = covered ? max(light_distance(light, position) - come, 0.0) : 0.0;
   return Entry(straight * spread, (1.0 - fresnel(cosine, refraction_index)) * spread);
 }
 
@@ -64,8 +74,7 @@ void main() {
       color += reflectance * lit.irradiance * max(cosine, 0.0);
       continue;
     }
-    // Shrunk, so that the entry of a lit point lies before it: its path is 0, not noise.
-    vec3 inner = in_position - normal * texel_width(lit.map, in_position);
+    vec3 inner = in_position - normal * (0.01 * texel_width(lit.map, in_position));
     vec3 most = 8.0 / max(sigma, 1e-9);
     float run = chord(i, lit.map, inner, along, max(most.r, max(most.g, most.b)));
     vec3 once = vec3(0.0), slab = vec3(0.0);

@@ -7,6 +7,7 @@ namespace lamina {
 namespace {
 
 constexpr uint32_t ramp_texels = 256;
+constexpr double painted = 0.25;  // the grey of the thickness map: rather thin
 
 // What an artist might paint who keeps to the medium: exp(-extinction s), s from 0 (the first texel's centre) to `length_m` (the
 // last's).
@@ -31,8 +32,8 @@ Object translucent_object(std::string name, Mesh mesh, const TranslucentMedium& 
                         {"translucency.extinction_green", {double(medium.extinction.g)}},
                         {"translucency.extinction_blue", {double(medium.extinction.b)}},
                         {"translucency.refraction_index", {medium.refraction_index}},
-                        {"translucency.thickness", {1.0}},
-                        {"translucency.thickness_scale", {medium.thickness_m}},
+                        {"translucency.thickness", {painted}},
+                        {"translucency.thickness_scale", {medium.thickness_m / painted}},
                         {"translucency.ramp_length", {ramp_m}},
                         {"translucency.ramp", {exponential_ramp(medium.extinction, static_cast<float>(ramp_m))}}};
   return object;

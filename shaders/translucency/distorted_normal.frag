@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Barre-Brisebois and Bouchard, "Approximating Translucency for a Fast, Cheap and Convincing Subsurface Scattering Look", GDC 2011:
+// a lobe around the light's way on, bent by the normal, times how thin the object is. L + distortion N is not a unit vector:
+// NORMALISED makes it one.
+#include "medium.glsl"
+layout(binding = 5) uniform sampler2D translucent_thickness;
+
+layout(constant_id = 0) const float distortion = 0.2;
+layout(constant_id = 1) const float power = 4.0;
+layout(constant_id = 2) const float strength = 1.0;
+
+vec3 through(int i, Lit lit, vec3 normal, float cosine) {
+  vec3 bent = lit.direction + distortion * normal;
+#ifdef NORMALISED
+  bent *= inversesqrt(max(dot(bent, bent), 1e-12));
+#endif
+  float lobe = clamp(dot(normalize(eye_world.xyz - in_position), -bent), 0.0, 1.0);
+  float back = strength * pow(max(lobe, 1e-6), power) * (1.0 - texture(translucent_thickness, in_uv).r);
+  return vec3(max(cosine, 0.0) + back);
+}
+#include "through.glsl"
