@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The maps of the lights that cast. A shader cannot have arrays of textures, so LIGHT_MAPS(entry, 8) declares the samplers entry_0,
-// entry_1, ... of the lights that there are, from binding 8 on, and entry_map(light, texel), which reads one of them.
+// entry_1, ... of the lights that there are, from binding 8 on, and entry_map(light, texel), which reads one of them. A medium that scatters
+// nothing reads none.
 #ifndef LIGHT_MAPS_GLSL
 #define LIGHT_MAPS_GLSL
 #include "light_distance.glsl"
 
+#ifndef SCATTERS
+#undef CASTING_LIGHTS
+#endif
 #ifndef CASTING_LIGHTS
 #define CASTING_LIGHTS 0
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One depth sample and an exponential: Green, GPU Gems, 2004, chapter 16, section 16.3, listing 16-4.
+// One depth sample and an exponential: Green, GPU Gems, 2004, chapter 16.
 #include "medium.glsl"
 #include "light_maps.glsl"
 #include "one_path.glsl"

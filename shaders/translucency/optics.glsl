@@ -3,6 +3,8 @@
 // eta: index of refraction of the inside over that of the outside, 1 or more. Cosines are to the normal, 0 to 1.
 #ifndef TRANSLUCENCY_OPTICS_GLSL
 #define TRANSLUCENCY_OPTICS_GLSL
+#include "../refraction/exact_fresnel.glsl"
+#include "../wrap_lighting/normalised_wrap.glsl"
 
 const float pi = 3.14159265;
 const float min_cosine = 1e-3;
@@ -11,16 +13,11 @@ const float min_cosine = 1e-3;
 float refracted_cosine(float cosine, float eta) { return sqrt(max(1.0 - (1.0 - cosine * cosine) / (eta * eta), 0.0)); }
 
 // Share of unpolarized light that the boundary reflects (Fresnel). With eta = 1 there is no boundary.
-float fresnel(float cosine, float eta) {
-  float inside = refracted_cosine(cosine, eta);
-  float across = (cosine - eta * inside) / max(cosine + eta * inside, 1e-12);
-  float along = (eta * cosine - inside) / max(eta * cosine + inside, 1e-12);
-  return 0.5 * (across * across + along * along);
-}
+float fresnel(float cosine, float eta) { return exact_fresnel(cosine, eta); }
 
 // What a half-space of albedo `albedo` (scattering over extinction, isotropic) reflects of diffuse light: Jensen, Marschner,
-// Levoy and Hanrahan, "A Practical Model for Subsurface Light Transport", SIGGRAPH 2001, sections 2.1 and 4.2 (the dipole's
-// total, and the polynomial for the mean internal reflection).
+// Levoy and Hanrahan, "A Practical Model for Subsurface Light Transport", SIGGRAPH 2001 (the dipole's total, and the
+// polynomial for the mean internal reflection).
 vec3 diffuse_reflectance(vec3 albedo, float eta) {
   float inside = -1.440 / (eta * eta) + 0.710 / eta + 0.668 + 0.0636 * eta;
   float a = (1.0 + inside) / (1.0 - inside);
@@ -37,7 +34,7 @@ vec3 single_reflectance(vec3 albedo, float eta) {
 
 // Share of diffuse light that comes through a slab of this optical depth (thickness times extinction), for a half-space that
 // reflects `reflectance`, over that reflectance: Christensen and Burley, "Approximate Reflectance Profiles for Efficient
-// Subsurface Scattering", Pixar 2015, equations 3 and 6, integrated over a plane at this depth.
+// Subsurface Scattering", Pixar 2015: the profile, and its width for diffuse light, integrated over a plane at this depth.
 vec3 slab_transmittance(vec3 optical_depth, vec3 reflectance) {
   vec3 beyond = reflectance - 0.8;
   vec3 x = optical_depth * (1.9 - reflectance + 3.5 * beyond * beyond);
@@ -45,6 +42,6 @@ vec3 slab_transmittance(vec3 optical_depth, vec3 reflectance) {
 }
 
 // Lambert's cosine wrapped around the edge; over the sphere it adds up to what Lambert's does.
-float wrapped_cosine(float cosine, float wrap) { return max(cosine + wrap, 0.0) / ((1.0 + wrap) * (1.0 + wrap)); }
+float wrapped_cosine(float cosine, float wrap) { return normalised_wrap(cosine, wrap); }
 
 #endif

@@ -12,7 +12,7 @@ layout(constant_id = 2) const float sample_radius = 1.5;  // texels
 const int chord_halvings = 14;
 
 // The light's path to a point as if the surface were flat where it enters: the straight path s, and what refraction makes of
-// it (Jensen and others 2001, section 2.3): longer or shorter, and more or less of it on the same area.
+// it (Jensen and others 2001): longer or shorter, and more or less of it on the same area.
 struct Entry {
   float path;   // m
   float share;  // of the irradiance at normal incidence

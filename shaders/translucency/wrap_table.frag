@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wrap lighting read from a table (Green, GPU Gems, 2004, chapter 16, listing 16-3).
+// Wrap lighting read from a table (Green, GPU Gems, 2004, chapter 16).
 #include "medium.glsl"
 layout(binding = 5) uniform sampler2D wrap_light;
 

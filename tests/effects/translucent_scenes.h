@@ -28,8 +28,10 @@ inline Object translucent(Mesh mesh, const MediumNumbers& said) {
                     {"multiple_scattering", said.multiple_scattering},
                     {"wrap", said.wrap},
                     {"thickness_scale", 1},
-                    {"ramp_length", 1}};
+                    {"ramp_length", 1},
+                    {"thickness_texels", 0}};
   const auto colour = [](glm::vec3 c) { return constant_texture("c", glm::vec4(c, 1), TexelMeaning::colour); };
+  values.facts = {{"scattered", double(std::max({said.albedo.r, said.albedo.g, said.albedo.b}))}};
   values.textures = {{"translucent_albedo", colour(said.albedo)},
                      {"translucent_thickness", constant_texture("t", glm::vec4(0.25f), TexelMeaning::data)},
                      {"translucent_ramp", colour(glm::vec3(1))}};
@@ -40,21 +42,6 @@ inline Object translucent(Mesh mesh, const MediumNumbers& said) {
 // The albedo as its texture keeps it.
 inline glm::dvec3 stored_albedo(const Object& object) {
   return glm::dvec3(glm::vec3(base_texels(*object.effects.at("translucency").textures.at("translucent_albedo")).rgba[0]));
-}
-
-// A unit sphere with a spherical hole of this radius around the same centre.
-inline Mesh shell_mesh(float hole, uint32_t face_points = 41) {
-  Mesh mesh = sphere_mesh(face_points);
-  const auto first = static_cast<uint32_t>(mesh.vertices.size());
-  const Mesh inner = mesh;
-  for (Vertex vertex : inner.vertices) {
-    vertex.position *= hole;
-    vertex.normal = -vertex.normal;
-    mesh.vertices.push_back(vertex);
-  }
-  for (size_t i = 0; i < inner.indices.size(); i += 3)
-    for (const size_t corner : {0, 2, 1}) mesh.indices.push_back(first + inner.indices[i + corner]);
-  return mesh;
 }
 
 // Under one directional light that casts and shines along `direction`, seen from `eye` towards the middle; nothing else lights it.

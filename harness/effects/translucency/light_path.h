@@ -29,7 +29,7 @@ struct LightPath {
 };
 
 enum class Refraction {
-  flat,    // along the straight line, each surface taken as flat (Jensen and others, SIGGRAPH 2001, section 2.3)
+  flat,    // along the straight line, each surface taken as flat (Jensen and others, SIGGRAPH 2001)
   solved,  // the refracted ray that meets the point, found by Newton's method, and how much wider a thin beam is there
 };
 

@@ -7,7 +7,10 @@
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/scene/made/conical_pit.h"
+#include "harness/scene/made/ear.h"
 #include "harness/scene/made/heart.h"
+#include "harness/scene/made/hollow_shell.h"
+#include "harness/scene/made/leaf_pair.h"
 #include "harness/scene/made/open_plane.h"
 #include "harness/scene/made/sphere_over_plane.h"
 #include "harness/scene/made/terrain.h"
@@ -30,6 +33,9 @@ constexpr Builtin builtins[] = {
     {"open_plane", [](float) { return make_open_plane(); }},
     {"conical_pit", [](float) { return make_conical_pit(); }},
     {"wax_block", [](float) { return make_wax_block(); }},
+    {"ear", [](float) { return make_ear(); }},
+    {"leaf_pair", [](float) { return make_leaf_pair(); }},
+    {"hollow_shell", [](float) { return make_hollow_shell(); }},
 };
 
 }  // namespace

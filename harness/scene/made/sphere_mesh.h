@@ -11,4 +11,11 @@ namespace lamina {
 // hull: where faces meet, their points are equal to the last bit.
 Mesh sphere_mesh(uint32_t face_points = 41);
 
+// The same with a spherical hole of this radius (below 1) around its middle, a hull turned inside out.
+Mesh shell_mesh(float hole, uint32_t face_points = 41);
+
+// A sphere made into a thin, bent form, as of a leaf or an ear: scaled by `half_m` along the axes, then z raised by bend_per_m x^2
+// (metres). As closed as the sphere.
+Mesh bent_disc_mesh(glm::vec3 half_m, float bend_per_m, uint32_t face_points = 41);
+
 }  // namespace lamina

@@ -36,7 +36,7 @@ Scene make_wax_block() {
   scene.lights.push_back(directional_light("fill", glm::normalize(glm::vec3(0.6f, 0.4f, 1)), {0.16f, 0.19f, 0.25f}));
   scene.ambient = {0.03f, 0.035f, 0.045f};
   scene.background = {0.02f, 0.022f, 0.027f};
-  scene.views = {{"front", {0.04f, 0.12f, 0.34f}, {-0.035f, 0.037f, 0}, {0, 1, 0}, 34},
+  scene.views = {{"front", {0.03f, 0.12f, 0.36f}, {-0.043f, 0.037f, 0}, {0, 1, 0}, 36},
                  {"lit_side", {-0.26f, 0.17f, -0.26f}, {-0.02f, 0.035f, 0}, {0, 1, 0}, 34},
                  {"through_hole", {-0.06f, 0.075f, 0.17f}, {-0.012f, 0.042f, 0}, {0, 1, 0}, 40}};
   const BoundingSphere bounds = bounding_sphere(scene.objects);
