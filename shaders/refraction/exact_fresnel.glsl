@@ -6,7 +6,9 @@
 #define EXACT_FRESNEL_GLSL
 
 float exact_fresnel(float c, float n) {
-  precise float m = (n - 1.0) * (n + 1.0), k = c * c + m;
+  precise float m = (n - 1.0) * (n + 1.0), sine = sqrt((1.0 - c) * (1.0 + c));
+  // The same number twice: near the critical angle each loses what the other keeps.
+  precise float k = c < 0.7 ? c * c + m : (n - sine) * (n + sine);
   if (!(k > 0.0)) return m < 0.0 ? 1.0 : 0.0;
   precise float g = sqrt(k), sum = c + g, across = m / (sum * sum);
   precise float along = m * (c * sum - 1.0) / (sum * (n * n * c + g));

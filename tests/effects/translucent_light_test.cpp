@@ -38,7 +38,7 @@ TEST(TranslucentLight, FresnelIsTheTable) {
 TEST(TranslucentLight, MeanFresnelIsTheTable) {
   for (const auto& [eta, outside] : {std::pair(1.3, .061132), {1.33, .065931}, {1.4, .076812}, {1.5, .091778}}) {
     const auto weighed = [eta = eta](double u) { return fresnel_reflectance(std::sqrt(u), eta); };
-    EXPECT_NEAR((boost::math::quadrature::gauss<double, 60>::integrate(weighed, 0.0, 1.0)), outside, 2e-6) << eta;
+    EXPECT_NEAR((boost::math::quadrature::gauss<double, 60>::integrate(weighed, 0.0, 1.0)), outside, 5e-6) << eta;
   }
 }
 
@@ -130,7 +130,7 @@ TEST(TranslucentLight, RandomWalkThroughASlabIsKnown) {
     const Scene scene = slab_scene({glm::vec3(scattering + absorption), i == 0 ? 1.0 : 1.4}, 1, 300);
     const Solids solids(scene);
     WalkRandom random(1);
-    constexpr int walks = 20000;
+    constexpr int walks = 150000;
     glm::dvec3 through(0), returned(0);
     for (int walk = 0; walk < walks; ++walk) {
       const WalkEnd end = random_walk(solids, 0, scattering / (scattering + absorption), {0, -1e-4, 0}, {0, -1, 0}, random,
@@ -138,8 +138,8 @@ TEST(TranslucentLight, RandomWalkThroughASlabIsKnown) {
       if (end.left) (end.position.y < -0.5 ? through : returned) += end.weight / double(walks);
     }
     for (int c = 0; c < 3; ++c) {
-      EXPECT_NEAR(through[c], passed[i][c], 0.013) << i << c;
-      EXPECT_NEAR(returned[c], back[i][c], 0.013) << i << c;
+      EXPECT_NEAR(through[c], passed[i][c], 0.006) << i << c;
+      EXPECT_NEAR(returned[c], back[i][c], 0.006) << i << c;
     }
   }
 }
