@@ -122,20 +122,22 @@ TEST(TranslucentLight, SingleScatteringOfASlabIsTheClosedForm) {
   }
 }
 
-// Skin of Jensen and others (SIGGRAPH 2001), 1 mm thick, lit along the normal: shares of what has entered.
+// Skin of Jensen and others (SIGGRAPH 2001), 1 mm thick, lit along the normal: shares of all light, of which the surface reflects
+// some before it enters.
 TEST(TranslucentLight, RandomWalkThroughASlabIsKnown) {
   const glm::dvec3 scattering(.74, .88, 1.01), absorption(.032, .17, .48);
   const glm::dvec3 passed[2] = {{.693, .542, .342}, {.647, .470, .286}}, back[2] = {{.260, .238, .179}, {.225, .154, .093}};
   for (int i = 0; i < 2; ++i) {
     const Scene scene = slab_scene({glm::vec3(scattering + absorption), i == 0 ? 1.0 : 1.4}, 1, 300);
     const Solids solids(scene);
+    const double entered = 1 - fresnel_reflectance(1, i == 0 ? 1.0 : 1.4);
     WalkRandom random(1);
     constexpr int walks = 150000;
     glm::dvec3 through(0), returned(0);
     for (int walk = 0; walk < walks; ++walk) {
       const WalkEnd end = random_walk(solids, 0, scattering / (scattering + absorption), {0, -1e-4, 0}, {0, -1, 0}, random,
                                       [](glm::dvec3, glm::dvec3, int) {});
-      if (end.left) (end.position.y < -0.5 ? through : returned) += end.weight / double(walks);
+      if (end.left) (end.position.y < -0.5 ? through : returned) += end.weight * (entered / walks);
     }
     for (int c = 0; c < 3; ++c) {
       EXPECT_NEAR(through[c], passed[i][c], 0.006) << i << c;
