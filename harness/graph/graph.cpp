@@ -6,6 +6,7 @@
 #include "harness/core/text.h"
 #include "harness/graph/blocks.h"
 #include "harness/graph/left_out.h"
+#include "harness/scene/mesh/hull_check.h"
 
 namespace lamina {
 namespace {
@@ -34,6 +35,13 @@ std::string frequency_words(const PassManifest& pass, const Scene& scene, bool& 
   once = !scene.mesh_moves && !scene.lights_move;
   if (once) return "once: meshes and lights are still";
   return scene.mesh_moves ? "every frame: a mesh moves" : "every frame: a light moves";
+}
+
+void require_closed(const EffectPlan& effect, const VariantManifest& variant, const Scene& scene) {
+  for (const size_t object : effect.objects)
+    if (const auto problem = hull_problem(scene.objects[object].mesh))
+      throw Error(ErrorKind::failed, "plan", fmt::format("object '{}'", scene.objects[object].name),
+                  fmt::format("{} needs a closed hull, and its mesh {}", variant.name, *problem));
 }
 
 class Maker {
@@ -218,9 +226,14 @@ Graph make_graph(const Plan& plan, const Configuration& configuration, const Sce
   for (const VariantManifest* variant : configuration) {
     const EffectPlan& effect = *plan.of(variant->effect);
     const bool truth = purpose == Purpose::truth && has_truth_passes(*variant);
+    if (variant->closed) require_closed(effect, *variant, scene);
     for (const PassManifest& manifest : variant->passes) {
       if ((manifest.when == Frequency::truth) != truth && manifest.when != Frequency::frame_and_truth) continue;
       if (variant->value_of(manifest.repeat, parameters) < 1) continue;
+      if (manifest.view == PassView::light && !manifest.needs_light && casting_lights(scene).empty()) {
+        graph.dropped.push_back({.effect = effect.effect, .variant = variant, .pass = &manifest, .reason = "no light casts"});
+        continue;
+      }
       graph.passes.push_back(maker.make_pass(effect, *variant, manifest));
     }
   }

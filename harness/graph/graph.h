@@ -59,7 +59,7 @@ enum class Purpose : uint8_t {
 
 // Throws Error(bad_input) for a shader that does not compile or names something unknown, for a target that is read before
 // anything wrote it, for a view of a light where no light casts. Throws Error(failed) for an object that cannot be drawn as a
-// pass needs it (unwrapped without a unique unwrap).
+// pass needs it (unwrapped without a unique unwrap), or whose mesh is open where the variant needs closed ones.
 Graph make_graph(const Plan& plan, const Configuration& configuration, const Scene& scene, ShaderCache& shaders,
                  Purpose purpose = Purpose::frame, const Parameters& parameters = {});
 

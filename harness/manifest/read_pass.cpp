@@ -52,6 +52,7 @@ std::map<std::string, ReadManifest> read_reads(const TomlTable& pass) {
 
 void read_repeat(const TomlTable& table, const VariantManifest& variant, PassManifest& pass) {
   pass.levels = choice(table, "levels", {"none", "down", "up"}, LevelWalk::none);
+  pass.needs_light = table.optional_bool("needs_light").value_or(true);
   pass.until_empty = table.optional_bool("until_empty").value_or(false);
   if (!table.has("repeat")) return;
   if (pass.levels != LevelWalk::none)

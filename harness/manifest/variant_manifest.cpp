@@ -152,6 +152,7 @@ VariantManifest read_variant(const std::filesystem::path& file, const std::strin
   if (variant.effect.empty()) throw head.error({}, "'effect' is missing: which effect is this a variant of?");
   variant.title = head.optional_string("title").value_or(variant.name);
   variant.baseline = head.optional_bool("baseline").value_or(false);
+  variant.closed = head.optional_bool("closed").value_or(false);
   head.refuse_unknown_keys();
   for (const auto& [name, table] : root.tables("parameters")) variant.parameters.push_back(read_parameter(name, table));
   for (const auto& [name, table] : root.tables("targets")) variant.targets.push_back(read_target(name, table, variant));

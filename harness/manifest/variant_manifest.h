@@ -96,6 +96,7 @@ struct PassManifest {
   Setting repeat{1, {}};
   std::string repeat_log2_of;                       // a target: repeat ceil(log2(its longer side)) times
   LevelWalk levels = LevelWalk::none;               // of the written target: repeat once for each level but the first
+  bool needs_light = true;                          // false: left out, not an error, where it has a light's view and none casts
   bool until_empty = false;                         // stop repeating after a repetition that drew no sample
   std::filesystem::path vertex, fragment, compute;  // found: absolute
   std::map<std::string, std::string> defines;       // text, or "$PARAMETER"
@@ -136,6 +137,7 @@ using Parameters = std::map<std::string, double>;
 struct VariantManifest {
   std::string name, effect, title;
   bool baseline = false;
+  bool closed = false;  // fails, by name, on an object whose mesh is no closed hull
   std::filesystem::path file;
   std::vector<TargetManifest> targets;
   std::vector<BufferManifest> buffers;

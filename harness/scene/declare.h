@@ -15,8 +15,6 @@ void apply_keys(Object& object, const Keys& keys, bool all, const Library& libra
 // The same of one effect's keys about the whole scene.
 void apply_scene_keys(Scene& scene, const EffectManifest& effect, const Keys& keys, const Library& library);
 
-// What the scene's code says to effects of the whole scene. Gives up `said` of the scene.
-void declare_said(Scene& scene, const Library& library);
 // What objects have before any file speaks of them: what a model gets, what the scene's code says, and what every object has.
 // Gives up `said` of every object.
 void declare_objects(std::vector<Object>& objects, const Library& library);

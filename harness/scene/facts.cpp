@@ -9,9 +9,10 @@
 namespace lamina {
 namespace {
 
-double largest(const Texture& texture) {
+double largest(const Texture& texture, bool of_all_channels) {
   float greatest = 0;
-  for (const glm::vec4& texel : base_texels(*texture).rgba) greatest = std::max(greatest, texel.r);
+  for (const glm::vec4& texel : base_texels(*texture).rgba)
+    greatest = std::max(greatest, of_all_channels ? std::max({texel.r, texel.g, texel.b}) : texel.r);
   return double(greatest);
 }
 
@@ -29,7 +30,8 @@ void settle_facts(Object& object, const EffectManifest& effect) {
   for (const FactManifest& fact : effect.facts) {
     Texture& texture = values->second.textures.at(fact.texture);
     values->second.facts[fact.name] =
-        fact.function == "seen_alpha" ? double(settle_seen_alpha(object.mesh, texture)) : largest(texture);
+        fact.function == "seen_alpha" ? double(settle_seen_alpha(object.mesh, texture))
+                                      : largest(texture, fact.function == "largest_channel");
   }
 }
 

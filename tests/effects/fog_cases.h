@@ -7,7 +7,7 @@
 
 #include "harness/scene/declare.h"
 #include "harness/scene/made/coloured_object.h"
-#include "harness/scene/made/cube_sphere.h"
+#include "harness/scene/made/sphere_mesh.h"
 #include "harness/scene/made/fog_hull.h"
 #include "tests/graph/each_backend.h"
 #include "tests/graph/quad_scene.h"
@@ -29,7 +29,7 @@ inline Scene settled(Scene scene) {
 inline constexpr uint32_t sphere_points = 33;
 inline const double sphere_sagitta = std::pow(M_PI / 2 / (sphere_points - 1), 2) / 4;  // across a cell's diagonal
 inline Object sphere_of_fog(float radius, glm::vec3 centre, float share = 1, bool hole = false) {
-  static const Mesh mesh = cube_sphere(sphere_points);
+  static const Mesh mesh = sphere_mesh(sphere_points);
   return fog_hull("sphere", mesh, glm::scale(glm::translate(glm::mat4(1), centre), glm::vec3(radius)), share, hole);
 }
 // A square that faces +z.

@@ -16,7 +16,7 @@ namespace {
 Scene ball_in_fog(float density) {
   Scene scene;
   scene.name = scene.source = "ball in fog";
-  scene.objects.push_back(coloured_object("ball", cube_sphere(17), {0.5f, 0.4f, 0.3f}, false));
+  scene.objects.push_back(coloured_object("ball", sphere_mesh(17), {0.5f, 0.4f, 0.3f}, false));
   scene.objects.push_back(wall(-3, 6));
   scene.objects.push_back(fog_ball("outer", {0, 0.3f, 0}, {2.0f, 1.7f, 1.9f}, 0.3f));
   scene.objects.push_back(fog_ball("low", {0.4f, -0.8f, 0}, {2.4f, 0.6f, 0.9f}, 1, 25));

@@ -114,7 +114,7 @@ TEST_P(FogThickness, EqualFacesCancelExactly) {
 Scene around_a_ball() {
   Scene scene;
   scene.name = scene.source = "fog around a ball";
-  scene.objects.push_back(coloured_object("ball", cube_sphere(17), {0.5f, 0.4f, 0.3f}, false));
+  scene.objects.push_back(coloured_object("ball", sphere_mesh(17), {0.5f, 0.4f, 0.3f}, false));
   scene.objects.push_back(fog_ball("outer", {0, 0.35f, 0}, {2.0f, 1.8f, 1.9f}, 0.25f));
   scene.objects.push_back(fog_ball("inner", {-0.1f, 0.1f, 0.1f}, {1.4f, 1.1f, 1.4f}, 0.4f));
   scene.objects.push_back(fog_ball("left", {0, -0.72f, 0}, {2.6f, 0.5f, 0.8f}, 1, 35));
@@ -164,14 +164,14 @@ TEST_P(FogThickness, AnalyticHullsAgreeWithClosedForms) {
 }
 
 TEST(HullShapes, AreToldFromOtherMeshes) {
-  EXPECT_EQ(hull_shape(cube_sphere(9)), HullShape::ellipsoid);
+  EXPECT_EQ(hull_shape(sphere_mesh(9)), HullShape::ellipsoid);
   EXPECT_EQ(hull_shape(block_mesh({{{-1, 2, 3}, {4, 5, 6}}}, 0.7f)), HullShape::box);
   EXPECT_EQ(hull_shape(block_mesh({{{0, 0, 0}, {2, 2, 2}}, {{0, 0, 0}, {1, 1, 1}, false}}, 5)), HullShape::any) << "a corner out";
   EXPECT_EQ(hull_shape(block_mesh({{{0, 0, 0}, {3, 3, 3}}, {{1, 1, 1}, {2, 2, 2}, false}}, 5)), HullShape::any) << "a shell";
-  Mesh dented = cube_sphere(9);
+  Mesh dented = sphere_mesh(9);
   dented.vertices[40].position *= 0.999f;
   EXPECT_EQ(hull_shape(dented), HullShape::any);
-  Mesh turned = cube_sphere(9);
+  Mesh turned = sphere_mesh(9);
   std::swap(turned.indices[0], turned.indices[1]);
   for (size_t i = 3; i < turned.indices.size(); i += 3) std::swap(turned.indices[i], turned.indices[i + 1]);
   EXPECT_EQ(hull_shape(turned), HullShape::any) << "inside out";

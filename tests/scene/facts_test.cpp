@@ -13,9 +13,9 @@ namespace {
 struct Asked {
   EffectManifest effect;
   Object object;
-  explicit Asked(const std::vector<glm::vec4>& texels) {
+  explicit Asked(const std::vector<glm::vec4>& texels, const std::string& function = "largest") {
     effect.name = "e";
-    effect.facts = {{"most", "largest", "map"}};
+    effect.facts = {{"most", function, "map"}};
     object.effects["e"].textures["map"] =
         make_texture("map", {static_cast<uint32_t>(texels.size()), 1, texels}, TexelMeaning::data);
     settle_facts(object, effect);
@@ -27,6 +27,15 @@ TEST(Facts, LargestIsTheGreatestRedOfAnyTexel) {
   EXPECT_EQ(Asked({{0, 1, 1, 1}, {0, 0, 0, 0}}).most(), 0) << "green, blue and alpha do not count";
   EXPECT_NEAR(Asked({{0.2f, 0, 0, 0}, {0.6f, 0, 0, 0}, {0.4f, 0, 0, 0}}).most(), 0.6, 0.5 / 255);
   EXPECT_EQ(Asked({{1, 0, 0, 0}, {0, 0, 0, 0}}).most(), 1);
+}
+
+TEST(Facts, LargestChannelIsTheGreatestOfAllThree) {
+  EXPECT_EQ(Asked({{0, 0, 0, 1}}, "largest_channel").most(), 0) << "alpha does not count";
+  for (int c = 0; c < 3; ++c) {
+    glm::vec4 texel(0.2f);
+    texel[c] = 0.6f;
+    EXPECT_NEAR(Asked({glm::vec4(0), texel}, "largest_channel").most(), 0.6, 0.5 / 255);
+  }
 }
 
 TEST(Facts, AFactComesBeforeANumberAndWhatIsNotKnownIsZero) {

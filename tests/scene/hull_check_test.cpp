@@ -8,7 +8,7 @@
 #include <ctime>
 #include <numbers>
 
-#include "harness/scene/made/cube_sphere.h"
+#include "harness/scene/made/sphere_mesh.h"
 
 namespace lamina {
 namespace {
@@ -190,7 +190,7 @@ TEST(HullCheck, AHundredThousandTrianglesAreQuick) {
 
 // Six charts with seams between them, whose vertices stand at exactly the same places.
 TEST(HullCheck, ACubeSphereIsClosedAtItsSeams) {
-  for (const uint32_t points : {2u, 3u, 8u, 25u, 41u}) EXPECT_EQ(hull_problem(cube_sphere(points)), std::nullopt) << points;
+  for (const uint32_t points : {2u, 3u, 8u, 25u, 41u}) EXPECT_EQ(hull_problem(sphere_mesh(points)), std::nullopt) << points;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/scene/made/conical_pit.h"
+#include "harness/scene/made/ear.h"
 #include "harness/scene/made/far_ridges.h"
 #include "harness/scene/made/fog_flight.h"
 #include "harness/scene/made/fog_heart.h"
@@ -14,10 +15,13 @@
 #include "harness/scene/made/fog_valley.h"
 #include "harness/scene/made/fog_xray.h"
 #include "harness/scene/made/heart.h"
+#include "harness/scene/made/hollow_shell.h"
+#include "harness/scene/made/leaf_pair.h"
 #include "harness/scene/made/open_plane.h"
 #include "harness/scene/made/sphere_over_plane.h"
 #include "harness/scene/made/terrain.h"
 #include "harness/scene/made/two_windows.h"
+#include "harness/scene/made/wax_block.h"
 
 namespace lamina {
 namespace {
@@ -40,6 +44,10 @@ constexpr Builtin builtins[] = {
     {"fog_xray", make_fog_xray},
     {"fog_flight", make_fog_flight},
     {"far_ridges", make_far_ridges},
+    {"wax_block", [](float) { return make_wax_block(); }},
+    {"ear", [](float) { return make_ear(); }},
+    {"leaf_pair", [](float) { return make_leaf_pair(); }},
+    {"hollow_shell", [](float) { return make_hollow_shell(); }},
 };
 
 }  // namespace

@@ -22,12 +22,8 @@ constexpr float nearest_ridge_m = 250, furthest_ridge_m = 54000, ridge_earth_rad
 struct MountainRange {
   float distance_m, width_m, height_m;
 };
-constexpr std::array<MountainRange, 6> mountain_ranges = {{{1100, 500, 190},
-                                          {4200, 1300, 430},
-                                          {9500, 2300, 760},
-                                          {18500, 3600, 1250},
-                                          {31500, 5000, 1900},
-                                          {49500, 5500, 3000}}};
+constexpr std::array<MountainRange, 6> mountain_ranges = {
+    {{1100, 500, 190}, {4200, 1300, 430}, {9500, 2300, 760}, {18500, 3600, 1250}, {31500, 5000, 1900}, {49500, 5500, 3000}}};
 
 // Of the sea, where nothing rises.
 constexpr float ridge_plain_m = 60;
@@ -41,7 +37,8 @@ float ridged_noise(glm::vec2 p, float length_m) {
 float ridge_height_m(glm::vec2 p) {
   float height = ridge_plain_m + 25 * fractal_noise(glm::vec3(p / 700.0f, 3.5f), 4, ridge_seed + 1);
   for (const MountainRange& range : mountain_ranges) {
-    const float bent = 0.5f * range.width_m * fractal_noise(glm::vec3(p.y / (3 * range.width_m), 0.5f, range.height_m), 3, ridge_seed + 2);
+    const float bent =
+        0.5f * range.width_m * fractal_noise(glm::vec3(p.y / (3 * range.width_m), 0.5f, range.height_m), 3, ridge_seed + 2);
     const float off = (p.x - range.distance_m - bent) / range.width_m;
     height += range.height_m * std::exp(-off * off) * std::max(0.0f, 0.2f + 0.8f * ridged_noise(p, 1.3f * range.width_m));
   }
@@ -77,7 +74,8 @@ Mesh ridge_mesh() {
 glm::vec3 ridge_ground(glm::vec2 p) {
   const float steep = glm::length(ridge_slope(p)), height = ridge_height_m(p);
   const float patch = fractal_noise(glm::vec3(p / (300 + 0.05f * p.x), 0.5f), 4, ridge_seed + 3);
-  glm::vec3 colour = glm::mix(glm::vec3(0.11f, 0.14f, 0.05f), glm::vec3(0.035f, 0.06f, 0.028f), glm::smoothstep(0.02f, 0.22f, steep + 0.2f * patch));
+  glm::vec3 colour = glm::mix(glm::vec3(0.11f, 0.14f, 0.05f), glm::vec3(0.035f, 0.06f, 0.028f),
+                              glm::smoothstep(0.02f, 0.22f, steep + 0.2f * patch));
   colour = glm::mix(colour, glm::vec3(0.19f, 0.175f, 0.16f) * (1 + 0.3f * patch),
                     std::max(glm::smoothstep(0.55f, 0.85f, steep), glm::smoothstep(900.0f, 1400.0f, height + 400 * patch)));
   return glm::mix(colour, glm::vec3(0.74f, 0.77f, 0.82f), glm::smoothstep(1350.0f, 1750.0f, height + 350 * patch));
@@ -87,7 +85,8 @@ std::shared_ptr<const TextureImage> ridge_albedo() {
   Texels texels{ridge_columns, ridge_rows, {}};
   for (uint32_t row = 0; row < ridge_rows; ++row)
     for (uint32_t column = 0; column < ridge_columns; ++column)
-      texels.rgba.push_back(glm::vec4(glm::clamp(ridge_ground(ridge_place(static_cast<float>(column), static_cast<float>(row))), 0.0f, 1.0f), 1));
+      texels.rgba.push_back(
+          glm::vec4(glm::clamp(ridge_ground(ridge_place(static_cast<float>(column), static_cast<float>(row))), 0.0f, 1.0f), 1));
   return make_texture("land albedo", texels, TexelMeaning::colour);
 }
 
@@ -117,7 +116,8 @@ Scene make_far_ridges(float time_s) {
   scene.name = scene.source = "far_ridges";
   scene.time_s = time_s;
   scene.objects.push_back(made_ridges());
-  const glm::vec3 sun = elevation > 0 ? ridge_sun_above_air * glm::exp(-ridge_optical_depth * air_mass(elevation)) : glm::vec3(0);
+  const glm::vec3 sun =
+      elevation > 0 ? ridge_sun_above_air * glm::exp(-ridge_optical_depth * air_mass(elevation)) : glm::vec3(0);
   scene.lights.push_back(directional_light("sun", day.to_sun, sun, glm::radians(0.2665f)));
   scene.ambient = day.ambient;
   scene.background = glm::vec3(0);  // space

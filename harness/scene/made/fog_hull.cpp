@@ -4,7 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "harness/scene/made/block_mesh.h"
-#include "harness/scene/made/cube_sphere.h"
+#include "harness/scene/made/sphere_mesh.h"
 
 namespace lamina {
 
@@ -20,9 +20,8 @@ Object fog_hull(std::string name, Mesh mesh, const glm::mat4& world_from_object,
 }
 
 Object fog_ball(std::string name, glm::vec3 centre, glm::vec3 radii, float share, float turn_degrees) {
-  static const Mesh sphere = cube_sphere(25);
-  const glm::mat4 turned =
-      glm::rotate(glm::translate(glm::mat4(1), centre), glm::radians(turn_degrees), glm::vec3(0, 1, 0));
+  static const Mesh sphere = sphere_mesh(25);
+  const glm::mat4 turned = glm::rotate(glm::translate(glm::mat4(1), centre), glm::radians(turn_degrees), glm::vec3(0, 1, 0));
   return fog_hull(std::move(name), sphere, glm::scale(turned, radii), share);
 }
 

@@ -33,8 +33,8 @@ Scene make_fog_shaft() {
         swept(fmt::format("bar_{}", i), {middle.x - bar_m / 2, low.y}, {middle.x + bar_m / 2, high.y}, along, true));
     for (int side = 0; side < 2; ++side) {
       const float from = side == 0 ? low.x : middle.x + bar_m / 2, to = side == 0 ? middle.x - bar_m / 2 : high.x;
-      scene.objects.push_back(swept(fmt::format("rung_{}", 2 * i + side), {from, middle.y - bar_m / 2},
-                                    {to, middle.y + bar_m / 2}, along, true));
+      scene.objects.push_back(
+          swept(fmt::format("rung_{}", 2 * i + side), {from, middle.y - bar_m / 2}, {to, middle.y + bar_m / 2}, along, true));
     }
   }
   set_fog(scene, 0.16f, {1.7f, 1.52f, 1.24f});

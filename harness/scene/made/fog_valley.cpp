@@ -15,7 +15,8 @@ constexpr float lake_half_m = 2520, lake_floor_m = -40, lake_surface_m = 250, la
 
 // A slab whose upper side has waves. Vertices at one place are moved alike, so it stays closed.
 Mesh lake(float time_s) {
-  Mesh mesh = block_mesh({{{-lake_half_m, lake_floor_m, -lake_half_m}, {lake_half_m, lake_surface_m, lake_half_m}}}, lake_spacing_m);
+  Mesh mesh =
+      block_mesh({{{-lake_half_m, lake_floor_m, -lake_half_m}, {lake_half_m, lake_surface_m, lake_half_m}}}, lake_spacing_m);
   const float turn = 2 * static_cast<float>(M_PI) * time_s / 24;
   for (Vertex& vertex : mesh.vertices) {
     glm::vec3& p = vertex.position;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The built-in scene `fog_xray`: a suitcase and what is in it as an X-ray shows it: hulls alone, thickness turned into colour by a
-// ramp.
+// The built-in scene `fog_xray`: a suitcase and what is in it as an X-ray shows it: hulls alone, thickness turned into colour
+// by a ramp.
 #pragma once
 
 #include "harness/scene/scene.h"

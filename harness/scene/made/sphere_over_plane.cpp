@@ -4,15 +4,15 @@
 
 #include "harness/scene/default_views.h"
 #include "harness/scene/made/coloured_object.h"
-#include "harness/scene/made/cube_sphere.h"
 #include "harness/scene/made/directional_light.h"
 #include "harness/scene/made/height_field.h"
+#include "harness/scene/made/sphere_mesh.h"
 
 namespace lamina {
 namespace {
 
 constexpr float centre_m = 1.15f;  // the sphere's, above the plane: a gap of 0.15 m
-constexpr uint32_t sphere_points = 41, plane_points = 193;
+constexpr uint32_t plane_points = 193;
 constexpr float plane_half_m = 40;
 
 // A grid whose points crowd in the middle: 4 cm apart under the sphere, metres at the horizon.
@@ -34,7 +34,7 @@ Mesh ground() {
 Scene make_sphere_over_plane() {
   Scene scene;
   scene.objects.push_back(coloured_object("plane", ground(), {0.46f, 0.44f, 0.41f}, true));
-  scene.objects.push_back(coloured_object("sphere", cube_sphere(sphere_points), {0.62f, 0.34f, 0.22f}, true));
+  scene.objects.push_back(coloured_object("sphere", sphere_mesh(), {0.62f, 0.34f, 0.22f}, true));
   scene.objects[1].world_from_object[3] = glm::vec4(0, centre_m, 0, 1);
   const glm::vec3 to_sun = glm::normalize(glm::vec3(-0.8f, 1, 0.6f));  // 45 degrees above the horizon
   scene.lights.push_back(directional_light("sun", to_sun, {1.15f, 1.08f, 0.98f}, glm::radians(10.0f)));

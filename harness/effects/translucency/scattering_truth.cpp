@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/effects/translucency/scattering_truth.h"
+
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <cstring>
+#include <mutex>
+
+#include "harness/core/bytes.h"
+#include "harness/core/error.h"
+#include "harness/core/text.h"
+#include "harness/effects/translucency/scattered_light.h"
+
+namespace lamina {
+namespace {
+
+const Image& told_target(const Told& told, const std::string& name) {
+  const auto found = told.targets.find(name);
+  if (found == told.targets.end())
+    throw Error(ErrorKind::bad_input, "truth", "target '" + name + "'",
+                "is missing: the truth translucency asks for it, as four floats a pixel, of passes with when = \"truth\"");
+  return found->second;
+}
+
+glm::dvec4 pixel_of(const Image& image, size_t i) {
+  return {double(image.rgba[4 * i]), double(image.rgba[4 * i + 1]), double(image.rgba[4 * i + 2]),
+          double(image.rgba[4 * i + 3])};
+}
+
+class ScatteringTruth : public Truth {
+ public:
+  explicit ScatteringTruth(const TruthSetting& setting) : setting_(setting), solids_(setting.scene) {}
+
+  TruthAnswer answer(const Told& told, const std::function<void(double)>& progress) override {
+    TruthAnswer answer;
+    const std::vector<LitPoint> points = lit_points(told, answer.pixels);
+    if (points.empty()) return {};
+    // By model: path lengths, refraction, random walk.
+    std::vector<std::vector<glm::vec3>> light(3, std::vector<glm::vec3>(points.size()));
+    const std::string kept_as = key(points);
+    const size_t bytes = points.size() * sizeof(glm::vec3);
+    if (const auto kept = setting_.cache.find(kept_as); kept && kept->size() == 3 * bytes) {
+      for (size_t i = 0; i < 3; ++i) std::memcpy(light[i].data(), kept->data() + i * bytes, bytes);
+    } else {
+      compute(points, light, progress);
+      std::vector<glm::vec3> all;
+      for (const auto& model : light) all.insert(all.end(), model.begin(), model.end());
+      setting_.cache.keep(kept_as, bytes_of(all));
+    }
+    answer.steps = {{"thickness", "this variant's thickness and light against path lengths by rays", std::move(light[0])},
+                    {"refraction", "refraction at flat entries against the ray that meets the point", std::move(light[1])},
+                    {"multiple_scattering", "diffusion through a slab against a random walk", std::move(light[2])}};
+    return answer;
+  }
+
+ private:
+  std::vector<LitPoint> lit_points(const Told& told, std::vector<size_t>& pixels) const {
+    const Image &point = told_target(told, "seen_point"), &normal = told_target(told, "seen_normal"),
+                &albedo = told_target(told, "seen_albedo");
+    std::vector<LitPoint> points;
+    const glm::dvec3 eye(told.view.eye);
+    for (size_t i = 0; i < size_t(point.width) * size_t(point.height); ++i) {
+      const glm::dvec4 seen = pixel_of(point, i);
+      if (seen.a <= 0) continue;
+      LitPoint lit{0, glm::dvec3(seen), glm::dvec3(pixel_of(normal, i)), glm::normalize(eye - glm::dvec3(seen)),
+                   glm::dvec3(pixel_of(albedo, i))};
+      // Whose surface it is: the first that the eye's ray meets just before the point.
+      const double before = 1e-3 * solids_.radius_m();
+      double nearest = 1e30;
+      for (const Crossing& crossing : solids_.crossings(lit.position + lit.to_eye * before, -lit.to_eye, 2 * before))
+        if (solids_.medium(crossing.object) && crossing.entering && std::abs(crossing.distance - before) < nearest)
+          nearest = std::abs(crossing.distance - before), lit.object = crossing.object;
+      if (nearest > before) continue;  // an edge that only the device meets
+      pixels.push_back(i);
+      points.push_back(lit);
+    }
+    return points;
+  }
+
+  void compute(const std::vector<LitPoint>& points, std::vector<std::vector<glm::vec3>>& light,
+               const std::function<void(double)>& progress) const {
+    std::mutex telling;
+    std::atomic<size_t> done = 0;
+    tbb::parallel_for(size_t{0}, points.size(), [&](size_t i) {
+      const LitPoint& point = points[i];
+      const Scene& scene = setting_.scene;
+      const glm::dvec3 rest = unshadowed_light(*solids_.medium(point.object), scene, point);
+      const glm::dvec3 flat_slab = slab_scattering(solids_, scene, point, Refraction::flat);
+      const glm::dvec3 once = single_scattering(solids_, scene, point, Refraction::solved);
+      light[0][i] = rest + single_scattering(solids_, scene, point, Refraction::flat) + flat_slab;
+      light[1][i] = rest + once + slab_scattering(solids_, scene, point, Refraction::solved);
+      light[2][i] = rest + once + multiple_scattering(solids_, scene, point, setting_.rays, 1 + i);
+      if (const size_t now = ++done; now % 256 == 0) {
+        const std::lock_guard lock(telling);
+        progress(static_cast<double>(now) / static_cast<double>(points.size()));
+      }
+    });
+    progress(1);
+  }
+
+  // All that the light follows from.
+  std::string key(const std::vector<LitPoint>& points) const {
+    constexpr int version = 1;  // changes when the same input no longer gives the same light
+    const Scene& scene = setting_.scene;
+    std::string text = fmt::format("{} {} {} {}", version, setting_.rays, setting_.occluders.hash(),
+                                   hash_hex(bytes_of(points)));
+    const auto add = [&](glm::dvec3 v) { text += fmt::format(" {} {} {}", v.x, v.y, v.z); };
+    for (size_t i = 0; i < scene.objects.size(); ++i) {
+      std::vector<glm::vec3> normals;
+      for (const Vertex& vertex : scene.objects[i].mesh.vertices) normals.push_back(vertex.normal);
+      text += hash_hex(bytes_of(normals));
+      if (const std::optional<Medium>& medium = solids_.medium(i)) {
+        add(medium->extinction);
+        text += fmt::format(" {} {} {}", medium->refraction_index, medium->multiple_scattering, medium->wrap);
+      }
+    }
+    add(scene.ambient);
+    for (const Light& light : scene.lights) {
+      text += fmt::format(" {} {}", static_cast<int>(light.kind), light.casts);
+      add(light.direction), add(light.position), add(light.radiance);
+    }
+    return "translucency-" + hash_hex(text);
+  }
+
+  TruthSetting setting_;
+  Solids solids_;
+};
+
+}  // namespace
+
+std::unique_ptr<Truth> scattering_truth(const TruthSetting& setting) { return std::make_unique<ScatteringTruth>(setting); }
+
+}  // namespace lamina
