@@ -12,14 +12,14 @@ namespace {
 
 // Where points stand along a face of the cube from -1 to 1. Both ends are exactly 1, and the two halves exactly each other's
 // negatives: two faces that meet run along their seam in opposite directions.
-std::vector<float> along_face(uint32_t points) {
-  std::vector<float> places(points);
-  for (uint32_t i = 0; 2 * i < points; ++i) {
-    const float t = static_cast<float>(i) / static_cast<float>(points - 1);
+std::vector<float> along_face(uint32_t per_edge) {
+  std::vector<float> places(per_edge);
+  for (uint32_t i = 0; 2 * i < per_edge; ++i) {
+    const float t = static_cast<float>(i) / static_cast<float>(per_edge - 1);
     const float place = i == 0 ? 1 : -std::tan(static_cast<float>(M_PI) / 4 * (2.0f * t - 1.0f));
-    places[i] = -place, places[points - 1 - i] = place;
+    places[i] = -place, places[per_edge - 1 - i] = place;
   }
-  if (points % 2 == 1) places[points / 2] = 0;
+  if (per_edge % 2 == 1) places[per_edge / 2] = 0;
   return places;
 }
 
