@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-constexpr size_t scattering_inputs = 2000;
+constexpr size_t scattering_inputs = 500;
 const char* const scattering_folders[] = {"henyey_greenstein",  "cornette_shanks", "rayleigh", "transmittance",
                                           "mean_transmittance", "slab_in_scatter", "fresnel"};
 
