@@ -281,11 +281,11 @@ TEST_P(Passes, OwnAllAndOpaqueObjectsAreTold) {
   write("glass/clear.frag",
         "layout(binding = 4) uniform sampler2D frame;\nlayout(location = 0) out vec4 color;\n"
         "void main() { color = texelFetch(frame, ivec2(gl_FragCoord.xy), 0); }\n");
-  write_effect("fog", "key = \"fog\"");
-  write_variant("fog", "thin", objects_pass("thin.frag"));
-  write("fog/thin.frag", "layout(location = 0) out vec4 color;\nvoid main() { discard; }\n");
+  write_effect("mist", "key = \"mist\"");
+  write_variant("mist", "thin", objects_pass("thin.frag"));
+  write("mist/thin.frag", "layout(location = 0) out vec4 color;\nvoid main() { discard; }\n");
   const Library library = made();
-  Scene scene = squares({square("a", 0, {"map"}), square("b", 1, {"glass"}), square("c", 2, {"fog"})});
+  Scene scene = squares({square("a", 0, {"map"}), square("b", 1, {"glass"}), square("c", 2, {"mist"})});
   scene.objects[2].solid = false;
   EXPECT_EQ(pixel(drawn(library, scene)->picture(), 8, 8), glm::vec3(1, 2, 1)) << "own, all, opaque";
 }
