@@ -26,8 +26,8 @@ struct ResolvedBuffer {
 };
 
 struct GraphDraw {
-  std::optional<size_t> object;  // none: a full-screen or compute pass of the frame or of a light
-  std::optional<size_t> light;   // that it is drawn for
+  std::optional<size_t> object;                               // none: a full-screen or compute pass of the frame or of a light
+  std::optional<size_t> light;                                // that it is drawn for
   std::vector<std::shared_ptr<const CompiledShader>> stages;  // none: nothing is drawn, and targets are cleared alone
   std::vector<ResolvedRead> reads;
   std::vector<ResolvedBuffer> buffers;  // storage

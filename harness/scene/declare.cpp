@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "harness/core/text.h"
-#include "harness/scene/mesh/hull_check.h"
 #include "harness/scene/make_texture.h"
+#include "harness/scene/mesh/hull_check.h"
 #include "harness/scene/mesh/texel_density.h"
 
 namespace lamina {

@@ -29,9 +29,8 @@ void settle_facts(Object& object, const EffectManifest& effect) {
   if (values == object.effects.end()) return;
   for (const FactManifest& fact : effect.facts) {
     Texture& texture = values->second.textures.at(fact.texture);
-    values->second.facts[fact.name] =
-        fact.function == "seen_alpha" ? double(settle_seen_alpha(object.mesh, texture))
-                                      : largest(texture, fact.function == "largest_channel");
+    values->second.facts[fact.name] = fact.function == "seen_alpha" ? double(settle_seen_alpha(object.mesh, texture))
+                                                                    : largest(texture, fact.function == "largest_channel");
   }
 }
 

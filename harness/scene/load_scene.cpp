@@ -9,10 +9,10 @@
 #include "harness/scene/default_views.h"
 #include "harness/scene/facts.h"
 #include "harness/scene/made/builtin_scenes.h"
-#include "harness/scene/scene.h"
-#include "harness/scene/scene_file.h"
 #include "harness/scene/mesh/split_overlaps.h"
 #include "harness/scene/mesh/unwrap_check.h"
+#include "harness/scene/scene.h"
+#include "harness/scene/scene_file.h"
 
 namespace lamina {
 namespace {

@@ -29,8 +29,8 @@ inline Light sun_at(double zenith_degrees, double azimuth_degrees = 0) {
   return light;
 }
 
-// The unit square 10 m ahead, which fills the height of the picture, under ambient light of 1; and nothing to its left and right
-// in a picture that is wider. Its albedo is `albedo`. Behind it is black.
+// The unit square 10 m ahead, which fills the height of the picture, under ambient light of 1; and nothing to its left and
+// right in a picture that is wider. Its albedo is `albedo`. Behind it is black.
 inline Scene square_in_air(glm::vec3 albedo, const std::map<std::string, double>& numbers, Light sun = sun_at(0)) {
   QuadOptions options;
   options.outer = albedo;

@@ -51,7 +51,8 @@ TEST(Air, PathsAreLongerTowardsTheHorizonAsIsKnown) {
   const Air air = molecules_only();
   const double straight_up = -std::log(from_ground(air, 0).g);
   expect_figure(straight_up, .108463596);
-  for (const auto& [zenith, ratio] : {std::pair{60.0, 1.99256}, {80.0, 5.55020}, {85.0, 10.13833}, {88.0, 18.65844}, {90.0, 35.35490}})
+  for (const auto& [zenith, ratio] :
+       {std::pair{60.0, 1.99256}, {80.0, 5.55020}, {85.0, 10.13833}, {88.0, 18.65844}, {90.0, 35.35490}})
     expect_figure(-std::log(from_ground(air, zenith).g) / straight_up, ratio);
 }
 
@@ -76,7 +77,9 @@ TEST(Air, ScattersOnceWhatIsKnownOfTheEarths) {
                {45, 60, 180, {.003814, .007666, .015064}}, {80, 60, 0, {.036532, .052467, .069072}},
                {89, 85, 0, {.319433, .140622, .029480}},   {0, 85, 0, {.002025, .002939, .004526}}};
   for (const auto& [view, sun, azimuth, light] : known)
-    expect_figures(single_scattering(earth(), {{0, 0, 0}, direction_at(view, 0)}, INFINITY, true, direction_at(sun, azimuth)).radiance, light);
+    expect_figures(
+        single_scattering(earth(), {{0, 0, 0}, direction_at(view, 0)}, INFINITY, true, direction_at(sun, azimuth)).radiance,
+        light);
 }
 
 // A thin layer close to the ground on a planet without haze or curvature to speak of: a homogeneous slab. Figures: L / (p E).
@@ -85,7 +88,8 @@ TEST(Air, ScattersInASlabByItsClosedForm) {
   air.planet_radius_m = 1e12, air.rayleigh_height_m = 1e9, air.top_m = 1000, air.rayleigh = glm::dvec3(0.16 / 1000);
   const struct {
     double view, sun, light;  // cosines
-  } known[] = {{1, 1, .136343006}, {1, .2, .100703706}, {.5, .5, .232367692}, {.1, 1, .722496968}, {.1, .2, .494864892}, {.01, .5, .740968290}};
+  } known[] = {{1, 1, .136343006},  {1, .2, .100703706},  {.5, .5, .232367692},
+               {.1, 1, .722496968}, {.1, .2, .494864892}, {.01, .5, .740968290}};
   for (const auto& [view, sun, light] : known) {
     const glm::dvec3 along(std::sqrt(1 - view * view), view, 0), to_sun(std::sqrt(1 - sun * sun), sun, 0);
     const double cosine = glm::dot(along, to_sun), phase = 3 / (16 * std::numbers::pi) * (1 + cosine * cosine);
@@ -94,7 +98,8 @@ TEST(Air, ScattersInASlabByItsClosedForm) {
 }
 
 TEST(Air, AltitudeKeepsItsDigitsNearTheGround) {
-  for (const double height : {1e-3, 0.5, 2.0, 1e4, 1e6}) EXPECT_NEAR(altitude_m(earth(), {0, height, 0}), height, 1e-9 * height);
+  for (const double height : {1e-3, 0.5, 2.0, 1e4, 1e6})
+    EXPECT_NEAR(altitude_m(earth(), {0, height, 0}), height, 1e-9 * height);
   // A level ray rises by s^2 / 2R.
   EXPECT_NEAR(altitude_m(earth(), {50e3, 0, 0}), 50e3 * 50e3 / (2 * 6360e3), 0.02);
   EXPECT_EQ(altitude_m(earth(), {0, -30, 0}), 0) << "below the sea";

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of the atmosphere on every backend, against closed forms and against the truth.
 #include <gtest/gtest.h>
-
 #include <unistd.h>
 
 #include <cmath>
@@ -18,8 +17,8 @@ namespace {
 
 // Only molecules, of one density everywhere nearby, that take beta of every metre.
 std::map<std::string, double> even_air(double beta) {
-  return {{"mie_amount", 0},          {"ozone_amount", 0},         {"rayleigh_height", 1e6},
-          {"rayleigh_red", beta},     {"rayleigh_green", beta / 2}, {"rayleigh_blue", beta / 4}};
+  return {{"mie_amount", 0},      {"ozone_amount", 0},          {"rayleigh_height", 1e6},
+          {"rayleigh_red", beta}, {"rayleigh_green", beta / 2}, {"rayleigh_blue", beta / 4}};
 }
 std::map<std::string, double> dark(std::map<std::string, double> numbers) {
   for (const char* name : {"sun_red", "sun_green", "sun_blue"}) numbers[name] = 0;
@@ -175,10 +174,12 @@ TEST_P(Atmosphere, ATableGivesTheSunlightThatItsPathGives) {
 }
 
 TEST_P(Atmosphere, TheMisprintLosesTheShareThatItLosesOfAllDirections) {
-  const std::map<std::string, double> haze = {{"rayleigh_red", 0}, {"rayleigh_green", 0}, {"rayleigh_blue", 0}, {"mie_amount", 100}, {"mie_g", 0.76}};
+  const std::map<std::string, double> haze = {
+      {"rayleigh_red", 0}, {"rayleigh_green", 0}, {"rayleigh_blue", 0}, {"mie_amount", 100}, {"mie_g", 0.76}};
   const Scene scene = sky(45, sun_at(50, 20), haze);
   const Image right = picture(scene, "per_pixel", 6), wrong = picture(scene, "misprinted_phase", 6);
-  for (size_t i = 0; i < right.rgba.size(); i += 4) EXPECT_NEAR(wrong.rgba[i] / right.rgba[i], 0.24 / 1.76, 2 * half_ulp * 0.24 / 1.76);
+  for (size_t i = 0; i < right.rgba.size(); i += 4)
+    EXPECT_NEAR(wrong.rgba[i] / right.rgba[i], 0.24 / 1.76, 2 * half_ulp * 0.24 / 1.76);
 }
 
 // Where air has one density and sunlight one colour the formula is exact.
@@ -197,7 +198,8 @@ TEST_P(Atmosphere, HoffmanAndPreethamsFormulaIsExactInEvenAir) {
 // Which the slides' formula gives for the sky: the errors that are known of its green.
 TEST_P(Atmosphere, HoffmanAndPreethamsFormulaIsOffAsItIsKnownToBe) {
   const std::map<std::string, double> bright = {{"sun_red", 3}, {"sun_green", 3}, {"sun_blue", 3}};
-  for (const auto& [zenith, sun, low, high] : {std::tuple{0.0, 60.0, -0.15, 0.0}, {80.0, 60.0, -0.2, 0.0}, {89.0, 85.0, -0.7, -0.4}}) {
+  for (const auto& [zenith, sun, low, high] :
+       {std::tuple{0.0, 60.0, -0.15, 0.0}, {80.0, 60.0, -0.2, 0.0}, {89.0, 85.0, -0.7, -0.4}}) {
     const Scene scene = sky(zenith, sun_at(sun), bright, 0, 0.2f);
     const double error = picture(scene, "hoffman_preetham", 2).rgba[1] / truth(scene, 2).rgba[1] - 1;
     EXPECT_GT(error, low) << zenith << " " << sun;
@@ -259,7 +261,8 @@ TEST(AtmosphereScenes, MistakesAreRefused) {
   refused("[effects.atmosphere]\nmie.g = 1", "0.999");
   refused("[effects.atmosphere]\ndensity = -1", "0");
   refused("[effects.atmosphere]\nturbidity = 3", "density");
-  refused("[views.near]\nfar = 1\neye = [0, 1, 1]\ntarget = [0, 0, 0]", "'far'");  // planes are fitted, so none lies before another
+  refused("[views.near]\nfar = 1\neye = [0, 1, 1]\ntarget = [0, 0, 0]",
+          "'far'");  // planes are fitted, so none lies before another
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, Atmosphere, backend_parameters, backend_test_name);

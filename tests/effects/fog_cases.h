@@ -7,8 +7,8 @@
 
 #include "harness/scene/declare.h"
 #include "harness/scene/made/coloured_object.h"
-#include "harness/scene/made/sphere_mesh.h"
 #include "harness/scene/made/fog_hull.h"
+#include "harness/scene/made/sphere_mesh.h"
 #include "tests/graph/each_backend.h"
 #include "tests/graph/quad_scene.h"
 
@@ -20,8 +20,7 @@ inline Scene settled(Scene scene) {
   declare_said(scene, builtin_library());
   declare_scene(scene, builtin_library());
   for (Object& object : scene.objects)
-    for (const EffectManifest* effect : effects_of(object, builtin_library()))
-      object.solid = object.solid && effect->solid;
+    for (const EffectManifest* effect : effects_of(object, builtin_library())) object.solid = object.solid && effect->solid;
   return scene;
 }
 
@@ -98,8 +97,7 @@ class FogOnEachBackend : public EachBackend {
     Bakes bakes(scene, *library().code, DiskCache(""));
     SceneResources resources(*backend_, scene, library(), size, size, &bakes);
     const VariantManifest& drawn = variant(name);
-    const Graph graph =
-        make_graph(plan, configuration_with(plan, drawn), scene, shaders, Purpose::truth, parameters);
+    const Graph graph = make_graph(plan, configuration_with(plan, drawn), scene, shaders, Purpose::truth, parameters);
     Frame frame(resources, graph, Build::timed);
     frame.run_once(Timing::off);
     std::vector<Thickness> all;

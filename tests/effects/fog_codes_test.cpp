@@ -16,16 +16,15 @@ struct CodeFormat {
   bool dithered;
 };
 constexpr CodeFormat code_formats[] = {
-    {"rgb8_12", 4, 17, false},         {"rgb8_15", 5, 8, false},         {"rgb8_18", 6, 4, false},
-    {"rgb8_21", 7, 2, false},          {"rgb8_12_dithered", 4, 15, true}, {"rgb8_15_dithered", 5, 7, true},
-    {"rgb8_18_dithered", 6, 3, true}, {"rgb8_21_dithered", 7, 1, true}, {"integer_codes", 8, 8, false}};
+    {"rgb8_12", 4, 17, false},        {"rgb8_15", 5, 8, false},          {"rgb8_18", 6, 4, false},
+    {"rgb8_21", 7, 2, false},         {"rgb8_12_dithered", 4, 15, true}, {"rgb8_15_dithered", 5, 7, true},
+    {"rgb8_18_dithered", 6, 3, true}, {"rgb8_21_dithered", 7, 1, true},  {"integer_codes", 8, 8, false}};
 constexpr float reach_m = 8;
 
 // As many boxes, one in the other: every front 2 m to 2.5 m away, every back beyond the reach, so that all channels are full.
 std::vector<Object> boxes_of_fog(int count) {
   std::vector<Object> boxes;
-  for (int i = 0; i < count; ++i)
-    boxes.push_back(fog_box("box", {-4, -4, -9}, {4, 4, -2 - 0.5f * float(i) / float(count)}, 1));
+  for (int i = 0; i < count; ++i) boxes.push_back(fog_box("box", {-4, -4, -9}, {4, 4, -2 - 0.5f * float(i) / float(count)}, 1));
   return boxes;
 }
 double thickness_of_boxes(int count) {
@@ -99,9 +98,9 @@ TEST_P(FogCodes, EveryVariantAgreesWithFloats) {
   Scene scene = cases.scene();
   scene.effects.at("volume_fog").numbers["reach"] = reach_m;
   // A wall of 8 m fills the view: no edge for a smaller target to miss.
-  const std::pair<const char*, double> known[] = {{"half_sum", 0.04},         {"three_passes", 0.04}, {"five_passes", 1e-3},
-                                                  {"six_passes", 1e-3},       {"half_resolution", 0.35}, {"half_depth_aware", 0.35},
-                                                  {"ramp_table", 0},          {"integer_codes", 5e-6},  {"analytic", 0.02}};
+  const std::pair<const char*, double> known[] = {{"half_sum", 0.04},   {"three_passes", 0.04},    {"five_passes", 1e-3},
+                                                  {"six_passes", 1e-3}, {"half_resolution", 0.35}, {"half_depth_aware", 0.35},
+                                                  {"ramp_table", 0},    {"integer_codes", 5e-6},   {"analytic", 0.02}};
   for (const auto& [name, bound] : known) {
     const Thickness found = thickness(scene, name, 64)[0];
     double worst = 0;

@@ -166,7 +166,8 @@ TEST_P(FogThickness, AnalyticHullsAgreeWithClosedForms) {
 TEST(HullShapes, AreToldFromOtherMeshes) {
   EXPECT_EQ(hull_shape(sphere_mesh(9)), HullShape::ellipsoid);
   EXPECT_EQ(hull_shape(block_mesh({{{-1, 2, 3}, {4, 5, 6}}}, 0.7f)), HullShape::box);
-  EXPECT_EQ(hull_shape(block_mesh({{{0, 0, 0}, {2, 2, 2}}, {{0, 0, 0}, {1, 1, 1}, false}}, 5)), HullShape::any) << "a corner out";
+  EXPECT_EQ(hull_shape(block_mesh({{{0, 0, 0}, {2, 2, 2}}, {{0, 0, 0}, {1, 1, 1}, false}}, 5)), HullShape::any)
+      << "a corner out";
   EXPECT_EQ(hull_shape(block_mesh({{{0, 0, 0}, {3, 3, 3}}, {{1, 1, 1}, {2, 2, 2}, false}}, 5)), HullShape::any) << "a shell";
   Mesh dented = sphere_mesh(9);
   dented.vertices[40].position *= 0.999f;

@@ -16,7 +16,9 @@ constexpr size_t scattering_inputs = 500;
 const char* const scattering_folders[] = {"henyey_greenstein",  "cornette_shanks", "rayleigh", "transmittance",
                                           "mean_transmittance", "slab_in_scatter", "fresnel"};
 
-Family scattering_family(const std::string& folder) { return load_family(shaders_folder() / folder / "family.toml", effect_code()); }
+Family scattering_family(const std::string& folder) {
+  return load_family(shaders_folder() / folder / "family.toml", effect_code());
+}
 double oracle_value(const Family& family, std::vector<double> point) { return family.oracle->value(point); }
 
 class ScatteringShaders : public ::testing::TestWithParam<std::string_view> {
@@ -85,11 +87,12 @@ TEST_P(ScatteringShaders, HenyeyAndGreensteinSumToOneOverAllDirections) {
           const double cosine = sign * std::clamp((1 + a * a - root * root) / (2 * a), -1.0, 1.0);
           points.add({g, static_cast<float>(cosine)});
           // The shader is asked at a rounded cosine: what it errs there, it errs here.
-          weights.push_back(2 * std::numbers::pi * root * root / a * Rule::weights()[i] * (high - low) / 2 * oracle_value(hg, {g, cosine}) /
-                            oracle_value(hg, {g, points[points.size() - 1][1]}));
+          weights.push_back(2 * std::numbers::pi * root * root / a * Rule::weights()[i] * (high - low) / 2 *
+                            oracle_value(hg, {g, cosine}) / oracle_value(hg, {g, points[points.size() - 1][1]}));
         }
     }
-  FunctionRunner stable(*backend_, shaders_folder(), hg, "stable_hg"), misprinted(*backend_, shaders_folder(), hg, "misprinted_hg");
+  FunctionRunner stable(*backend_, shaders_folder(), hg, "stable_hg"),
+      misprinted(*backend_, shaders_folder(), hg, "misprinted_hg");
   const std::vector<float> right = stable.values(points), wrong = misprinted.values(points);
   const size_t nodes = 2 * Rule::weights().size();
   for (size_t first = 0; first < points.size(); first += nodes) {
@@ -104,14 +107,21 @@ TEST_P(ScatteringShaders, HenyeyAndGreensteinSumToOneOverAllDirections) {
 TEST(ScatteringOracles, GiveTheFiguresThatAreKnown) {
   const auto near = [](double value, double figure) { EXPECT_NEAR(value, figure, 1e-5 * figure); };
   const Family hg = scattering_family("henyey_greenstein");
-  for (const auto& [g, at_0, at_90, at_180] : {std::tuple{.5, .477465, .0427058, .0176839}, {.8, 3.58099, .0136404, .00491219}, {.99, 1583.59, .000568346, .000200948}}) {
+  for (const auto& [g, at_0, at_90, at_180] : {std::tuple{.5, .477465, .0427058, .0176839},
+                                               {.8, 3.58099, .0136404, .00491219},
+                                               {.99, 1583.59, .000568346, .000200948}}) {
     near(oracle_value(hg, {g, 1}), at_0);
     near(oracle_value(hg, {g, 0}), at_90);
     near(oracle_value(hg, {g, -1}), at_180);
   }
   near(oracle_value(scattering_family("rayleigh"), {0}), .0596831);
   const Family slab = scattering_family("slab_in_scatter");
-  for (const auto& [view, sun, light] : {std::tuple{1., 1., .136343006}, {1., .2, .100703706}, {.5, .5, .232367692}, {.1, 1., .722496968}, {.1, .2, .494864892}, {.01, .5, .740968290}})
+  for (const auto& [view, sun, light] : {std::tuple{1., 1., .136343006},
+                                         {1., .2, .100703706},
+                                         {.5, .5, .232367692},
+                                         {.1, 1., .722496968},
+                                         {.1, .2, .494864892},
+                                         {.01, .5, .740968290}})
     near(oracle_value(slab, {.16 / sun, .16 / view}), light);
   const Family fresnel = scattering_family("fresnel");
   const double degrees[] = {0, 45, 60, 75, 85};
@@ -128,7 +138,8 @@ TEST(ScatteringOracles, CornetteAndShanksHaveTheMeanCosineThatIsKnown) {
   double sum = 0, mean = 0;
   constexpr int steps = 20000;
   for (int i = 0; i < steps; ++i) {
-    const double cosine = (2 * i + 1.0) / steps - 1, part = 2 * std::numbers::pi * oracle_value(family, {0.8, cosine}) * 2 / steps;
+    const double cosine = (2 * i + 1.0) / steps - 1,
+                 part = 2 * std::numbers::pi * oracle_value(family, {0.8, cosine}) * 2 / steps;
     sum += part, mean += part * cosine;
   }
   EXPECT_NEAR(sum, 1, 1e-6);
@@ -137,7 +148,8 @@ TEST(ScatteringOracles, CornetteAndShanksHaveTheMeanCosineThatIsKnown) {
 
 TEST(ScatteringOracles, ConditionsAreThoseOfTheFormulas) {
   const Family transmittance = scattering_family("transmittance"), hg = scattering_family("henyey_greenstein");
-  for (const double x : {0.1, 1.0, 30.0}) EXPECT_NEAR(transmittance.oracle->condition(std::vector{x}, std::exp(-x)), x, 1e-9 * x);
+  for (const double x : {0.1, 1.0, 30.0})
+    EXPECT_NEAR(transmittance.oracle->condition(std::vector{x}, std::exp(-x)), x, 1e-9 * x);
   // By hand: c dp/dc / p = 3 g c / base.
   const double g = 0.5, c = 0.25, base = 1 + g * g - 2 * g * c;
   const double by_cosine = 3 * g * c / base, by_g = g * (-2 * g / (1 - g * g) - 1.5 * (2 * g - 2 * c) / base);
@@ -155,7 +167,8 @@ TEST(ScatteringOracles, RefuseWhatHasNoValue) {
     for (const FamilySet& set : family.sets) {
       const Points points = family.oracle->points(set.name, 500, 3);
       for (size_t i = 0; i < points.size(); ++i)
-        ASSERT_EQ(family.oracle->refusal(std::vector<double>(points[i].begin(), points[i].end())), "") << folder << " " << set.name;
+        ASSERT_EQ(family.oracle->refusal(std::vector<double>(points[i].begin(), points[i].end())), "")
+            << folder << " " << set.name;
     }
   }
 }

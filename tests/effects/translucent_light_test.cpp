@@ -17,9 +17,9 @@ using std::numbers::pi;
 double cosine_of(double degrees) { return std::cos(degrees * pi / 180); }
 
 Scene slab_scene(const MediumNumbers& said, float thickness, float half_width) {
-  return lit_alone(translucent(block_mesh({{{-half_width, -thickness, -half_width}, {half_width, 0, half_width}}}, half_width),
-                               said),
-                   {0, -1, 0}, {0, 3, 0}, 40);
+  return lit_alone(
+      translucent(block_mesh({{{-half_width, -thickness, -half_width}, {half_width, 0, half_width}}}, half_width), said),
+      {0, -1, 0}, {0, 3, 0}, 40);
 }
 
 TEST(TranslucentLight, FresnelIsTheTable) {
@@ -122,8 +122,8 @@ TEST(TranslucentLight, SingleScatteringOfASlabIsTheClosedForm) {
   }
 }
 
-// Skin of Jensen and others (SIGGRAPH 2001), 1 mm thick, lit along the normal: shares of all light, of which the surface reflects
-// some before it enters.
+// Skin of Jensen and others (SIGGRAPH 2001), 1 mm thick, lit along the normal: shares of all light, of which the surface
+// reflects some before it enters.
 TEST(TranslucentLight, RandomWalkThroughASlabIsKnown) {
   const glm::dvec3 scattering(.74, .88, 1.01), absorption(.032, .17, .48);
   const glm::dvec3 passed[2] = {{.693, .542, .342}, {.647, .470, .286}}, back[2] = {{.260, .238, .179}, {.225, .154, .093}};
@@ -155,15 +155,16 @@ TEST(TranslucentLight, MultipleScatteringAddsUpToTheSlabsReflectance) {
   for (int i = 0; i < angles; ++i) {
     const double mu = std::sqrt((i + 0.5) / angles);
     const LitPoint point{0, {0, 0, 0}, {0, 1, 0}, {std::sqrt(1 - mu * mu), mu, 0}, glm::dvec3(.9)};
-    all += (single_scattering(solids, scene, point, Refraction::flat) + multiple_scattering(solids, scene, point, 300, 7 + i)).g;
+    all +=
+        (single_scattering(solids, scene, point, Refraction::flat) + multiple_scattering(solids, scene, point, 300, 7 + i)).g;
   }
   // 1 - sqrt(1 - a) H(1), Chandrasekhar, a = 0.9: H(1) = 2.0128.
   const double a = 0.9, integral = boost::math::quadrature::gauss<double, 200>::integrate(
-                               [&](double x) {
-                                 const double t = x / (1 - x);
-                                 return std::log(1 - a * std::atan(t) / t) / (1 + t * t) / ((1 - x) * (1 - x));
-                               },
-                               1e-9, 1 - 1e-9);
+                            [&](double x) {
+                              const double t = x / (1 - x);
+                              return std::log(1 - a * std::atan(t) / t) / (1 + t * t) / ((1 - x) * (1 - x));
+                            },
+                            1e-9, 1 - 1e-9);
   EXPECT_NEAR(all / angles, 1 - std::sqrt(1 - a) * std::exp(-integral / pi), 0.025);
 }
 

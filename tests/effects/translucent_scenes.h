@@ -44,7 +44,8 @@ inline glm::dvec3 stored_albedo(const Object& object) {
   return glm::dvec3(glm::vec3(base_texels(*object.effects.at("translucency").textures.at("translucent_albedo")).rgba[0]));
 }
 
-// Under one directional light that casts and shines along `direction`, seen from `eye` towards the middle; nothing else lights it.
+// Under one directional light that casts and shines along `direction`, seen from `eye` towards the middle; nothing else lights
+// it.
 inline Scene lit_alone(Object object, glm::vec3 direction, glm::vec3 eye, float fov_degrees, glm::vec3 target = glm::vec3(0)) {
   Scene scene;
   scene.name = scene.source = "made";

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of light through objects against closed forms, on every backend.
+#include "tests/effects/translucent_scenes.h"
+
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "harness/quality/quality.h"
-#include "tests/effects/translucent_scenes.h"
 #include "tests/graph/each_backend.h"
 
 namespace lamina {
@@ -42,8 +43,8 @@ TEST_P(TranslucentScenes, TheMarchIsTheClosedFormOfASlab) {
 // Each pixel's ray and light, by rays and 32 steps, on the same sphere: the map, its filter and 8 steps must come close.
 TEST_P(TranslucentScenes, TheMarchOfASphereIsTheDoubleForm) {
   for (const double eta : {1.0, 1.3, 1.4, 1.5}) {
-    const Scene scene = lit_alone(translucent(sphere_mesh(), {{0.7f, 1.5f, 3}, eta, 1, 0.25, glm::vec3(0.8f)}), {1, -0.5f, 0.4f},
-                                  {0, 0, 5}, 26);
+    const Scene scene = lit_alone(translucent(sphere_mesh(), {{0.7f, 1.5f, 3}, eta, 1, 0.25, glm::vec3(0.8f)}),
+                                  {1, -0.5f, 0.4f}, {0, 0, 5}, 26);
     const Image image = picture(scene, "refracted_march", size);
     EXPECT_EQ(nonfinite_pixels(image), 0u);
     const Solids solids(scene);
@@ -52,14 +53,14 @@ TEST_P(TranslucentScenes, TheMarchOfASphereIsTheDoubleForm) {
     for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x) {
         const double scale = std::tan(glm::radians(13.0));
-        const glm::dvec3 along = glm::normalize(
-            glm::dvec3(((x + 0.5) / size * 2 - 1) * scale, (1 - (y + 0.5) / size * 2) * scale, -1));
+        const glm::dvec3 along =
+            glm::normalize(glm::dvec3(((x + 0.5) / size * 2 - 1) * scale, (1 - (y + 0.5) / size * 2) * scale, -1));
         const double b = 5 * along.z, root = b * b - 24;
         if (root < 0.15) continue;  // silhouettes
         const glm::dvec3 hit = glm::dvec3(0, 0, 5) + along * (-b - std::sqrt(root));
         const LitPoint point{0, hit * 0.9995, hit, -along, albedo};
-        const glm::dvec3 exact = single_scattering(solids, scene, point, Refraction::flat) +
-                                 slab_scattering(solids, scene, point, Refraction::flat);
+        const glm::dvec3 exact =
+            single_scattering(solids, scene, point, Refraction::flat) + slab_scattering(solids, scene, point, Refraction::flat);
         difference += glm::length(exact - glm::dvec3(pixel(image, x, y)));
         all += glm::length(exact);
       }
@@ -82,8 +83,10 @@ TEST_P(TranslucentScenes, SumsAreRightOnEveryWallOfAHole) {
     double thickness;  // before the point; light falls along -y
   };
   // In the hole the eye looks up at its ceiling and down at its floor, slantwise through its mouth.
-  for (const auto& [eye, target, thickness] :
-       {Case{{0, -6, 0.01f}, {0, -1, 0}, 1.1}, {{0, -1.2f, 5}, {0, 0.4f, 1}, 0.6}, {{0, 1.0f, 5}, {0, -0.5f, 1}, 0.6}, {{0, 6, 0.01f}, {0, 1, 0}, 0}}) {
+  for (const auto& [eye, target, thickness] : {Case{{0, -6, 0.01f}, {0, -1, 0}, 1.1},
+                                               {{0, -1.2f, 5}, {0, 0.4f, 1}, 0.6},
+                                               {{0, 1.0f, 5}, {0, -0.5f, 1}, 0.6},
+                                               {{0, 6, 0.01f}, {0, 1, 0}, 0}}) {
     const Scene scene = lit_alone(translucent(mesh, {}), {0, -1, 0}, eye, 2, target);
     const Image image = picture(scene, "light_sums", size);
     const double wrap = 0.25, colour = diffuse_reflectance(stored_albedo(scene.objects[0]).g, 1);
@@ -103,7 +106,8 @@ TEST_P(TranslucentScenes, MeanTransmittanceOverASpheresDiscIsKnown) {
       double sum = 0, pixels = 0;
       for (int y = 0; y < 96; ++y)
         for (int x = 0; x < 96; ++x) {
-          const double half = 60 * std::tan(glm::radians(1.05)), px = ((x + 0.5) / 48 - 1) * half, py = ((y + 0.5) / 48 - 1) * half;
+          const double half = 60 * std::tan(glm::radians(1.05)), px = ((x + 0.5) / 48 - 1) * half,
+                       py = ((y + 0.5) / 48 - 1) * half;
           const double r2 = px * px + py * py;
           if (r2 > 0.97) continue;
           const double cosine = std::sqrt(1 - r2);

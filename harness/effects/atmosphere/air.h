@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The air of a round planet, offline in double precision: how much of each kind of it a ray passes, and which share of the light
-// it lets through. Metres; colours are the three wavelengths of red, green and blue.
+// The air of a round planet, offline in double precision: how much of each kind of it a ray passes, and which share of the
+// light it lets through. Metres; colours are the three wavelengths of red, green and blue.
 //
 // Kinds of air, in this order wherever three numbers stand for them: molecules (Rayleigh; density exp(-h / height)), haze (Mie;
 // the same with a height of its own), and ozone (a tent: 1 at its height, 0 at half a width above and below). Densities are
@@ -15,13 +15,13 @@ namespace lamina {
 struct EffectValues;
 
 struct Air {
-  double planet_radius_m = 6360e3, top_m = 100e3;  // top: altitude above which there is none
+  double planet_radius_m = 6360e3, top_m = 100e3;     // top: altitude above which there is none
   glm::dvec3 rayleigh{5.802e-6, 13.558e-6, 33.1e-6};  // scattering at sea level, 1/m; nothing is absorbed
   double rayleigh_height_m = 8000;
   glm::dvec3 mie{4.44e-6};  // extinction at sea level, 1/m
   double mie_albedo = 0.9;  // the share of it that is scattered
   double mie_height_m = 1200;
-  double mie_g = 0.8;       // mean cosine of the angle by which haze scatters
+  double mie_g = 0.8;                             // mean cosine of the angle by which haze scatters
   glm::dvec3 ozone{0.65e-6, 1.881e-6, 0.085e-6};  // absorption, 1/m
   double ozone_height_m = 25e3, ozone_half_width_m = 15e3;
 };
@@ -44,8 +44,8 @@ struct Span {
 Span span_in_air(const Air& air, const AirRay& ray, double end_m);
 bool meets_planet(const Air& air, const AirRay& ray);
 
-// Where along the ray its altitude passes a level at which densities bend or have fallen by a few times, and where it is nearest
-// to the planet: between two of them, densities are smooth. Sorted, from span.from_m to span.to_m.
+// Where along the ray its altitude passes a level at which densities bend or have fallen by a few times, and where it is
+// nearest to the planet: between two of them, densities are smooth. Sorted, from span.from_m to span.to_m.
 std::vector<double> smooth_pieces(const Air& air, const AirRay& ray, Span span, std::vector<double> also = {});
 
 // The integral of the densities, in metres, from one distance to another between which they are smooth.

@@ -14,7 +14,8 @@ namespace {
 using std::numbers::pi;
 
 // Where the ray crosses the cylinders behind the planet in which sunlight has come nearer to it than some altitudes:
-// |x|^2 - (x . sun)^2 = (R + altitude)^2, x from the centre. At altitude 0 the shadow begins; the others part it from full light.
+// |x|^2 - (x . sun)^2 = (R + altitude)^2, x from the centre. At altitude 0 the shadow begins; the others part it from full
+// light.
 std::vector<double> shadow_edges(const Air& air, const AirRay& ray, glm::dvec3 to_sun) {
   const glm::dvec3 o = ray.origin, d = ray.direction, s = to_sun;
   const double radius = air.planet_radius_m, along = glm::dot(o, s) + radius * s.y, turn = glm::dot(d, s);

@@ -17,7 +17,8 @@ struct Scattered {
 };
 
 // Along the ray up to the planet, the top of the air, or `end_m` metres where that is nearer; the planet stops a ray only where
-// `planet_stops` says so. Within 1e-4 of the integral, relative (above 1e-9), with the sun from the zenith to 8 degrees below the horizon.
+// `planet_stops` says so. Within 1e-4 of the integral, relative (above 1e-9), with the sun from the zenith to 8 degrees below
+// the horizon.
 Scattered single_scattering(const Air& air, const AirRay& ray, double end_m, bool planet_stops, glm::dvec3 to_sun);
 
 }  // namespace lamina

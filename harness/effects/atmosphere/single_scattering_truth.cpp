@@ -30,7 +30,8 @@ class SingleScatteringTruth : public Truth {
     const Image &point = told_target(told, "seen_point"), &light = told_target(told, "seen_light");
     TruthAnswer answer;
     for (size_t i = 0; i < point.rgba.size() / 4; ++i) answer.pixels.push_back(i);
-    answer.steps = {{"integration", "this variant's air against single scattering integrated", seen(told.view, point, light, progress)}};
+    answer.steps = {
+        {"integration", "this variant's air against single scattering integrated", seen(told.view, point, light, progress)}};
     return answer;
   }
 

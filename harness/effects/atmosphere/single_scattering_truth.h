@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The truth of the effect `atmosphere`: the device draws which point each pixel shows and what light it gives, and the air before
-// it is integrated offline. Rays are computed from the view, in doubles, so nothing is shared with the shaders.
+// The truth of the effect `atmosphere`: the device draws which point each pixel shows and what light it gives, and the air
+// before it is integrated offline. Rays are computed from the view, in doubles, so nothing is shared with the shaders.
 //
 // A variant's passes with when = "truth" write targets of four floats, as large as the frame: seen_point (world; alpha above 0
 // where there is a solid thing) and seen_light (what the pixel shows without air).

@@ -29,7 +29,7 @@ struct DepthSet {
   const char* name;
   int least_pairs, most_pairs;
 };
-constexpr DepthSet depth_sets[] = {{"one", 1, 1},  {"few", 1, 2},      {"thin", 1, 2},    {"far", 1, 2},
+constexpr DepthSet depth_sets[] = {{"one", 1, 1},  {"few", 1, 2},      {"thin", 1, 2},     {"far", 1, 2},
                                    {"deep", 3, 8}, {"crowded", 9, 17}, {"beyond", 18, 40}, {"fullest", 1, 17}};
 
 class DepthSumOracle : public Oracle {

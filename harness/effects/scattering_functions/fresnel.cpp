@@ -26,12 +26,23 @@ ExactFunction fresnel_function() {
   return {{"cosine", "eta"},
           fresnel_refusal,
           [](std::span<const WideReal> p) -> WideReal { return wide_fresnel(p[0], p[1]); },
-          {{"everyday", [](InputRandom& r) { return std::vector<float>{r.uniform(0, 1), r.uniform(1.1, 2)}; }},
-           {"grazing", [](InputRandom& r) { return std::vector<float>{r.logarithmic(1e-7, 1e-2), r.uniform(1.1, 2)}; }},
-           {"matched", [](InputRandom& r) { return std::vector<float>{r.uniform(0.05, 1), 1 + r.sign() * r.logarithmic(1e-5, 1e-3)}; }},
-           {"inside", [](InputRandom& r) { return std::vector<float>{r.uniform(0, 1), r.uniform(0.5, 0.9)}; }},
-           {"critical",
+          {{"everyday",
             [](InputRandom& r) {
+              return std::vector<float>{r.uniform(0, 1), r.uniform(1.1, 2)};
+            }},
+           {"grazing",
+            [](InputRandom& r) {
+              return std::vector<float>{r.logarithmic(1e-7, 1e-2), r.uniform(1.1, 2)};
+            }},
+           {"matched",
+            [](InputRandom& r) {
+              return std::vector<float>{r.uniform(0.05, 1), 1 + r.sign() * r.logarithmic(1e-5, 1e-3)};
+            }},
+           {"inside",
+            [](InputRandom& r) {
+              return std::vector<float>{r.uniform(0, 1), r.uniform(0.5, 0.9)};
+            }},
+           {"critical", [](InputRandom& r) {
               const float eta = r.uniform(0.5, 0.9);
               return std::vector<float>{std::sqrt(1 - eta * eta) * (1 + r.sign() * r.logarithmic(1e-7, 1e-3)), eta};
             }}}};

@@ -21,11 +21,25 @@ WideReal base_to_three_halves(const WideReal& g, const WideReal& c) {
 }
 
 std::vector<ExactFunction::Set> phase_sets() {
-  return {{"everyday", [](InputRandom& r) { return std::vector<float>{r.uniform(-0.9, 0.9), r.uniform(-1, 1)}; }},
-          {"forward", [](InputRandom& r) { return std::vector<float>{1 - r.logarithmic(1e-5, 1e-2), 1 - r.logarithmic(1e-7, 1e-2)}; }},
-          {"peak", [](InputRandom& r) { return std::vector<float>{1 - r.logarithmic(1e-5, 1e-2), 1}; }},
-          {"backward", [](InputRandom& r) { return std::vector<float>{r.logarithmic(1e-5, 1e-2) - 1, r.logarithmic(1e-7, 1e-2) - 1}; }},
-          {"isotropic", [](InputRandom& r) { return std::vector<float>{r.sign() * r.logarithmic(1e-10, 1e-2), r.uniform(-1, 1)}; }}};
+  return {{"everyday",
+           [](InputRandom& r) {
+             return std::vector<float>{r.uniform(-0.9, 0.9), r.uniform(-1, 1)};
+           }},
+          {"forward",
+           [](InputRandom& r) {
+             return std::vector<float>{1 - r.logarithmic(1e-5, 1e-2), 1 - r.logarithmic(1e-7, 1e-2)};
+           }},
+          {"peak",
+           [](InputRandom& r) {
+             return std::vector<float>{1 - r.logarithmic(1e-5, 1e-2), 1};
+           }},
+          {"backward",
+           [](InputRandom& r) {
+             return std::vector<float>{r.logarithmic(1e-5, 1e-2) - 1, r.logarithmic(1e-7, 1e-2) - 1};
+           }},
+          {"isotropic", [](InputRandom& r) {
+             return std::vector<float>{r.sign() * r.logarithmic(1e-10, 1e-2), r.uniform(-1, 1)};
+           }}};
 }
 
 }  // namespace
@@ -33,7 +47,9 @@ std::vector<ExactFunction::Set> phase_sets() {
 ExactFunction henyey_greenstein_function() {
   return {{"g", "cosine"},
           phase_refusal,
-          [](std::span<const WideReal> p) -> WideReal { return (1 - p[0] * p[0]) / (4 * wide_pi() * base_to_three_halves(p[0], p[1])); },
+          [](std::span<const WideReal> p) -> WideReal {
+            return (1 - p[0] * p[0]) / (4 * wide_pi() * base_to_three_halves(p[0], p[1]));
+          },
           phase_sets()};
 }
 

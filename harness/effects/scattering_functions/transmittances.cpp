@@ -36,12 +36,18 @@ ExactFunction mean_transmittance_function() {
            {"thick", [](InputRandom& r) { return std::vector<float>{r.uniform(10, 200)}; }}}};
 }
 
-// a: the sun's path from above to the bottom, b: the eye's from the bottom to above. For an irradiance and a phase function of 1.
+// a: the sun's path from above to the bottom, b: the eye's from the bottom to above. For an irradiance and a phase function
+// of 1.
 ExactFunction slab_in_scatter_function() {
   return {{"sun_depth", "view_depth"},
           depth_refusal,
-          [](std::span<const WideReal> p) -> WideReal { return p[1] * exp(-p[0]) * (p[0] == p[1] ? WideReal(1) : WideReal(-expm1(-(p[1] - p[0])) / (p[1] - p[0]))); },
-          {{"everyday", [](InputRandom& r) { return std::vector<float>{r.uniform(0.01, 5), r.uniform(0.01, 5)}; }},
+          [](std::span<const WideReal> p) -> WideReal {
+            return p[1] * exp(-p[0]) * (p[0] == p[1] ? WideReal(1) : WideReal(-expm1(-(p[1] - p[0])) / (p[1] - p[0])));
+          },
+          {{"everyday",
+            [](InputRandom& r) {
+              return std::vector<float>{r.uniform(0.01, 5), r.uniform(0.01, 5)};
+            }},
            {"beside_the_sun",
             [](InputRandom& r) {
               const float sun = r.logarithmic(1e-2, 10);
@@ -52,8 +58,13 @@ ExactFunction slab_in_scatter_function() {
               const float sun = r.logarithmic(1e-2, 10);
               return std::vector<float>{sun, sun};
             }},
-           {"thin", [](InputRandom& r) { return std::vector<float>{r.logarithmic(1e-10, 1e-2), r.logarithmic(1e-10, 1e-2)}; }},
-           {"thick", [](InputRandom& r) { return std::vector<float>{r.uniform(0, 80), r.uniform(0, 80)}; }}}};
+           {"thin",
+            [](InputRandom& r) {
+              return std::vector<float>{r.logarithmic(1e-10, 1e-2), r.logarithmic(1e-10, 1e-2)};
+            }},
+           {"thick", [](InputRandom& r) {
+              return std::vector<float>{r.uniform(0, 80), r.uniform(0, 80)};
+            }}}};
 }
 
 }  // namespace lamina

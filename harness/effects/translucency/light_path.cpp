@@ -15,7 +15,8 @@ double across(glm::dvec3 normal, glm::dvec3 direction) { return std::clamp(std::
 // How much longer a path is, and how much more light a surface gets, as if it were flat.
 double flat_spread(double cosine, double eta) { return cosine / std::max(cosine_inside(cosine, eta), min_cosine_inside); }
 
-// From a point outside towards the light: what other stretches of medium leave of it. False where something opaque stands there.
+// From a point outside towards the light: what other stretches of medium leave of it. False where something opaque stands
+// there.
 bool add_outer(const Solids& solids, glm::dvec3 from, const LightHere& here, LightPath& path) {
   constexpr size_t nothing = ~size_t{0};
   double entered = 0;
@@ -80,8 +81,9 @@ LightPath solved_path(const Solids& solids, glm::dvec3 point, size_t object, con
   const Medium& medium = *solids.medium(object);
   const std::optional<Crossing> out = solids.way_out(point, straight.direction, object);
   if (!out) return {};
-  const glm::dvec3 u = glm::normalize(std::abs(straight.direction.x) < 0.9 ? glm::cross(straight.direction, glm::dvec3(1, 0, 0))
-                                                                           : glm::cross(straight.direction, glm::dvec3(0, 1, 0)));
+  const glm::dvec3 u =
+      glm::normalize(std::abs(straight.direction.x) < 0.9 ? glm::cross(straight.direction, glm::dvec3(1, 0, 0))
+                                                          : glm::cross(straight.direction, glm::dvec3(0, 1, 0)));
   const glm::dvec3 v = glm::cross(straight.direction, u);
   glm::dvec3 expected = point + straight.direction * out->distance, target = point;
   const double close = 1e-4 * solids.radius_m(), step = 1e-3 * solids.radius_m();
@@ -117,7 +119,9 @@ LightPath solved_path(const Solids& solids, glm::dvec3 point, size_t object, con
 
 }  // namespace
 
-double cosine_inside(double cosine, double eta) { return std::sqrt(std::max(1 - (1 - cosine) * (1 + cosine) / (eta * eta), 0.0)); }
+double cosine_inside(double cosine, double eta) {
+  return std::sqrt(std::max(1 - (1 - cosine) * (1 + cosine) / (eta * eta), 0.0));
+}
 
 double fresnel_reflectance(double cosine, double eta) {
   const double inside = cosine_inside(cosine, eta);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The light of a lamp that reaches a point inside an object without having been scattered: its path through everything on the
-// way, what boundaries reflect of it, and how refraction spreads or gathers it. In doubles, by rays; shares no code with shaders.
+// way, what boundaries reflect of it, and how refraction spreads or gathers it. In doubles, by rays; shares no code with
+// shaders.
 #pragma once
 
 #include "harness/effects/translucency/solids.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A random walk of light in an object: exponential free paths, isotropic scattering, Fresnel reflection and refraction at its
-// surface. All three channels follow one path, which is weighed for each (Wilkie and others, "Hero Wavelength Spectral Sampling",
-// EGSR 2014).
+// surface. All three channels follow one path, which is weighed for each (Wilkie and others, "Hero Wavelength Spectral
+// Sampling", EGSR 2014).
 #pragma once
 
 #include <functional>

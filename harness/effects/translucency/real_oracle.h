@@ -10,8 +10,8 @@
 
 namespace lamina {
 
-using Real = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<200, boost::multiprecision::digit_base_2>, boost::multiprecision::et_off>;
+using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<200, boost::multiprecision::digit_base_2>,
+                                           boost::multiprecision::et_off>;
 
 class SetRandom {
  public:
@@ -25,8 +25,8 @@ class SetRandom {
 
 struct RealFormula {
   std::vector<std::string> inputs;
-  std::string refusal;                                    // in words, for what `accepts` does not
-  bool (*accepts)(Oracle::Point point);                   // of finite numbers
+  std::string refusal;                   // in words, for what `accepts` does not
+  bool (*accepts)(Oracle::Point point);  // of finite numbers
   Real (*value)(const std::vector<Real>& point);
   double scale = 1;
   struct Set {
@@ -51,8 +51,8 @@ class RealOracle : public Oracle {
   RealFormula formula_;
 };
 
-// The families of functions that light through objects is made of: shaders/refraction, wrap_lighting, back_light, thickness_ramp
-// and depth_bias have what their inputs mean.
+// The families of functions that light through objects is made of: shaders/refraction, wrap_lighting, back_light,
+// thickness_ramp and depth_bias have what their inputs mean.
 const Oracle& refraction_oracle();
 const Oracle& wrap_oracle();
 const Oracle& back_light_oracle();

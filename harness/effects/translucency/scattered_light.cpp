@@ -10,7 +10,7 @@
 namespace lamina {
 namespace {
 
-constexpr int steps = 32;            // along the eye's ray, in equal shares of what it sees
+constexpr int steps = 32;               // along the eye's ray, in equal shares of what it sees
 constexpr double connect_share = 0.25;  // of the events of a walk, from the second on, that are joined to the lights
 
 struct EyeRay {

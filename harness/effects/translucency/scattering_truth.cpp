@@ -103,8 +103,8 @@ class ScatteringTruth : public Truth {
   std::string key(const std::vector<LitPoint>& points) const {
     constexpr int version = 1;  // changes when the same input no longer gives the same light
     const Scene& scene = setting_.scene;
-    std::string text = fmt::format("{} {} {} {}", version, setting_.rays, setting_.occluders.hash(),
-                                   hash_hex(bytes_of(points)));
+    std::string text =
+        fmt::format("{} {} {} {}", version, setting_.rays, setting_.occluders.hash(), hash_hex(bytes_of(points)));
     const auto add = [&](glm::dvec3 v) { text += fmt::format(" {} {} {}", v.x, v.y, v.z); };
     for (size_t i = 0; i < scene.objects.size(); ++i) {
       std::vector<glm::vec3> normals;

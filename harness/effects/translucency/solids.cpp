@@ -54,8 +54,7 @@ RTCRayHit ray_from(glm::dvec3 origin, glm::dvec3 direction, double most) {
 Solids::Solids(const Scene& scene) : scene_(scene), device_(rtcNewDevice(nullptr)) {
   if (!device_) throw Error(ErrorKind::failed, "truth", "Embree", "cannot be started");
   embree_ = rtcNewScene(device_);
-  rtcSetSceneFlags(embree_,
-                   static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+  rtcSetSceneFlags(embree_, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     media_.push_back(medium_of(object));

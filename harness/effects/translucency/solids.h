@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene's surfaces as rays cross them, all of them and in order: where a ray goes into an object, where it comes out, and the
-// smooth normal there. World space, metres. A closed mesh is entered as often as it is left.
+// The scene's surfaces as rays cross them, all of them and in order: where a ray goes into an object, where it comes out, and
+// the smooth normal there. World space, metres. A closed mesh is entered as often as it is left.
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -22,8 +22,8 @@ struct Medium {
 struct Crossing {
   double distance = 0;  // along the ray, whose direction is unit
   size_t object = 0;
-  bool entering = false;   // the ray goes in
-  glm::dvec3 normal{0};    // unit, outward, interpolated from the vertices
+  bool entering = false;  // the ray goes in
+  glm::dvec3 normal{0};   // unit, outward, interpolated from the vertices
 };
 
 class Solids {

@@ -60,9 +60,8 @@ class ThicknessBaker : public Baker {
   std::vector<float> thickness(size_t object, const SurfacePoints& surface, const BakeOptions& options) {
     const auto rays = static_cast<size_t>(bake_option(options, "rays", 64));
     const double cone = bake_option(options, "cone_degrees", 60);
-    const std::string key =
-        "thickness-" + hash_hex(fmt::format("{} {} {} {} {}", thickness_version, tools_.occluders().hash(),
-                                            hash_hex(bytes_of(surface.points)), rays, cone));
+    const std::string key = "thickness-" + hash_hex(fmt::format("{} {} {} {} {}", thickness_version, tools_.occluders().hash(),
+                                                                hash_hex(bytes_of(surface.points)), rays, cone));
     std::vector<float> lengths(surface.points.size());
     const Stopwatch watch;
     BakeStats stats;

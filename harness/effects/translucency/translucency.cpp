@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C++ of light through objects: variants/translucency/effect.toml names its truth and its baker; the families of functions that it is made
-// of name their oracles and tables.
+// The C++ of light through objects: variants/translucency/effect.toml names its truth and its baker; the families of functions
+// that it is made of name their oracles and tables.
 #include "harness/effects/translucency/ramp_tables.h"
 #include "harness/effects/translucency/real_oracle.h"
 #include "harness/effects/translucency/scattering_truth.h"

@@ -13,8 +13,8 @@ class FogColor {
  public:
   // Of a scene with fog.
   explicit FogColor(const Scene& scene);
-  // `behind`, seen through `thickness_m` metres of fog at a share of 1; linear light. Exponential: with T = exp(-density s) it is
-  // behind T + color (1 - T). A ramp: linear between its texels' centres, the first at 0 m and the last at its length and
+  // `behind`, seen through `thickness_m` metres of fog at a share of 1; linear light. Exponential: with T = exp(-density s) it
+  // is behind T + color (1 - T). A ramp: linear between its texels' centres, the first at 0 m and the last at its length and
   // beyond. Thickness below 0 is none.
   glm::dvec3 over(glm::dvec3 behind, double thickness_m) const;
 

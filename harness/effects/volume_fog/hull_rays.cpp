@@ -67,8 +67,8 @@ struct HullRays::Scenery {
     if (device) rtcReleaseDevice(device);
   }
 
-  // All crossings of the ray from its origin on. Embree finds the triangles; where they are crossed is computed anew in doubles.
-  // `at_edge` becomes true where the ray runs through an edge, and crossings are not to be trusted.
+  // All crossings of the ray from its origin on. Embree finds the triangles; where they are crossed is computed anew in
+  // doubles. `at_edge` becomes true where the ray runs through an edge, and crossings are not to be trusted.
   std::vector<Crossing> crossings(const FogRay& ray, bool& at_edge) const {
     std::vector<unsigned> triangles;
     GatheringContext context;
@@ -76,8 +76,18 @@ struct HullRays::Scenery {
     context.embree.filter = gather;
     context.triangles = &triangles;
     RTCRayHit hit{};
-    hit.ray = {float(ray.origin.x), float(ray.origin.y), float(ray.origin.z), 0, float(ray.direction.x),
-               float(ray.direction.y), float(ray.direction.z), 0, std::numeric_limits<float>::infinity(), ~0u, 0, 0};
+    hit.ray = {float(ray.origin.x),
+               float(ray.origin.y),
+               float(ray.origin.z),
+               0,
+               float(ray.direction.x),
+               float(ray.direction.y),
+               float(ray.direction.z),
+               0,
+               std::numeric_limits<float>::infinity(),
+               ~0u,
+               0,
+               0};
     hit.hit.geomID = hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene, &context.embree, &hit);
     std::sort(triangles.begin(), triangles.end());
@@ -113,10 +123,10 @@ HullRays::HullRays(const std::vector<const Object*>& objects) {
   const size_t triangles = made->corners.size() / 3;
   if (triangles > 0) {
     const RTCGeometry geometry = rtcNewGeometry(made->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                                  3 * sizeof(float), 3 * triangles));
-    auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                   3 * sizeof(uint32_t), triangles));
+    auto* positions = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * triangles));
+    auto* indices = static_cast<uint32_t*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), triangles));
     if (!positions || !indices) throw Error(ErrorKind::failed, "truth", "Embree", "has no memory left for the hulls");
     for (size_t i = 0; i < 3 * triangles; ++i) {
       for (int axis = 0; axis < 3; ++axis) positions[3 * i + axis] = static_cast<float>(made->corners[i][axis]);

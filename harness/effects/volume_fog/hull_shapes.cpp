@@ -92,8 +92,8 @@ HullShape hull_shape(const Mesh& mesh) {
   for (size_t i = 0; i + 2 < mesh.indices.size() && is_box; i += 3) is_box = lies_in_face(mesh, i, bounds);
   if (is_box) return HullShape::box;
   const bool is_ellipsoid = volume >= 0.97 * ellipsoid && std::ranges::all_of(mesh.vertices, [&](const Vertex& vertex) {
-    return std::abs(glm::length((glm::dvec3(vertex.position) - middle) / (size / 2.0)) - 1) <= 1e-4;
-  });
+                              return std::abs(glm::length((glm::dvec3(vertex.position) - middle) / (size / 2.0)) - 1) <= 1e-4;
+                            });
   return is_ellipsoid ? HullShape::ellipsoid : HullShape::any;
 }
 
