@@ -6,6 +6,7 @@ foreach(source ${effect_sources})
   cmake_path(GET source PARENT_PATH folder)
   cmake_path(GET folder FILENAME folder)
   list(APPEND effect_folders ${folder})
+  set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
 endforeach()
 list(REMOVE_DUPLICATES effect_folders)
 set(effect_declarations "")
@@ -29,3 +30,5 @@ const EffectCode& effect_code() {
 }
 ]])
 add_library(lamina_effects STATIC ${effect_sources} ${PROJECT_BINARY_DIR}/generated/effect_code.cpp)
+# Effects do not know each other, so neither do their names: files are joined within a folder alone.
+set_target_properties(lamina_effects PROPERTIES UNITY_BUILD_MODE GROUP)
