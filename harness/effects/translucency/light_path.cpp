@@ -21,7 +21,7 @@ bool add_outer(const Solids& solids, glm::dvec3 from, const LightHere& here, Lig
   constexpr size_t nothing = ~size_t{0};
   double entered = 0;
   size_t inside = nothing;
-  for (const Crossing& crossing : solids.crossings(from, here.direction, here.distance_m)) {
+  for (const SurfaceCrossing& crossing : solids.crossings(from, here.direction, here.distance_m)) {
     const std::optional<Medium>& medium = solids.medium(crossing.object);
     if (!medium) return false;
     const double cosine = across(crossing.normal, here.direction), eta = medium->refraction_index;
@@ -42,7 +42,7 @@ LightPath flat_path(const Solids& solids, glm::dvec3 point, glm::dvec3 normal, s
   const Medium& medium = *solids.medium(object);
   const double eta = medium.refraction_index;
   LightPath path;
-  const std::vector<Crossing> all = solids.crossings(point, here.direction, here.distance_m);
+  const std::vector<SurfaceCrossing> all = solids.crossings(point, here.direction, here.distance_m);
   const bool within = !all.empty() && all.front().object == object && !all.front().entering;
   const double length = within ? all.front().distance : 0;
   const double cosine = within ? across(all.front().normal, here.direction) : glm::dot(normal, here.direction);
@@ -64,9 +64,9 @@ std::optional<Beam> beam_past(const Solids& solids, glm::dvec3 target, glm::dvec
   const LightHere here = light_here(light, target);
   const double back = here.distance_m < 1e29 ? here.distance_m : 4 * solids.radius_m() + 1e-9;
   const glm::dvec3 origin = target + here.direction * back;
-  std::optional<Crossing> best;
+  std::optional<SurfaceCrossing> best;
   double nearest = 1e30;
-  for (const Crossing& crossing : solids.crossings(origin, -here.direction))
+  for (const SurfaceCrossing& crossing : solids.crossings(origin, -here.direction))
     if (crossing.object == object && crossing.entering) {
       const double off = glm::distance(origin - here.direction * crossing.distance, expected);
       if (off < nearest) nearest = off, best = crossing;
@@ -79,7 +79,7 @@ std::optional<Beam> beam_past(const Solids& solids, glm::dvec3 target, glm::dvec
 
 LightPath solved_path(const Solids& solids, glm::dvec3 point, size_t object, const Light& light, const LightHere& straight) {
   const Medium& medium = *solids.medium(object);
-  const std::optional<Crossing> out = solids.way_out(point, straight.direction, object);
+  const std::optional<SurfaceCrossing> out = solids.way_out(point, straight.direction, object);
   if (!out) return {};
   const glm::dvec3 u =
       glm::normalize(std::abs(straight.direction.x) < 0.9 ? glm::cross(straight.direction, glm::dvec3(1, 0, 0))

@@ -34,7 +34,7 @@ WalkEnd random_walk(const Solids& solids, size_t object, glm::dvec3 albedo, glm:
     return scale > 0;
   };
   for (int event = 0; event < max_events; ++event) {
-    const std::optional<Crossing> out = solids.way_out(position, direction, object);
+    const std::optional<SurfaceCrossing> out = solids.way_out(position, direction, object);
     if (!out) return {};
     const double sigma = medium.extinction[hero], free = sigma > 0 ? -std::log(random.uniform()) / sigma : 1e30;
     if (free < out->distance) {

@@ -40,7 +40,7 @@ double diffuse_reflectance(double albedo, double eta) {
 
 glm::dvec3 single_scattering(const Solids& solids, const Scene& scene, const LitPoint& point, Refraction refraction) {
   const EyeRay ray = eye_ray(solids, point);
-  const std::optional<Crossing> out = solids.way_out(ray.start, ray.along, point.object);
+  const std::optional<SurfaceCrossing> out = solids.way_out(ray.start, ray.along, point.object);
   if (!out) return glm::dvec3(0);
   const glm::dvec3 sigma = solids.medium(point.object)->extinction;
   glm::dvec3 sum(0);

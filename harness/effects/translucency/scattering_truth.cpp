@@ -68,7 +68,7 @@ class ScatteringTruth : public Truth {
       // Whose surface it is: the first that the eye's ray meets just before the point.
       const double before = 1e-3 * solids_.radius_m();
       double nearest = 1e30;
-      for (const Crossing& crossing : solids_.crossings(lit.position + lit.to_eye * before, -lit.to_eye, 2 * before))
+      for (const SurfaceCrossing& crossing : solids_.crossings(lit.position + lit.to_eye * before, -lit.to_eye, 2 * before))
         if (solids_.medium(crossing.object) && crossing.entering && std::abs(crossing.distance - before) < nearest)
           nearest = std::abs(crossing.distance - before), lit.object = crossing.object;
       if (nearest > before) continue;  // an edge that only the device meets

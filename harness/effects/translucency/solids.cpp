@@ -86,7 +86,7 @@ Solids::~Solids() {
   if (device_) rtcReleaseDevice(device_);
 }
 
-Crossing Solids::crossing(const RTCRayHit& hit) const {
+SurfaceCrossing Solids::crossing(const RTCRayHit& hit) const {
   const size_t index = object_of_[hit.hit.geomID];
   const Object& object = scene_.objects[index];
   const uint32_t* corner = &object.mesh.indices[size_t{3} * hit.hit.primID];
@@ -102,7 +102,7 @@ Crossing Solids::crossing(const RTCRayHit& hit) const {
   return {double(hit.ray.tfar), index, glm::dot(direction, flat) < 0, smooth};
 }
 
-std::vector<Crossing> Solids::crossings(glm::dvec3 origin, glm::dvec3 direction, double most) const {
+std::vector<SurfaceCrossing> Solids::crossings(glm::dvec3 origin, glm::dvec3 direction, double most) const {
   thread_local std::vector<RTCRayHit> hits;
   hits.clear();
   AllHits all;
@@ -111,25 +111,25 @@ std::vector<Crossing> Solids::crossings(glm::dvec3 origin, glm::dvec3 direction,
   all.hits = &hits;
   RTCRayHit ray = ray_from(origin, direction, most);
   rtcIntersect1(embree_, &all.context, &ray);
-  std::vector<Crossing> found;
+  std::vector<SurfaceCrossing> found;
   for (const RTCRayHit& hit : hits) found.push_back(crossing(hit));
-  std::ranges::sort(found, {}, &Crossing::distance);
+  std::ranges::sort(found, {}, &SurfaceCrossing::distance);
   const double same = 1e-6 * radius_m_;
-  const auto repeated = [&](const Crossing& a, const Crossing& b) {
+  const auto repeated = [&](const SurfaceCrossing& a, const SurfaceCrossing& b) {
     return a.object == b.object && a.entering == b.entering && b.distance - a.distance < same;
   };
   found.erase(std::unique(found.begin(), found.end(), repeated), found.end());
   return found;
 }
 
-std::optional<Crossing> Solids::way_out(glm::dvec3 origin, glm::dvec3 direction, size_t object) const {
+std::optional<SurfaceCrossing> Solids::way_out(glm::dvec3 origin, glm::dvec3 direction, size_t object) const {
   RTCRayHit ray = ray_from(origin, direction, 1e30);
   for (int tries = 0; tries < 8; ++tries) {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcIntersect1(embree_, &context, &ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    const Crossing found = crossing(ray);
+    const SurfaceCrossing found = crossing(ray);
     if (found.object == object && !found.entering) return found;
     // Grazing the surface that it starts from, or another object: on from there.
     const double from = found.distance;

@@ -19,7 +19,7 @@ struct Medium {
   double refraction_index = 1, multiple_scattering = 1, wrap = 0;
 };
 
-struct Crossing {
+struct SurfaceCrossing {
   double distance = 0;  // along the ray, whose direction is unit
   size_t object = 0;
   bool entering = false;  // the ray goes in
@@ -35,16 +35,16 @@ class Solids {
   Solids& operator=(const Solids&) = delete;
 
   // From the nearest to the farthest, up to `most` metres. A face that two triangles share the edge of counts once.
-  std::vector<Crossing> crossings(glm::dvec3 origin, glm::dvec3 direction, double most = 1e30) const;
+  std::vector<SurfaceCrossing> crossings(glm::dvec3 origin, glm::dvec3 direction, double most = 1e30) const;
   // Where a ray that starts inside an object first comes out of it; none where its mesh is open there.
-  std::optional<Crossing> way_out(glm::dvec3 origin, glm::dvec3 direction, size_t object) const;
+  std::optional<SurfaceCrossing> way_out(glm::dvec3 origin, glm::dvec3 direction, size_t object) const;
 
   // None for an object that lets no light through.
   const std::optional<Medium>& medium(size_t object) const { return media_[object]; }
   double radius_m() const { return radius_m_; }  // of a sphere around everything
 
  private:
-  Crossing crossing(const RTCRayHit& hit) const;
+  SurfaceCrossing crossing(const RTCRayHit& hit) const;
 
   const Scene& scene_;
   std::vector<std::optional<Medium>> media_;
