@@ -64,7 +64,7 @@ sweep=(open_plane --set lights.sun.intensity=0:4:1 --size 32x32 --backend vulkan
 "$program" list --parameters open_plane >/dev/null || fail "the program does not run"
 "$program" sweep "${sweep[@]}" --out "$folder/alone" >"$folder/alone.log" 2>&1 || fail "one run alone ends with $?"
 merge=$(LAMINA=$program "$scripts/submit" 3 "$folder/out" "${sweep[@]}") || fail "the jobs are not taken"
-for _ in $(seq 600); do [ -z "$(squeue -h -j "$merge" 2>/dev/null)" ] && break; sleep 0.5; done
+for _ in $(seq 2400); do [ -z "$(squeue -h -j "$merge" 2>/dev/null)" ] && break; sleep 0.5; done
 [ -e "$folder/out/record.jsonl" ] || fail "job $merge left no record"
 # All but the run line, which names machines and the command; merging one record alone puts its fields in the same order.
 "$program" merge "$folder/alone" --out "$folder/one" >/dev/null || fail "one record alone does not merge"
