@@ -157,19 +157,16 @@ std::vector<PassCounts> Frame::counts(Sequence& sequence) {
     for (const Counted& counted : step.counted) {
       (counted.stage == Stage::vertex ? pass.vertices : pass.fragments) += counter(counted.first_word);
       pass.early_tests = pass.early_tests && (counted.stage != Stage::fragment || counted.early_tests);
-      Work work;
-      for (size_t k = 0; k < counted.blocks.size(); ++k)
-        work.add(counted.blocks[k], counter(counted.first_word + 2 + 2 * static_cast<uint32_t>(k)));
-      operations.add(work.operations);
-      for (const auto& [binding, texture] : counted.textures) {
-        TextureFetches row = texture;
-        row.fetches = work.fetches.at(binding);
+      uint32_t word = counted.first_word;
+      for (TextureFetches row : counted.textures) {
+        row.fetches = counter(word += 2);
         bool merged = false;
         for (TextureFetches& other : pass.by_texture)
           if (other.texture == row.texture && other.format == row.format && other.filter == row.filter)
             other.fetches += row.fetches, merged = true;
         if (!merged) pass.by_texture.push_back(row);
       }
+      for (const OperationClass operation : counted.classes) operations[operation] += counter(word += 2);
     }
     pass.operations = operations.by_name();
   }

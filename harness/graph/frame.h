@@ -71,8 +71,8 @@ class Frame {
   struct Counted {
     Stage stage;
     uint32_t first_word;
-    std::vector<Work> blocks;
-    std::map<uint32_t, TextureFetches> textures;  // by binding, without a count
+    std::vector<TextureFetches> textures;  // by slot, without a count
+    std::vector<OperationClass> classes;   // in the slots behind them
     bool early_tests;
   };
   struct Step {

@@ -329,13 +329,12 @@ void FrameBuilder::count(const Repetition& repetition, const GraphDraw& draw, Pi
     Frame::Counted& counted =
         step.counted.emplace_back(Frame::Counted{shader.stage, next_word_, {}, {}, counting.early_fragment_tests});
     next_word_ += counting.words();
-    counted.blocks = std::move(counting.blocks);
-    for (const Work& block : counted.blocks)
-      for (const auto& [texture, times] : block.fetches)
-        for (const ResolvedRead& read : draw.reads)
-          if (read.binding == texture)
-            counted.textures[texture] = {read.sampler, std::string(name_of(format_of(repetition.pass, draw, read.source))),
-                                         std::string(name_of(read.source.sampler.filter)), 0};
+    for (const uint32_t texture : counting.textures)
+      for (const ResolvedRead& read : draw.reads)
+        if (read.binding == texture)
+          counted.textures.push_back({read.sampler, std::string(name_of(format_of(repetition.pass, draw, read.source))),
+                                      std::string(name_of(read.source.sampler.filter)), 0});
+    counted.classes = std::move(counting.classes);
     desc.stages[i].spirv = std::move(counting.spirv);
   }
   desc.bindings.push_back({binding, BindingKind::storage_buffer});

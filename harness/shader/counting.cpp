@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The counting build: rewrites SPIR-V so that a shader counts its invocations and how often they run each basic block.
+// The counting build: rewrites SPIR-V so that a shader counts its invocations, its texture operations and its operations by
+// class.
 //
-// In: a module of compile_shader(). Out: the same module, all functions inlined into main. Each invocation counts the blocks
-// that it runs in variables of its own, and adds these to the counters where it ends (returns or is discarded). Times what a
-// block does, that is exact through loops and branches, and costs an atomic a block where one an operation takes several times
-// as long. A block that follows another one without a branch shares its counter. The invocation itself is counted at main's
-// beginning. What is counted is what the source says: an operation whose result nothing uses still counts, though a driver
-// leaves it out of the timed build.
+// In: a module of compile_shader(). Out: the same module, all functions inlined into main. Each invocation counts in variables
+// of its own how often it runs each basic block. Where it ends (returns or is discarded) it multiplies these by what a block
+// does, which is exact through loops and branches, and adds the sums to the counters: one atomic a texture and a class, where
+// one a block or an operation takes several times as long to compile and to run. A block that follows another one without a
+// branch shares its variable. The invocation itself is counted at main's beginning. What is counted is what the source says:
+// an operation whose result nothing uses still counts, though a driver leaves it out of the timed build.
 #include <algorithm>
 #include <initializer_list>
 #include <map>
@@ -85,6 +86,11 @@ uint32_t texture_binding(const SpirvModule& module, const SpirvInstruction& oper
   }
 }
 
+struct Work {
+  std::map<uint32_t, uint64_t> fetches;  // by the texture's binding
+  Operations operations;
+};
+
 class Instrumenter {
  public:
   Instrumenter(std::span<const uint32_t> spirv, Stage stage, const CountingLayout& layout)
@@ -96,7 +102,8 @@ class Instrumenter {
     write();
     CountingShader result;
     result.spirv = std::move(out_);
-    result.blocks = std::move(blocks_);
+    for (const auto& [binding, slot] : textures_) result.textures.push_back(binding);
+    for (const auto& [operation, slot] : classes_) result.classes.push_back(operation);
     result.early_fragment_tests = early_;
     return result;
   }
@@ -130,7 +137,7 @@ class Instrumenter {
       if (i.op() == spv::OpSwitch)
         for (size_t word = 2; word < i.words.size(); word += 2) enter(i.words[word]);  // the default, then value and label
     }
-    std::map<uint32_t, Work> work;  // by the label of the first block that shares the counter
+    std::map<uint32_t, Work> work;  // by the label of the first block that shares the variable
     bool in_function = false;
     for (const SpirvInstruction& i : module_.instructions()) {
       if (i.op() == spv::OpFunction) in_function = true;
@@ -147,8 +154,13 @@ class Instrumenter {
     }
     for (auto& [first, done] : work) {
       block_of_.emplace(first, static_cast<uint32_t>(blocks_.size()));
+      for (const auto& [binding, times] : done.fetches) textures_.emplace(binding, 0);
+      for (const OperationClass operation : done.operations.classes()) classes_.emplace(operation, 0);
       blocks_.push_back(std::move(done));
     }
+    uint32_t next = 0;
+    for (auto& [binding, slot] : textures_) slot = next++;
+    for (auto& [operation, slot] : classes_) slot = next++;
   }
 
   // The counter buffer, and the types and constants that counting needs.
@@ -242,10 +254,27 @@ class Instrumenter {
     emit(body_, spv::OpStore, {sums_[block], sum});
   }
 
-  // What an invocation has added up, into the counters; before it ends.
+  // What an invocation has done, into the counters; before it ends.
   void count_sums() {
-    for (uint32_t block = 0; block < sums_.size(); ++block)
-      count(layout_.first_word + 2 + 2 * block, value(spv::OpLoad, uint_, {sums_[block]}));
+    std::vector<uint32_t> times;  // by block
+    for (const uint32_t sum : sums_) times.push_back(value(spv::OpLoad, uint_, {sum}));
+    const auto count_slot = [&](uint32_t slot, const auto& of_block) {
+      uint32_t total = 0;  // an id
+      for (size_t block = 0; block < blocks_.size(); ++block) {
+        const auto amount = static_cast<uint32_t>(of_block(blocks_[block]));
+        if (amount == 0) continue;
+        const uint32_t part = amount == 1 ? times[block] : value(spv::OpIMul, uint_, {times[block], constant(amount)});
+        total = total == 0 ? part : value(spv::OpIAdd, uint_, {total, part});
+      }
+      count(layout_.first_word + 2 + 2 * slot, total);
+    };
+    for (const auto& [binding, slot] : textures_)
+      count_slot(slot, [id = binding](const Work& work) {
+        const auto found = work.fetches.find(id);
+        return found == work.fetches.end() ? 0 : found->second;
+      });
+    for (const auto& [operation, slot] : classes_)
+      count_slot(slot, [kind = operation](const Work& work) { return work.operations[kind]; });
   }
 
   void map_coverage() {
@@ -325,9 +354,11 @@ class Instrumenter {
   const CountingLayout& layout_;
   uint32_t bound_;
   uint32_t main_ = 0, frag_coord_ = 0;
-  std::vector<Work> blocks_;
-  std::map<uint32_t, uint32_t> block_of_;  // label -> index into blocks_
-  std::vector<uint32_t> sums_;             // beside blocks_: the variable
+  std::map<uint32_t, uint32_t> textures_;       // binding -> slot
+  std::map<OperationClass, uint32_t> classes_;  // -> slot
+  std::vector<Work> blocks_;                    // what running each once does
+  std::map<uint32_t, uint32_t> block_of_;       // label -> index into blocks_
+  std::vector<uint32_t> sums_;                  // beside blocks_: the variable
   bool early_ = false, maps_coverage_ = false;
   uint32_t uint_ = 0, bool_ = 0, float_ = 0, float4_ = 0, uint_pointer_ = 0, counters_ = 0;
   std::map<uint32_t, uint32_t> constants_;  // value -> id
@@ -335,11 +366,6 @@ class Instrumenter {
 };
 
 }  // namespace
-
-void Work::add(const Work& other, uint64_t times) {
-  for (const auto& [binding, count] : other.fetches) fetches[binding] += times * count;
-  operations.add(other.operations, times);
-}
 
 CountingShader add_counters(const CompiledShader& shader, Api api, const CountingLayout& layout) {
   const Words spirv = inlined(shader.spirv, api);

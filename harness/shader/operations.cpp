@@ -366,16 +366,22 @@ class Reading {
 
 std::string_view name_of(OperationClass operation) { return class_names[static_cast<size_t>(operation)]; }
 
-void Operations::add(const Operations& other, uint64_t times) {
-  for (size_t k = 0; k < counts_.size(); ++k) counts_[k] += times * other.counts_[k];
+void Operations::add(const Operations& other) {
+  for (size_t k = 0; k < counts_.size(); ++k) counts_[k] += other.counts_[k];
 }
 
 uint64_t Operations::sum() const { return std::accumulate(counts_.begin(), counts_.end(), uint64_t{0}); }
 
+std::vector<OperationClass> Operations::classes() const {
+  std::vector<OperationClass> some;
+  for (size_t k = 0; k < counts_.size(); ++k)
+    if (counts_[k] > 0) some.push_back(static_cast<OperationClass>(k));
+  return some;
+}
+
 std::map<std::string, uint64_t> Operations::by_name() const {
   std::map<std::string, uint64_t> named;
-  for (size_t k = 0; k < counts_.size(); ++k)
-    if (counts_[k] > 0) named.emplace(class_names[k], counts_[k]);
+  for (const OperationClass operation : classes()) named.emplace(name_of(operation), (*this)[operation]);
   return named;
 }
 

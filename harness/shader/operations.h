@@ -12,6 +12,8 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "harness/backend/backend.h"
 
@@ -58,10 +60,10 @@ class Operations {
  public:
   uint64_t& operator[](OperationClass operation) { return counts_[static_cast<size_t>(operation)]; }
   uint64_t operator[](OperationClass operation) const { return counts_[static_cast<size_t>(operation)]; }
-  // Adds `times` times the other's.
-  void add(const Operations& other, uint64_t times = 1);
+  void add(const Operations& other);
   uint64_t sum() const;
-  std::map<std::string, uint64_t> by_name() const;  // those that are above 0
+  std::vector<OperationClass> classes() const;      // those that are above 0
+  std::map<std::string, uint64_t> by_name() const;  // likewise
 
  private:
   std::array<uint64_t, operation_class_count> counts_{};

@@ -93,36 +93,32 @@ Reflection reflect(const std::vector<uint32_t>& spirv);
 // Where the counts go: one storage buffer of 32-bit words at a binding of its own. Counters are 64 bits, low word first.
 //   word 0: width of the coverage map in pixels (written by the host), word 1: 0
 //   words 2,3: invocations of the stage's shader (helper invocations excluded)
-//   words 4+2k, 5+2k: how often they ran the instructions of block k
+//   words 4+2k, 5+2k: slot k: what they did to a texture, then what they did of a class
 //   from `coverage_word` on, where it is not 0: one word a pixel, times the fragment shader ran there
 struct CountingLayout {
   uint32_t binding = 0;        // of the counter buffer
   uint32_t first_word = 2;     // of this stage's counters, so that two stages may share a buffer
   uint32_t coverage_word = 0;  // fragment stage only
 };
-// What shaders execute.
-struct Work {
-  std::map<uint32_t, uint64_t> fetches;  // texture operations by the texture's binding (arrays: all elements together)
-  Operations operations;
-
-  // Adds `times` times the other's.
-  void add(const Work& other, uint64_t times = 1);
-};
 struct CountingShader {
   std::vector<uint32_t> spirv;
-  // Work of running a block once; a block is instructions that run equally often. Those without work are left out.
-  std::vector<Work> blocks;
+  // Slots: texture operations by the texture's binding, ascending (arrays: all elements together), then operations by class.
+  // Only what the code has somewhere has a slot.
+  std::vector<uint32_t> textures;
+  std::vector<OperationClass> classes;
   // Depth is tested before the shader, so hidden fragments are not counted: the shader says so, or it is forced because the
   // shader neither discards nor writes depth, its sample mask or memory. Otherwise hidden and discarded fragments are counted
   // too.
   bool early_fragment_tests = false;
 
-  uint32_t words() const { return static_cast<uint32_t>(2 + 2 * blocks.size()); }  // of counters, from first_word on
+  uint32_t words() const {
+    return static_cast<uint32_t>(2 + 2 * (textures.size() + classes.size()));
+  }  // of counters, from first_word on
 };
 // What the source says is counted, loops, branches and function calls included, whether or not a driver would leave it out:
 // texture operations (every sample, fetch and gather; size and level queries are none), and operations by class. Functions are
 // inlined first (SPIRV-Tools). Throws Error(failed) for a module it cannot rewrite, or when the layout's binding is taken. The
-// device needs stores and atomics in the stage. An invocation may run a block up to 2^32 - 1 times.
+// device needs stores and atomics in the stage. An invocation may do up to 2^32 - 1 operations of a class.
 CountingShader add_counters(const CompiledShader& shader, Api api, const CountingLayout& layout);
 
 }  // namespace lamina

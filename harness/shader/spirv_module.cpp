@@ -51,8 +51,10 @@ const SpirvInstruction& SpirvModule::definition(uint32_t id) const {
 }
 
 std::optional<uint32_t> SpirvModule::decoration(uint32_t id, spv::Decoration decoration) const {
-  for (const SpirvInstruction& i : instructions_)
+  for (const SpirvInstruction& i : instructions_) {
+    if (i.op() == spv::OpFunction) break;  // decorations come before all functions
     if (i.op() == spv::OpDecorate && i.words[1] == id && i.words[2] == decoration) return i.words.size() > 3 ? i.words[3] : 0;
+  }
   return std::nullopt;
 }
 

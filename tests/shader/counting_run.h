@@ -187,10 +187,11 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
 
   static void take_counts(Counts& counts, const std::vector<uint32_t>& words, const CountingShader& counting) {
     counts.invocations = counter_at(words, 2);
-    Work work;
-    for (size_t k = 0; k < counting.blocks.size(); ++k) work.add(counting.blocks[k], counter_at(words, 4 + 2 * k));
-    counts.fetches = work.fetches;
-    counts.operations = work.operations.by_name();
+    size_t word = 2;
+    for (const uint32_t binding : counting.textures) counts.fetches[binding] = counter_at(words, word += 2);
+    for (const OperationClass operation : counting.classes)
+      if (const uint64_t times = counter_at(words, word += 2); times > 0)
+        counts.operations[std::string(name_of(operation))] = times;
     counts.early_fragment_tests = counting.early_fragment_tests;
   }
 

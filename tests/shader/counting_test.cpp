@@ -25,25 +25,16 @@ size_t count_of(const std::vector<uint32_t>& spirv, spv::Op op) {
   return static_cast<size_t>(std::ranges::count(module.instructions(), op, &SpirvInstruction::op));
 }
 
-// The bindings whose textures have a count.
-std::vector<uint32_t> textures_of(const CountingShader& counting) {
-  Work all;
-  for (const Work& block : counting.blocks) all.add(block);
-  std::vector<uint32_t> bindings;
-  for (const auto& [binding, fetches] : all.fetches) bindings.push_back(binding);
-  return bindings;
-}
-
 class Counting : public ShaderFiles {};
 
-TEST_F(Counting, ABlockHasOneCounterForAllThatItDoes) {
+TEST_F(Counting, SlotsAreTexturesByBindingThenClasses) {
   for (const Api api : both_apis) {
     const CountingShader counting = add_counters(compile(Stage::fragment, api, three_taps), api, {.binding = 9});
-    ASSERT_EQ(counting.blocks.size(), 1u);
-    EXPECT_EQ(counting.blocks[0].fetches, (std::map<uint32_t, uint64_t>{{1, 1}, {4, 2}}));
-    EXPECT_EQ(counting.blocks[0].operations.by_name(), (std::map<std::string, uint64_t>{{"add", 8}}));
-    EXPECT_EQ(counting.words(), 4u);
-    EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u * (1 + 1)) << "two halves: of the invocation and of the block";
+    EXPECT_EQ(counting.textures, (std::vector<uint32_t>{1, 4}));
+    EXPECT_EQ(counting.classes, std::vector<OperationClass>{OperationClass::add});
+    EXPECT_EQ(counting.words(), 8u);
+    EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u * (1 + 2 + 1))
+        << "two halves: of the invocation, of each texture and each class, however often it is read or done";
   }
 }
 
@@ -131,14 +122,14 @@ void main() { gl_Position = texelFetch(heights, ivec2(LAMINA_VERTEX_INDEX, 0), 0
 )");
     const CountingShader counting = add_counters(shader, api, {.binding = 9, .coverage_word = 100});
     EXPECT_FALSE(counting.early_fragment_tests);
-    EXPECT_EQ(textures_of(counting), std::vector<uint32_t>{2});
+    EXPECT_EQ(counting.textures, std::vector<uint32_t>{2});
   }
 }
 
 TEST_F(Counting, AShaderWithoutTexturesCountsItsInvocationsOnly) {
   const auto shader = compile(Stage::compute, Api::opengl, "layout(local_size_x = 1) in; void main() {}\n");
   const CountingShader counting = add_counters(shader, Api::opengl, {.binding = 0});
-  EXPECT_TRUE(counting.blocks.empty());
+  EXPECT_TRUE(counting.textures.empty() && counting.classes.empty());
   EXPECT_EQ(counting.words(), 2u);
 }
 
@@ -152,7 +143,8 @@ float at(sampler3D s, vec3 where) { return textureLod(s, where, 0.0).r; }
 void main() { o = texture(volume, vec3(0)) + at(volume, vec3(1)) + texelFetch(fetched, ivec3(0), 0); }
 )");
     const CountingShader counting = add_counters(shader, api, {.binding = 9});
-    EXPECT_EQ(textures_of(counting), (std::vector<uint32_t>{1, 3}));
+    EXPECT_EQ(counting.textures, (std::vector<uint32_t>{1, 3}));
+    EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u * (1 + 2 + 1));
   }
 }
 
@@ -163,7 +155,7 @@ layout(binding = 1, rgba8) uniform readonly image2D i;
 layout(location = 0) out vec4 o;
 void main() { o = vec4(textureSize(a, 0), textureQueryLevels(a), textureQueryLod(a, vec2(0)).x) + imageLoad(i, ivec2(0)); }
 )");
-  EXPECT_TRUE(textures_of(add_counters(shader, Api::vulkan, {.binding = 9})).empty());
+  EXPECT_TRUE(add_counters(shader, Api::vulkan, {.binding = 9}).textures.empty());
 }
 
 TEST_F(Counting, ATakenBindingIsRefusedByName) {
@@ -230,8 +222,8 @@ OpFunctionEnd
   CompiledShader shader;
   ASSERT_TRUE(spvtools::SpirvTools(SPV_ENV_VULKAN_1_0).Assemble(std::string(text), &shader.spirv));
   const CountingShader counting = add_counters(shader, Api::vulkan, {.binding = 9, .coverage_word = 6});
-  EXPECT_EQ(textures_of(counting), std::vector<uint32_t>{3});
-  EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u * (1 + 1) + 1);
+  EXPECT_EQ(counting.textures, std::vector<uint32_t>{3});
+  EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u * (1 + 1 + 1) + 1) << "and one of the coverage map";
 }
 
 TEST(CountingWords, RefusesWhatIsNoSpirv) {

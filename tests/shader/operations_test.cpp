@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "harness/shader/spirv_module.h"
 #include "tests/shader/counting_run.h"
 
 namespace lamina {
@@ -16,7 +17,8 @@ constexpr uint64_t pixels = run_width_px * run_height_px;
 
 class OperationsOf : public ShaderFiles {
  protected:
-  // Of all blocks of a fragment shader, each run once. `v`, `w` and `o` are vec3, `x` a float, all interpolated or written.
+  // Of all instructions of a fragment shader, each run once. `v`, `w` and `o` are vec3, `x` a float, all interpolated or
+  // written.
   Named of(const std::string& statements, Api api, const std::string& declarations = "") {
     const CompiledShader shader = compile(Stage::fragment, api,
                                           fmt::format(R"(
@@ -28,9 +30,11 @@ layout(location = 0) out vec4 o;
 void main() {{ {} }}
 )",
                                                       declarations, statements));
-    Work all;
-    for (const Work& block : add_counters(shader, api, {.binding = 9}).blocks) all.add(block);
-    return all.operations.by_name();
+    const SpirvModule module(shader.spirv);
+    Operations all;
+    for (const SpirvInstruction& instruction : module.instructions())
+      all.add(operations_of(module, instruction, Stage::fragment));
+    return all.by_name();
   }
 };
 
