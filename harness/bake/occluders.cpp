@@ -14,29 +14,28 @@ namespace {
 
 constexpr float bias_of_radius = 1e-4f;
 
-void add_object(RTCDevice device, RTCScene scene, const Object& object, std::string& hashed) {
-  if (object.mesh.indices.empty() || !object.blocks_light) return;
+}  // namespace
+
+EmbreeTriangles attach_triangles(RTCDevice device, RTCScene scene, const Object& object, const char* stage) {
   const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                                sizeof(glm::vec3), object.mesh.vertices.size()));
-  auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                 3 * sizeof(uint32_t), object.mesh.indices.size() / 3));
+  const size_t vertices = object.mesh.vertices.size(), triangles = object.mesh.indices.size() / 3;
+  auto* positions = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), vertices));
+  auto* indices = static_cast<uint32_t*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), triangles));
   if (!positions || !indices)
-    throw Error(ErrorKind::failed, "bake", fmt::format("object '{}'", object.name),
+    throw Error(ErrorKind::failed, stage, fmt::format("object '{}'", object.name),
                 "Embree has no memory left for its triangles");
-  for (size_t i = 0; i < object.mesh.vertices.size(); ++i) {
+  for (size_t i = 0; i < vertices; ++i) {
     const glm::vec3 world = object.world_from_object * glm::vec4(object.mesh.vertices[i].position, 1);
     std::memcpy(positions + 3 * i, &world, sizeof world);
   }
-  std::memcpy(indices, object.mesh.indices.data(), object.mesh.indices.size() / 3 * 3 * sizeof(uint32_t));
-  hashed += hash_hex(bytes_of(std::span(positions, 3 * object.mesh.vertices.size())));
-  hashed += hash_hex(bytes_of(std::span(indices, object.mesh.indices.size() / 3 * 3)));
+  std::memcpy(indices, object.mesh.indices.data(), 3 * triangles * sizeof(uint32_t));
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
+  return {{positions, 3 * vertices}, {indices, 3 * triangles}};
 }
-
-}  // namespace
 
 Occluders::Occluders(const Scene& scene) {
   auto handles = std::make_shared<Handles>();
@@ -46,7 +45,11 @@ Occluders::Occluders(const Scene& scene) {
   // No ray slips through an edge that two triangles share.
   rtcSetSceneFlags(handles->scene, RTC_SCENE_FLAG_ROBUST);
   std::string hashed;
-  for (const Object& object : scene.objects) add_object(handles->device, handles->scene, object, hashed);
+  for (const Object& object : scene.objects) {
+    if (object.mesh.indices.empty() || !object.blocks_light) continue;
+    const EmbreeTriangles held = attach_triangles(handles->device, handles->scene, object, "bake");
+    hashed += hash_hex(bytes_of(held.positions)) + hash_hex(bytes_of(held.indices));
+  }
   rtcCommitScene(handles->scene);
   if (const RTCError error = rtcGetDeviceError(handles->device); error != RTC_ERROR_NONE)
     throw Error(ErrorKind::failed, "bake", "Embree",

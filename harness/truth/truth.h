@@ -32,6 +32,9 @@ struct Told {
   const std::map<std::string, Image>& targets;  // by name: those of four floats that are as large as the frame
   const View& view;
   const BakeOptions& bake;  // the variant's
+
+  // Throws Error(bad_input) where there is none; `truth` is the name of who asks.
+  const Image& target(const std::string& name, const std::string& truth) const;
 };
 
 struct TruthStep {

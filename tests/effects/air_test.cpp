@@ -10,6 +10,7 @@
 #include "harness/effects/atmosphere/single_scattering.h"
 #include "harness/effects/atmosphere/single_scattering_truth.h"
 #include "harness/graph/views.h"
+#include "harness/truth/view_rays.h"
 #include "tests/effects/air_scenes.h"
 
 namespace lamina {
@@ -133,7 +134,7 @@ TEST(Air, RaysOfPixelsAreThoseOfTheirMatrices) {
   for (const auto& [column, row] : {std::pair{0, 0}, {63, 0}, {10, 40}, {63, 47}}) {
     const glm::dvec4 far = world_from_clip * glm::dvec4(2 * (column + 0.5) / 64 - 1, 2 * (row + 0.5) / 48 - 1, 1, 1);
     const glm::dvec3 through = glm::normalize(glm::dvec3(far) / far.w - glm::dvec3(view.eye));
-    EXPECT_LT(glm::distance(direction_through(view, 64, 48, column, row), through), 1e-5);
+    EXPECT_LT(glm::distance(ViewRays(view, 64, 48).direction(column, row), through), 1e-5);
   }
 }
 

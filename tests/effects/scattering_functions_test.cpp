@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The families of functions that scattering is made of, on every backend, against their oracles of 128 bits.
+// The families of functions that scattering is made of, on every backend, against their oracles of 200 bits.
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>

@@ -33,19 +33,13 @@ std::string light_key(const ShadingPoints& points, const Scene& scene, const Occ
   return "light-" + hash_hex(text);
 }
 
-const Image& target(const Told& told, const std::string& name) {
-  const auto found = told.targets.find(name);
-  if (found == told.targets.end())
-    throw Error(ErrorKind::bad_input, "truth", "target '" + name + "'",
-                "is missing: the truth direct_light asks for it, as four floats a pixel, of passes with when = \"truth\"");
-  return found->second;
-}
-
 ShadingPoints told_points(const Told& told) {
   const ApertureKind kind = aperture_kind(told.bake);
   std::vector<Image> apertures;
-  for (uint32_t i = 0; i < kind.count; ++i) apertures.push_back(target(told, fmt::format("seen_aperture_{}", i)));
-  return shading_points(target(told, "seen_point"), target(told, "seen_normal"), target(told, "seen_albedo"), apertures, kind);
+  for (uint32_t i = 0; i < kind.count; ++i)
+    apertures.push_back(told.target(fmt::format("seen_aperture_{}", i), "direct_light"));
+  return shading_points(told.target("seen_point", "direct_light"), told.target("seen_normal", "direct_light"),
+                        told.target("seen_albedo", "direct_light"), apertures, kind);
 }
 
 class DirectLightTruth : public Truth {

@@ -10,24 +10,18 @@
 #include "harness/core/bytes.h"
 #include "harness/core/error.h"
 #include "harness/core/text.h"
+#include "harness/truth/view_rays.h"
 
 namespace lamina {
 namespace {
-
-const Image& told_target(const Told& told, const std::string& name) {
-  const auto found = told.targets.find(name);
-  if (found == told.targets.end())
-    throw Error(ErrorKind::bad_input, "truth", "target '" + name + "'",
-                "is missing: the truth single_scattering asks for it, as four floats a pixel, of passes with when = \"truth\"");
-  return found->second;
-}
 
 class SingleScatteringTruth : public Truth {
  public:
   explicit SingleScatteringTruth(const TruthSetting& setting) : setting_(setting) {}
 
   TruthAnswer answer(const Told& told, const std::function<void(double)>& progress) override {
-    const Image &point = told_target(told, "seen_point"), &light = told_target(told, "seen_light");
+    const Image &point = told.target("seen_point", "single_scattering"),
+                &light = told.target("seen_light", "single_scattering");
     TruthAnswer answer;
     for (size_t i = 0; i < point.rgba.size() / 4; ++i) answer.pixels.push_back(i);
     answer.steps = {
@@ -49,14 +43,13 @@ class SingleScatteringTruth : public Truth {
       std::memcpy(lit.data(), kept->data(), kept->size());
       return lit;
     }
+    const ViewRays rays(view, point.width, point.height);
     const glm::dvec3 eye = glm::dvec3(view.eye) - glm::dvec3(0, sun("sea_level"), 0);
     const auto shade = [&](size_t i) {
       const float* there = &point.rgba[4 * i];
       const glm::dvec3 from_eye = glm::dvec3(there[0], there[1], there[2]) - glm::dvec3(view.eye);
       const bool solid = there[3] > 0;
-      const int column = static_cast<int>(i) % point.width, row = static_cast<int>(i) / point.width;
-      const glm::dvec3 direction =
-          solid ? glm::normalize(from_eye) : direction_through(view, point.width, point.height, column, row);
+      const glm::dvec3 direction = solid ? glm::normalize(from_eye) : rays.direction(i);
       const Scattered scattered = single_scattering(air, {eye, direction}, solid ? glm::length(from_eye) : INFINITY, !solid,
                                                     to_sun.value_or(glm::dvec3(0, 1, 0)));
       const glm::dvec3 behind(light.rgba[4 * i], light.rgba[4 * i + 1], light.rgba[4 * i + 2]);
@@ -97,14 +90,6 @@ std::optional<glm::dvec3> direction_to_sun(const Scene& scene) {
   for (const Light& light : scene.lights)
     if (light.kind == Light::Kind::directional) return -glm::normalize(glm::dvec3(light.direction));
   return std::nullopt;
-}
-
-glm::dvec3 direction_through(const View& view, int width_px, int height_px, int column, int row) {
-  const glm::dvec3 ahead = glm::normalize(glm::dvec3(view.target) - glm::dvec3(view.eye));
-  const glm::dvec3 right = glm::normalize(glm::cross(ahead, glm::dvec3(view.up))), up = glm::cross(right, ahead);
-  const double half = std::tan(glm::radians(static_cast<double>(view.fov_y_degrees)) / 2);
-  const double x = (2 * (column + 0.5) - width_px) / height_px, y = 1 - 2 * (row + 0.5) / height_px;
-  return glm::normalize(ahead + half * (x * right + y * up));
 }
 
 }  // namespace lamina

@@ -19,7 +19,4 @@ std::unique_ptr<Truth> single_scattering_truth(const TruthSetting& setting);
 // Unit, towards the first directional light; none without one, and then the air scatters nothing.
 std::optional<glm::dvec3> direction_to_sun(const Scene& scene);
 
-// From the eye through the middle of a pixel; world, unit. Row 0 is the top row.
-glm::dvec3 direction_through(const View& view, int width_px, int height_px, int column, int row);
-
 }  // namespace lamina

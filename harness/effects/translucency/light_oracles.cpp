@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/effects/translucency/real_oracle.h"
+#include "harness/effects/translucency/oracles.h"
 
 namespace lamina {
 namespace {
 
-Real wrapped(const std::vector<Real>& p) {
+Real wrapped(std::span<const Real> p) {
   const Real sum = p[0] + p[1], whole = 1 + p[1];
   return sum <= 0 ? Real(0) : Real(sum / (whole * whole));
 }
 
 // Inputs vl, nl, vn, d, p: V.L, N.L, V.N of unit vectors, the bend of the light by the normal, the power.
-Real lobe(const std::vector<Real>& p) {
+Real lobe(std::span<const Real> p) {
   const Real squared = 1 + 2 * p[3] * p[1] + p[3] * p[3];
   if (squared <= 0) return 0;
   const Real cosine = -(p[0] + p[3] * p[2]) / sqrt(squared);
@@ -33,12 +33,12 @@ std::vector<double> directions(SetRandom& r, double d, double power, double spre
 }  // namespace
 
 const Oracle& wrap_oracle() {
-  static const RealOracle oracle(
+  static const FormulaOracle oracle(
       {{"c", "w"},
        "the cosine must lie from -1 to 1, the wrap from 0 to 1",
        [](Oracle::Point p) { return std::abs(p[0]) <= 1 && p[1] >= 0 && p[1] <= 1; },
        wrapped,
-       1,
+       of_one,
        {{"all",
          [](SetRandom& r) {
            return std::vector{r.uniform(-1, 1), r.uniform(0, 1)};
@@ -55,33 +55,33 @@ const Oracle& wrap_oracle() {
 }
 
 const Oracle& back_light_oracle() {
-  static const RealOracle oracle({{"vl", "nl", "vn", "d", "p"},
-                                  "cosines must lie from -1 to 1, the bend from 0 to 1, the power from 1 to 64",
-                                  [](Oracle::Point p) {
-                                    return std::abs(p[0]) <= 1 && std::abs(p[1]) <= 1 && std::abs(p[2]) <= 1 && p[3] >= 0 &&
-                                           p[3] <= 1 && p[4] >= 1 && p[4] <= 64;
-                                  },
-                                  lobe,
-                                  1,
-                                  {{"all",
-                                    [](SetRandom& r) {
-                                      const double d = r.uniform(0, 1), p = r.uniform(1, 12);
-                                      return directions(r, d, p, 2);
-                                    }},
-                                   {"looking_into_the_light",
-                                    [](SetRandom& r) {
-                                      const double d = r.uniform(0, 0.3), p = r.uniform(2, 12);
-                                      return directions(r, d, p, 0.1);
-                                    }},
-                                   {"sharp",
-                                    [](SetRandom& r) {
-                                      const double d = r.uniform(0, 0.5), p = r.uniform(16, 64);
-                                      return directions(r, d, p, 0.3);
-                                    }},
-                                   {"strongly_bent", [](SetRandom& r) {
-                                      const double d = r.uniform(0.7, 0.999), p = r.uniform(1, 12);
-                                      return directions(r, d, p, 2);
-                                    }}}});
+  static const FormulaOracle oracle({{"vl", "nl", "vn", "d", "p"},
+                                     "cosines must lie from -1 to 1, the bend from 0 to 1, the power from 1 to 64",
+                                     [](Oracle::Point p) {
+                                       return std::abs(p[0]) <= 1 && std::abs(p[1]) <= 1 && std::abs(p[2]) <= 1 && p[3] >= 0 &&
+                                              p[3] <= 1 && p[4] >= 1 && p[4] <= 64;
+                                     },
+                                     lobe,
+                                     of_one,
+                                     {{"all",
+                                       [](SetRandom& r) {
+                                         const double d = r.uniform(0, 1), p = r.uniform(1, 12);
+                                         return directions(r, d, p, 2);
+                                       }},
+                                      {"looking_into_the_light",
+                                       [](SetRandom& r) {
+                                         const double d = r.uniform(0, 0.3), p = r.uniform(2, 12);
+                                         return directions(r, d, p, 0.1);
+                                       }},
+                                      {"sharp",
+                                       [](SetRandom& r) {
+                                         const double d = r.uniform(0, 0.5), p = r.uniform(16, 64);
+                                         return directions(r, d, p, 0.3);
+                                       }},
+                                      {"strongly_bent", [](SetRandom& r) {
+                                         const double d = r.uniform(0.7, 0.999), p = r.uniform(1, 12);
+                                         return directions(r, d, p, 2);
+                                       }}}});
   return oracle;
 }
 

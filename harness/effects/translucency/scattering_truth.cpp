@@ -15,14 +15,6 @@
 namespace lamina {
 namespace {
 
-const Image& told_target(const Told& told, const std::string& name) {
-  const auto found = told.targets.find(name);
-  if (found == told.targets.end())
-    throw Error(ErrorKind::bad_input, "truth", "target '" + name + "'",
-                "is missing: the truth translucency asks for it, as four floats a pixel, of passes with when = \"truth\"");
-  return found->second;
-}
-
 glm::dvec4 pixel_of(const Image& image, size_t i) {
   return {double(image.rgba[4 * i]), double(image.rgba[4 * i + 1]), double(image.rgba[4 * i + 2]),
           double(image.rgba[4 * i + 3])};
@@ -56,8 +48,8 @@ class ScatteringTruth : public Truth {
 
  private:
   std::vector<LitPoint> lit_points(const Told& told, std::vector<size_t>& pixels) const {
-    const Image &point = told_target(told, "seen_point"), &normal = told_target(told, "seen_normal"),
-                &albedo = told_target(told, "seen_albedo");
+    const Image &point = told.target("seen_point", "translucency"), &normal = told.target("seen_normal", "translucency"),
+                &albedo = told.target("seen_albedo", "translucency");
     std::vector<LitPoint> points;
     const glm::dvec3 eye(told.view.eye);
     for (size_t i = 0; i < size_t(point.width) * size_t(point.height); ++i) {

@@ -2,9 +2,9 @@
 #include "harness/effects/translucency/solids.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 
+#include "harness/bake/occluders_embree.h"
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/scene/default_views.h"
@@ -59,22 +59,7 @@ Solids::Solids(const Scene& scene) : scene_(scene), device_(rtcNewDevice(nullptr
     const Object& object = scene.objects[i];
     media_.push_back(medium_of(object));
     if (object.mesh.indices.empty() || !object.blocks_light) continue;
-    const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                                  sizeof(glm::vec3), object.mesh.vertices.size()));
-    auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                   3 * sizeof(uint32_t), object.mesh.indices.size() / 3));
-    if (!positions || !indices)
-      throw Error(ErrorKind::failed, "truth", fmt::format("object '{}'", object.name),
-                  "Embree has no memory left for its triangles");
-    for (size_t v = 0; v < object.mesh.vertices.size(); ++v) {
-      const glm::vec3 world = object.world_from_object * glm::vec4(object.mesh.vertices[v].position, 1);
-      std::memcpy(positions + 3 * v, &world, sizeof world);
-    }
-    std::memcpy(indices, object.mesh.indices.data(), object.mesh.indices.size() / 3 * 3 * sizeof(uint32_t));
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(embree_, geometry);
-    rtcReleaseGeometry(geometry);
+    attach_triangles(device_, embree_, object, "truth");
     object_of_.push_back(i);
   }
   rtcCommitScene(embree_);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The C++ of light through objects: variants/translucency/effect.toml names its truth and its baker; the families of functions
 // that it is made of name their oracles and tables.
+#include "harness/effects/translucency/oracles.h"
 #include "harness/effects/translucency/ramp_tables.h"
-#include "harness/effects/translucency/real_oracle.h"
 #include "harness/effects/translucency/scattering_truth.h"
 #include "harness/effects/translucency/thickness_baker.h"
 #include "harness/manifest/effect_code.h"

@@ -6,32 +6,10 @@
 
 #include "harness/core/error.h"
 #include "harness/effects/volume_fog/fog_color.h"
+#include "harness/truth/view_rays.h"
 
 namespace lamina {
 namespace {
-
-// The rays of a view through the middle of pixels: right-handed, y up in the world, the top row first.
-class PixelRays {
- public:
-  PixelRays(const View& view, uint32_t width_px, uint32_t height_px) : origin_(view.eye), size_(width_px, height_px) {
-    ahead_ = glm::normalize(glm::dvec3(view.target) - origin_);
-    right_ = glm::normalize(glm::cross(ahead_, glm::dvec3(view.up)));
-    up_ = glm::cross(right_, ahead_);
-    half_height_ = std::tan(glm::radians(double(view.fov_y_degrees)) / 2);
-  }
-  FogRay through(size_t pixel) const {
-    const double x = (static_cast<double>(pixel % size_t(size_.x)) + 0.5) / size_.x * 2 - 1;
-    const double y = 1 - (static_cast<double>(pixel / size_t(size_.x)) + 0.5) / size_.y * 2;
-    return {origin_, glm::normalize(ahead_ + half_height_ * (x * size_.x / size_.y * right_ + y * up_))};
-  }
-  // Metres along the ray for a metre along the view's axis.
-  double stretch(const FogRay& ray) const { return 1 / glm::dot(ray.direction, ahead_); }
-
- private:
-  glm::dvec3 origin_, ahead_, right_, up_;
-  glm::dvec2 size_;
-  double half_height_;
-};
 
 HullRays solids_of(const Scene& scene) {
   std::vector<const Object*> solids;
@@ -40,24 +18,16 @@ HullRays solids_of(const Scene& scene) {
   return HullRays(solids);
 }
 
-const Image& target(const Told& told, const std::string& name) {
-  const auto found = told.targets.find(name);
-  if (found == told.targets.end())
-    throw Error(ErrorKind::bad_input, "truth", "target '" + name + "'",
-                "is missing: the truth fog_lengths asks for it, as four floats a pixel, of passes with when = \"truth\"");
-  return found->second;
-}
-
 class FogLengths : public Truth {
  public:
   explicit FogLengths(const TruthSetting& setting) : scene_(setting.scene) {}
 
   TruthAnswer answer(const Told& told, const std::function<void(double)>& progress) override {
-    const Image &behind = target(told, "seen_behind"), &depths = target(told, "seen_depths");
+    const Image &behind = told.target("seen_behind", "fog_lengths"), &depths = told.target("seen_depths", "fog_lengths");
     const auto width = static_cast<uint32_t>(depths.width), height = static_cast<uint32_t>(depths.height);
     // Rays do not depend on the variant.
     if (lengths_m_.empty()) lengths_m_ = FogTracer(scene_).lengths_m(told.view, width, height, progress);
-    const PixelRays rays(told.view, width, height);
+    const ViewRays rays(told.view, depths.width, depths.height);
     const FogColor color(scene_);
     TruthAnswer answer;
     answer.steps = {{"ramp", "the variant's way from thickness to colour against the scene's own", {}},
@@ -69,7 +39,8 @@ class FogLengths : public Truth {
       if (lengths_m_[pixel] == 0 && depth[0] == 0 && depth[1] == 0 && depth[2] == 0) continue;
       answer.pixels.push_back(pixel);
       const glm::dvec3 frame(behind.rgba[4 * pixel], behind.rgba[4 * pixel + 1], behind.rgba[4 * pixel + 2]);
-      const double stretch = rays.stretch(rays.through(pixel));
+      // Metres along the ray for a metre along the view's axis.
+      const double stretch = 1 / glm::dot(rays.direction(pixel), rays.ahead());
       for (size_t step = 0; step < 4; ++step)
         answer.steps[step].light.emplace_back(color.over(frame, step < 3 ? depth[step] * stretch : lengths_m_[pixel]));
     }
@@ -97,13 +68,13 @@ FogTracer::FogTracer(const Scene& scene) : solids_(solids_of(scene)) {
 
 std::vector<double> FogTracer::lengths_m(const View& view, uint32_t width_px, uint32_t height_px,
                                          const std::function<void(double)>& progress) const {
-  const PixelRays rays(view, width_px, height_px);
+  const ViewRays rays(view, static_cast<int>(width_px), static_cast<int>(height_px));
   std::vector<int> around_eye;
   for (const Hull& hull : hulls_) around_eye.push_back(hull.rays.around(view.eye));
   std::vector<double> lengths_m(size_t(width_px) * height_px);
   for (size_t pixel = 0; pixel < lengths_m.size(); ++pixel) {
     if (pixel % width_px == 0) progress(static_cast<double>(pixel) / static_cast<double>(lengths_m.size()));
-    const FogRay ray = rays.through(pixel);
+    const FogRay ray{view.eye, rays.direction(pixel)};
     const double end = solids_.first_front_m(ray);
     double sum = 0;
     for (size_t i = 0; i < hulls_.size(); ++i) sum += hulls_[i].share * hulls_[i].rays.length_m(ray, end, around_eye[i]);
