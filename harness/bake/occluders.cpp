@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/bake/occluders.h"
 
-#include <cstring>
-
 #include "harness/bake/occluders_embree.h"
 #include "harness/core/bytes.h"
 #include "harness/core/error.h"
@@ -16,44 +14,15 @@ constexpr float bias_of_radius = 1e-4f;
 
 }  // namespace
 
-EmbreeTriangles attach_triangles(RTCDevice device, RTCScene scene, const Object& object, const char* stage) {
-  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  const size_t vertices = object.mesh.vertices.size(), triangles = object.mesh.indices.size() / 3;
-  auto* positions = static_cast<float*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), vertices));
-  auto* indices = static_cast<uint32_t*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), triangles));
-  if (!positions || !indices)
-    throw Error(ErrorKind::failed, stage, fmt::format("object '{}'", object.name),
-                "Embree has no memory left for its triangles");
-  for (size_t i = 0; i < vertices; ++i) {
-    const glm::vec3 world = object.world_from_object * glm::vec4(object.mesh.vertices[i].position, 1);
-    std::memcpy(positions + 3 * i, &world, sizeof world);
-  }
-  std::memcpy(indices, object.mesh.indices.data(), 3 * triangles * sizeof(uint32_t));
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene, geometry);
-  rtcReleaseGeometry(geometry);
-  return {{positions, 3 * vertices}, {indices, 3 * triangles}};
-}
-
 Occluders::Occluders(const Scene& scene) {
-  auto handles = std::make_shared<Handles>();
-  handles->device = rtcNewDevice(nullptr);
-  if (!handles->device) throw Error(ErrorKind::failed, "bake", "Embree", "cannot be started");
-  handles->scene = rtcNewScene(handles->device);
-  // No ray slips through an edge that two triangles share.
-  rtcSetSceneFlags(handles->scene, RTC_SCENE_FLAG_ROBUST);
+  auto handles = std::make_shared<Handles>("bake");
   std::string hashed;
   for (const Object& object : scene.objects) {
     if (object.mesh.indices.empty() || !object.blocks_light) continue;
-    const EmbreeTriangles held = attach_triangles(handles->device, handles->scene, object, "bake");
+    const EmbreeScene::Triangles held = handles->attach(object);
     hashed += hash_hex(bytes_of(held.positions)) + hash_hex(bytes_of(held.indices));
   }
-  rtcCommitScene(handles->scene);
-  if (const RTCError error = rtcGetDeviceError(handles->device); error != RTC_ERROR_NONE)
-    throw Error(ErrorKind::failed, "bake", "Embree",
-                fmt::format("cannot build its hierarchy (error {})", static_cast<int>(error)));
+  handles->commit();
   handles_ = std::move(handles);
   hash_ = hash_hex(hashed);
   if (!hashed.empty()) default_bias_m_ = bias_of_radius * bounding_sphere(scene.objects).radius;

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
+#include <regex>
 
 #include "harness/core/text.h"
 #include "harness/manifest/library.h"
@@ -148,6 +150,28 @@ TEST(Engine, KnowsNoEffectByName) {
     }
   }
   EXPECT_GT(files, 100u);
+}
+
+// The linker joins types of one name without a word, however they differ.
+TEST(Engine, GivesEveryTypeOfItsHeadersANameOfItsOwn) {
+  std::map<std::string, std::string> header_of;  // by namespace and name
+  for (const char* folder : {"harness", "reports"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(LAMINA_SOURCE_DIR) / folder)) {
+      if (entry.path().extension() != ".h") continue;
+      std::istringstream text(read_file(entry.path(), "test"));
+      std::string within;
+      bool is_template = false;  // whose types are told apart by their arguments
+      for (std::string line; std::getline(text, line); is_template = line.starts_with("template ")) {
+        if (line.starts_with("namespace ")) within = line;
+        for (const std::string begin : {"struct ", "class ", "enum class "}) {
+          if (is_template || !line.starts_with(begin) || line.ends_with(";")) continue;
+          const std::string name = line.substr(begin.size(), line.find_first_of(" {", begin.size()) - begin.size());
+          const auto [other, is_new] = header_of.emplace(within + name, entry.path().string());
+          EXPECT_TRUE(is_new) << entry.path() << " and " << other->second << " have a " << name;
+        }
+      }
+    }
+  EXPECT_GT(header_of.size(), 150u);
 }
 
 }  // namespace

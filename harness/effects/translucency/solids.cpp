@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "harness/bake/occluders_embree.h"
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/scene/default_views.h"
@@ -51,24 +50,16 @@ RTCRayHit ray_from(glm::dvec3 origin, glm::dvec3 direction, double most) {
 
 }  // namespace
 
-Solids::Solids(const Scene& scene) : scene_(scene), device_(rtcNewDevice(nullptr)) {
-  if (!device_) throw Error(ErrorKind::failed, "truth", "Embree", "cannot be started");
-  embree_ = rtcNewScene(device_);
-  rtcSetSceneFlags(embree_, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+Solids::Solids(const Scene& scene) : scene_(scene), embree_("truth", RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION) {
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     media_.push_back(medium_of(object));
     if (object.mesh.indices.empty() || !object.blocks_light) continue;
-    attach_triangles(device_, embree_, object, "truth");
+    embree_.attach(object);
     object_of_.push_back(i);
   }
-  rtcCommitScene(embree_);
+  embree_.commit();
   radius_m_ = bounding_sphere(scene.objects).radius;
-}
-
-Solids::~Solids() {
-  if (embree_) rtcReleaseScene(embree_);
-  if (device_) rtcReleaseDevice(device_);
 }
 
 SurfaceCrossing Solids::crossing(const RTCRayHit& hit) const {
@@ -95,7 +86,7 @@ std::vector<SurfaceCrossing> Solids::crossings(glm::dvec3 origin, glm::dvec3 dir
   all.context.filter = collect;
   all.hits = &hits;
   RTCRayHit ray = ray_from(origin, direction, most);
-  rtcIntersect1(embree_, &all.context, &ray);
+  rtcIntersect1(embree_.scene, &all.context, &ray);
   std::vector<SurfaceCrossing> found;
   for (const RTCRayHit& hit : hits) found.push_back(crossing(hit));
   std::ranges::sort(found, {}, &SurfaceCrossing::distance);
@@ -112,7 +103,7 @@ std::optional<SurfaceCrossing> Solids::way_out(glm::dvec3 origin, glm::dvec3 dir
   for (int tries = 0; tries < 8; ++tries) {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    rtcIntersect1(embree_, &context, &ray);
+    rtcIntersect1(embree_.scene, &context, &ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     const SurfaceCrossing found = crossing(ray);
     if (found.object == object && !found.entering) return found;

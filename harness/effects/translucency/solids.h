@@ -3,12 +3,11 @@
 // the smooth normal there. World space, metres. A closed mesh is entered as often as it is left.
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <glm/glm.hpp>
 #include <optional>
 #include <vector>
 
+#include "harness/bake/embree_scene.h"
 #include "harness/scene/scene.h"
 
 namespace lamina {
@@ -30,9 +29,6 @@ class Solids {
  public:
   // The scene must outlive this. Throws Error(failed) where Embree has no memory left.
   explicit Solids(const Scene& scene);
-  ~Solids();
-  Solids(const Solids&) = delete;
-  Solids& operator=(const Solids&) = delete;
 
   // From the nearest to the farthest, up to `most` metres. A face that two triangles share the edge of counts once.
   std::vector<SurfaceCrossing> crossings(glm::dvec3 origin, glm::dvec3 direction, double most = 1e30) const;
@@ -49,8 +45,7 @@ class Solids {
   const Scene& scene_;
   std::vector<std::optional<Medium>> media_;
   std::vector<size_t> object_of_;  // by Embree's geometry
-  RTCDevice device_ = nullptr;
-  RTCScene embree_ = nullptr;
+  EmbreeScene embree_;
   double radius_m_ = 0;
 };
 

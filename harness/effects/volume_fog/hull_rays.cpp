@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/effects/volume_fog/hull_rays.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numbers>
 
-#include "harness/core/error.h"
+#include "harness/bake/embree_scene.h"
 
 namespace lamina {
 namespace {
@@ -55,17 +53,9 @@ glm::dvec3 nudged(glm::dvec3 direction, double angle, int turn) {
 
 }  // namespace
 
-struct HullRays::Scenery {
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
+struct HullRays::Scenery : EmbreeScene {
   std::vector<glm::dvec3> corners;  // three a triangle, as Embree has them
-  Scenery() = default;
-  Scenery(const Scenery&) = delete;
-  Scenery& operator=(const Scenery&) = delete;
-  ~Scenery() {
-    if (scene) rtcReleaseScene(scene);
-    if (device) rtcReleaseDevice(device);
-  }
+  using EmbreeScene::EmbreeScene;
 
   // All crossings of the ray from its origin on. Embree finds the triangles; where they are crossed is computed anew in
   // doubles. `at_edge` becomes true where the ray runs through an edge, and crossings are not to be trusted.
@@ -110,36 +100,21 @@ struct HullRays::Scenery {
 };
 
 HullRays::HullRays(const std::vector<const Object*>& objects) {
-  auto made = std::make_shared<Scenery>();
-  made->device = rtcNewDevice(nullptr);
-  if (!made->device) throw Error(ErrorKind::failed, "truth", "Embree", "cannot be started");
-  made->scene = rtcNewScene(made->device);
-  rtcSetSceneFlags(made->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+  auto made = std::make_shared<Scenery>("truth", RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
   for (const Object* object : objects)
     for (const uint32_t index : object->mesh.indices) {
       const glm::vec3 world = object->world_from_object * glm::vec4(object->mesh.vertices[index].position, 1);
       made->corners.emplace_back(world);
     }
   const size_t triangles = made->corners.size() / 3;
-  if (triangles > 0) {
-    const RTCGeometry geometry = rtcNewGeometry(made->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* positions = static_cast<float*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * triangles));
-    auto* indices = static_cast<uint32_t*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), triangles));
-    if (!positions || !indices) throw Error(ErrorKind::failed, "truth", "Embree", "has no memory left for the hulls");
-    for (size_t i = 0; i < 3 * triangles; ++i) {
-      for (int axis = 0; axis < 3; ++axis) positions[3 * i + axis] = static_cast<float>(made->corners[i][axis]);
-      indices[i] = static_cast<uint32_t>(i);
-    }
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(made->scene, geometry);
-    rtcReleaseGeometry(geometry);
-  }
-  rtcCommitScene(made->scene);
-  if (const RTCError error = rtcGetDeviceError(made->device); error != RTC_ERROR_NONE)
-    throw Error(ErrorKind::failed, "truth", "Embree",
-                fmt::format("cannot build its hierarchy (error {})", static_cast<int>(error)));
+  if (triangles > 0)
+    made->attach(3 * triangles, triangles, "hulls", [&](const EmbreeScene::Triangles& held) {
+      for (size_t i = 0; i < 3 * triangles; ++i) {
+        for (int axis = 0; axis < 3; ++axis) held.positions[3 * i + axis] = static_cast<float>(made->corners[i][axis]);
+        held.indices[i] = static_cast<uint32_t>(i);
+      }
+    });
+  made->commit();
   scenery_ = std::move(made);
 }
 
