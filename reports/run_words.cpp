@@ -20,6 +20,7 @@ std::string words_of(const TimerRow& timer, const std::string& what, const char*
     for (size_t i = 0; i < timer.linearity.size(); ++i) works.push_back(fmt::format("{}x", 1ull << i));
     measured = fmt::format("; {} work took {:.3f} of linear", fmt::join(works, ", "), fmt::join(timer.linearity, ", "));
   }
+  if (timer.fixed_share) measured += fmt::format("; {:.1f}% of the 1x pass is a fixed cost", 100 * *timer.fixed_share);
   if (timer.additivity) measured += fmt::format("; the passes add up to {:.3f} of the wall time", *timer.additivity);
   if (timer.attribution)
     measured += fmt::format("; a pass's share is off by at most {:.1f}% in another order", 100 * *timer.attribution);

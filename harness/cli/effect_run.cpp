@@ -144,7 +144,10 @@ void EffectRun::prepare(Variant& variant) {
     }
   }
   const std::set<std::string> hashes = variant.prepared.front().ready->graph.shader_hashes();
-  for (CellRow& row : variant.rows) row.shader_hashes.assign(hashes.begin(), hashes.end());
+  for (CellRow& row : variant.rows) {
+    row.shader_hashes.assign(hashes.begin(), hashes.end());
+    row.target_bytes = variant.prepared.front().ready->frame.target_bytes();
+  }
 }
 
 void EffectRun::count(Variant& variant) {

@@ -42,6 +42,9 @@ class Frame {
   // One frame of scene.views[view].
   FrameTimes run(size_t view, Timing timing);
 
+  // What its targets and storage buffers take, as their formats say: a driver may pad them.
+  uint64_t target_bytes() const { return made_.bytes; }
+
   // A frame in small pieces, for comparing two frames piece by piece: raster passes are cut into at most `parts[pass]` strips
   // of whole rows, as equal as they get; what cannot be cut (compute, mip chains, shaders with storage) is one piece. Running
   // all of them in order makes the picture of run(). `parts` is beside frame_names().

@@ -83,6 +83,8 @@ FrameTarget Targets::make(const std::string& label, uint32_t width, uint32_t hei
     made.buffers[i] = resources_.backend().create_texture(desc);
     made_.textures.push_back(made.buffers[i]);
     made_.whole[made.buffers[i]] = {0, 0, width, height};
+    for (uint32_t level = 0; level < made.levels; ++level)
+      made_.bytes += uint64_t{std::max(width >> level, 1u)} * std::max(height >> level, 1u) * bytes_per_texel(format);
   }
   return made;
 }
@@ -121,6 +123,7 @@ BufferId Targets::buffer(const GraphPass& pass, const GraphDraw& draw, const Res
                                      manifest->bytes_per_pixel * pixels);
   id = resources_.backend().create_buffer(pass.variant->name + "." + manifest->name, BufferUse::storage, zeros.size(), zeros);
   made_.buffers.push_back(id);
+  made_.bytes += zeros.size();
   return id;
 }
 

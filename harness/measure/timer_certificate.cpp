@@ -7,19 +7,29 @@
 #include <numeric>
 #include <random>
 
+#include "harness/core/stopwatch.h"
 #include "harness/measure/statistics.h"
 #include "harness/shader/shader.h"
 
 namespace lamina {
 namespace {
 
-constexpr size_t multiples = 4;  // 1x, 2x, 4x, 8x
+constexpr std::array<int, 5> multiples = {0, 1, 2, 4, 8};  // of the work
+constexpr size_t passes_a_frame = multiples.size();
+constexpr int whole = 15;  // of the work, in a frame
 constexpr uint32_t size_px = 256;
-// What the 1x pass lasts. A pass has a fixed cost too (waking threads: half a millisecond, up to three on a busy machine);
-// where that shows, the work is made longer before the timer is blamed.
-constexpr std::array<double, 2> one_ms = {40, 120};
+// What the 1x pass lasts, and how many rounds are run at most. On a machine that is busy with other things a pass waits for
+// slices of time, of some milliseconds each: longer passes and more rounds tell its time all the same.
+struct Effort {
+  double one_ms;
+  size_t max_rounds;
+};
+constexpr std::array<Effort, 2> efforts = {{{40, 24}, {120, 16}}};
+// Greatest share of the 1x pass that the pass without work takes too: waking threads takes half a millisecond, up to three on a
+// busy machine. A timer that gives every pass the same time has a share of 1.
+constexpr double max_fixed_share = 0.25;
+constexpr double confidence = 0.95;
 constexpr int first_taps = 16, max_taps = 1 << 20;
-constexpr size_t min_rounds = 5, max_rounds = 7;
 
 // The passes and all that they need on the device, given back at the end.
 class Workload {
@@ -50,13 +60,13 @@ class Workload {
   Workload& operator=(const Workload&) = delete;
 
   void set_base_taps(int taps) {
-    for (size_t k = 0; k < multiples; ++k) {
-      const std::array<int, 4> block = {taps << k, 0, 0, 0};
+    for (size_t k = 0; k < passes_a_frame; ++k) {
+      const std::array<int, 4> block = {taps * multiples[k], 0, 0, 0};
       backend_.write_buffer(taps_[k], std::as_bytes(std::span(block)));
     }
   }
 
-  // Runs the passes in the order given; times come back by multiple.
+  // Runs the passes in the order given; times come back in the order of `multiples`.
   std::pair<std::vector<double>, double> run(std::span<const size_t> order) {
     std::vector<Pass> passes;
     for (const size_t k : order) {
@@ -72,7 +82,7 @@ class Workload {
       passes.push_back(std::move(pass));
     }
     const RunTimes times = backend_.run(passes, Timing::bracketed);
-    std::vector<double> by_multiple(multiples, 0);
+    std::vector<double> by_multiple(passes_a_frame, 0);
     for (size_t i = 0; i < order.size(); ++i) by_multiple[order[i]] = times.pass_ms[i];
     return {by_multiple, times.wall_ms};
   }
@@ -81,19 +91,19 @@ class Workload {
   Backend& backend_;
   TextureId source_;
   PipelineId pipeline_;
-  std::array<TextureId, multiples> targets_;
-  std::array<BufferId, multiples> taps_;
+  std::array<TextureId, passes_a_frame> targets_;
+  std::array<BufferId, passes_a_frame> taps_;
 };
 
 // Doubles the work until it can be measured, then sets the 1x pass to last `ms_wanted`. The first run of each compiles and is
 // not looked at.
 void set_duration(Workload& work, double ms_wanted) {
-  const std::array<size_t, 1> first = {0};
-  const std::array<size_t, multiples> all = {0, 1, 2, 3};
+  const std::array<size_t, 1> one = {1};
+  const std::array<size_t, passes_a_frame> all = {0, 1, 2, 3, 4};
   for (int taps = first_taps;; taps *= 2) {
     work.set_base_taps(taps);
-    work.run(first);
-    const double ms = std::min(work.run(first).first[0], work.run(first).first[0]);
+    work.run(one);
+    const double ms = std::min(work.run(one).first[1], work.run(one).first[1]);
     if (ms < ms_wanted / 4 && taps < max_taps) continue;
     if (ms > 0) work.set_base_taps(static_cast<int>(std::clamp(taps * ms_wanted / ms, 1.0, static_cast<double>(max_taps))));
     break;
@@ -102,19 +112,27 @@ void set_duration(Workload& work, double ms_wanted) {
 }
 
 // More rounds only help a machine that is busy with other things.
-TimerRow measure(Workload& work, std::mt19937& random) {
+TimerRow measure(Workload& work, size_t max_rounds, const Stopwatch& watch, double max_s, std::mt19937& random) {
   std::vector<std::vector<double>> times_ms;
   std::vector<double> wall_ms;
-  std::array<size_t, multiples> order = {0, 1, 2, 3};
+  std::array<size_t, passes_a_frame> order = {0, 1, 2, 3, 4};
   TimerRow row;
-  while (times_ms.size() < max_rounds && !row.ok) {
-    for (size_t i = multiples - 1; i > 0; --i) std::swap(order[i], order[random() % (i + 1)]);
+  while (times_ms.size() < max_rounds && !row.ok && (times_ms.size() < min_rounds_for_95 || watch.elapsed_s() < max_s)) {
+    std::shuffle(order.begin(), order.end(), random);
     const auto [times, wall] = work.run(order);
     times_ms.push_back(times);
     wall_ms.push_back(wall);
-    if (times_ms.size() >= min_rounds) row = judge_timer(times_ms, wall_ms);
+    if (times_ms.size() >= min_rounds_for_95) row = judge_timer(times_ms, wall_ms);
   }
   return row;
+}
+
+// Of a claim that an interval makes or does not make; the worst of several is the greatest.
+enum class Certainty : uint8_t { holds, open, fails };
+Certainty within(const Interval& interval, double expected, double tolerance) {
+  const double low = expected * (1 - tolerance), high = expected * (1 + tolerance);
+  if (interval.high < low || interval.low > high) return Certainty::fails;
+  return interval.coverage >= confidence && interval.low >= low && interval.high <= high ? Certainty::holds : Certainty::open;
 }
 
 }  // namespace
@@ -122,45 +140,49 @@ TimerRow measure(Workload& work, std::mt19937& random) {
 TimerRow judge_timer(const std::vector<std::vector<double>>& times_ms, const std::vector<double>& wall_ms) {
   if (times_ms.empty() || times_ms.size() != wall_ms.size())
     throw Error(ErrorKind::failed, "timer", "certificate", "no rounds were measured");
-  TimerRow row;
-  std::vector<double> sums_over_wall;
-  std::vector<std::vector<double>> shares(multiples);
-  std::vector<double> ones_ms;
+  std::vector<double> sums_over_wall, ones_ms;
+  std::array<std::vector<double>, passes_a_frame> shares;  // of the frame's time
   for (size_t round = 0; round < times_ms.size(); ++round) {
     const double sum = std::accumulate(times_ms[round].begin(), times_ms[round].end(), 0.0);
-    ones_ms.push_back(times_ms[round][0]);
+    ones_ms.push_back(times_ms[round][1]);
     sums_over_wall.push_back(wall_ms[round] > 0 ? sum / wall_ms[round] : 0);
-    for (size_t k = 0; k < multiples; ++k) shares[k].push_back(sum > 0 ? times_ms[round][k] / sum : 0);
+    for (size_t k = 0; k < passes_a_frame; ++k) shares[k].push_back(sum > 0 ? times_ms[round][k] / sum : 0);
   }
-  const double one = median(shares[0]);
-  const double whole = (1 << multiples) - 1;
-  bool linear = one > 0;
-  double attribution = 0;
-  for (size_t k = 0; k < multiples; ++k) {
-    const double multiple = 1 << k, share = median(shares[k]);
-    row.linearity.push_back(one > 0 ? share / (multiple * one) : 0);
-    linear = linear && std::abs(row.linearity.back() - 1) <= linearity_tolerance;
-    attribution = std::max(attribution, std::abs(share * whole / multiple - 1));
-  }
+  TimerRow row;
   row.one_ms = median(ones_ms);
-  row.additivity = median(sums_over_wall);
-  row.attribution = attribution;
-  if (!linear)
+  const double fixed = median(shares[0]), per_work = (1 - static_cast<double>(passes_a_frame) * fixed) / whole;
+  row.fixed_share = per_work > 0 ? fixed / (fixed + per_work) : 1;
+  Certainty linear = row.fixed_share <= max_fixed_share ? Certainty::holds : Certainty::fails;
+  for (size_t k = 1; k < passes_a_frame; ++k) {
+    const double expected = fixed + per_work * multiples[k];
+    const Interval share = widest_interval(shares[k], confidence);
+    row.linearity.push_back(expected > 0 ? share.median / expected : 0);
+    linear = std::max(linear, expected > 0 ? within(share, expected, linearity_tolerance) : Certainty::fails);
+  }
+  row.attribution = 0;
+  for (const double linearity : row.linearity) row.attribution = std::max(*row.attribution, std::abs(linearity - 1));
+  const Interval additivity = widest_interval(sums_over_wall, confidence);
+  row.additivity = additivity.median;
+  const Certainty adds_up = within(additivity, 1, additivity_tolerance);
+  if (linear == Certainty::fails)
     row.reason = "time is not proportional to work";
-  else if (std::abs(*row.additivity - 1) > additivity_tolerance)
+  else if (adds_up == Certainty::fails)
     row.reason = "the passes' times do not add up to the wall time";
+  else if (linear == Certainty::open || adds_up == Certainty::open)
+    row.reason = "the machine is too busy to tell whether time is proportional to work";
   row.ok = row.reason.empty();
   return row;
 }
 
-TimerRow certify_timer(Backend& backend, const std::filesystem::path& shaders) {
+TimerRow certify_timer(Backend& backend, const std::filesystem::path& shaders, double max_s) {
+  const Stopwatch watch;
   Workload work(backend, shaders);
   std::mt19937 random(7);  // any seed: the orders need only differ
   TimerRow row;
-  for (const double ms : one_ms) {
-    set_duration(work, ms);
-    row = measure(work, random);
-    if (row.ok) break;
+  for (const Effort& effort : efforts) {
+    set_duration(work, effort.one_ms);
+    row = measure(work, effort.max_rounds, watch, max_s, random);
+    if (row.ok || watch.elapsed_s() > max_s) break;
   }
   row.backend = backend.info().backend;
   return row;

@@ -56,6 +56,7 @@ struct CellRow {
   std::optional<Interval> ratio_to_baseline;
   std::optional<uint64_t> fetches;          // of the frame: sum over passes that are not done once; absent: not asked for
   std::optional<double> fetches_per_pixel;  // fetches / covered_pixels
+  std::optional<uint64_t> target_bytes;     // of the frame's targets and storage buffers; absent in records of before
   // Against the baseline, over the pixels that the effect covers and over the frame; absent for the baseline itself and failed
   // cells.
   std::optional<ErrorFigures> error_covered, error_frame;

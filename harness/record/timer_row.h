@@ -12,12 +12,14 @@ namespace lamina {
 struct TimerRow {
   std::string backend;
   bool ok = false;
-  std::vector<double> linearity;  // time of 1x, 2x, 4x, 8x work over that multiple of the 1x time: 1 is perfect
+  // Time of 1x, 2x, 4x, 8x work over what a fixed cost and its share of all work come to: 1 is perfect.
+  std::vector<double> linearity;
   // Absent in a certificate that never got to measure.
-  std::optional<double> one_ms{};      // what the pass of 1x work lasted
-  std::optional<double> additivity{};  // sum of passes over the wall time
-  // Greatest relative error of a pass's share of the frame, the passes' order shuffled every round; a time given to the wrong
-  // pass breaks linearity, so this one is reported, not judged.
+  std::optional<double> one_ms{};       // what the pass of 1x work lasted
+  std::optional<double> fixed_share{};  // what a pass without work lasts, over that; absent in records of before
+  std::optional<double> additivity{};   // sum of passes over the wall time
+  // Greatest relative error of a pass's time, the passes' order shuffled every round. A time given to the wrong pass breaks
+  // linearity, so this one is reported, not judged.
   std::optional<double> attribution{};
   std::string reason{};  // why not ok
 };

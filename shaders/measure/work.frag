@@ -14,5 +14,5 @@ void main() {
     sum += texel;
     place = fract(place + texel.xy * 0.37 + 0.11);
   }
-  out_color = sum / float(taps.x);
+  out_color = sum / float(max(taps.x, 1));
 }
