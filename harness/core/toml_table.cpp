@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "harness/core/text.h"
 
@@ -164,6 +165,12 @@ std::vector<std::pair<std::string, std::string>> TomlTable::texts() const {
     entries.emplace_back(std::string(name.str()), text);
   }
   return entries;
+}
+
+std::string TomlTable::content() const {
+  std::ostringstream text;
+  text << toml::json_formatter(*table_);
+  return text.str();
 }
 
 void TomlTable::refuse_unknown_keys() const {

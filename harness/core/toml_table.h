@@ -50,6 +50,9 @@ class TomlTable {
   // The keys of this table in file order, with their values as text ("1", "2.5", "name", "true").
   std::vector<std::pair<std::string, std::string>> texts() const;
 
+  // The table's keys and values as JSON, keys in alphabetical order: comments, layout and order do not show.
+  std::string content() const;
+
   // Throws for the first key that nobody asked for.
   void refuse_unknown_keys() const;
 

@@ -5,25 +5,28 @@
 
 #include "harness/core/bytes.h"
 #include "harness/core/text.h"
+#include "harness/core/toml_table.h"
+#include "harness/shader/executable_form.h"
 
 namespace lamina {
 
-namespace {
-
-std::string code_of(const GraphPass& pass) {
-  std::string code;
-  for (const GraphDraw& draw : pass.draws)
-    for (const auto& stage : draw.stages)
-      code += fmt::format("\n{} {} {}", pass.pass->name, stage->hash, hash_hex(bytes_of(stage->spirv)));
-  return code;
+const std::string& CodeHashes::of(const CompiledShader& shader, Api api) {
+  std::string& hash = known_[&shader];
+  if (hash.empty()) hash = hash_hex(bytes_of(executable_form(shader.spirv, api)));
+  return hash;
 }
 
-}  // namespace
-
-Identity identity_of(const VariantManifest& variant, const Graph& graph, const Graph* truth) {
-  std::string whole = read_file(variant.file, "gate");
+Identity identity_of(const VariantManifest& variant, const Graph& graph, const Graph* truth, Api api, CodeHashes& hashes) {
+  const auto code_of = [&](const GraphPass& pass) {
+    std::string code;
+    for (const GraphDraw& draw : pass.draws)
+      for (const auto& stage : draw.stages)
+        code += fmt::format("\n{} {} {}", pass.pass->name, static_cast<int>(stage->stage), hashes.of(*stage, api));
+    return code;
+  };
+  std::string whole = TomlTable::parse(variant.file, "gate").content();
   const std::filesystem::path effect = variant.file.parent_path() / "effect.toml";
-  if (std::filesystem::exists(effect)) whole += read_file(effect, "gate");
+  if (std::filesystem::exists(effect)) whole += TomlTable::parse(effect, "gate").content();
   Identity identity;
   for (const GraphPass& pass : graph.passes) {
     if (pass.once)

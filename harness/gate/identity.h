@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a variant is the same in two trees. Byte-identical code on one driver cannot differ in time, so timing it could only
-// raise false alarms. The same holds for the passes of a frame before the first one whose code differs.
+// Whether a variant is the same in two trees. What a device executes alike cannot differ in time, so timing it could only raise
+// false alarms. The same holds for the passes of a frame before the first one that differs.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,13 +12,23 @@
 namespace lamina {
 
 struct Identity {
-  std::string whole;  // a hash over the manifests of the variant and its effect, as bytes, and what is done once
-  std::vector<std::string> frame_passes;  // a hash over the compiled shaders of each pass of the frame, in order
-  std::string truth;                      // a hash over the passes for the truth
+  std::string whole;  // a hash over what the manifests of the variant and its effect say, and what is done once
+  std::vector<std::string> frame_passes;  // a hash over what each pass of the frame executes, in order
+  std::string truth;                      // a hash over what the passes for the truth execute
   bool operator==(const Identity&) const = default;
 };
+
+// Hashes over the executable form of shaders, each made once. The shaders must outlive it.
+class CodeHashes {
+ public:
+  const std::string& of(const CompiledShader& shader, Api api);
+
+ private:
+  std::map<const CompiledShader*, std::string> known_;
+};
+
 // `truth` is the variant's graph of that purpose, or null where it has none.
-Identity identity_of(const VariantManifest& variant, const Graph& graph, const Graph* truth);
+Identity identity_of(const VariantManifest& variant, const Graph& graph, const Graph* truth, Api api, CodeHashes& hashes);
 
 // How many passes from the frame's first on are the same, and so is all that they read.
 size_t same_passes(const Identity& a, const Identity& b);

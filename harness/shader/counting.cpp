@@ -12,12 +12,12 @@
 #include <initializer_list>
 #include <map>
 #include <optional>
-#include <spirv-tools/optimizer.hpp>
 #include <utility>
 
 #include "harness/shader/early_tests.h"
 #include "harness/shader/shader.h"
 #include "harness/shader/spirv_module.h"
+#include "harness/shader/spirv_passes.h"
 
 namespace lamina {
 namespace {
@@ -35,22 +35,11 @@ void emit(Words& out, spv::Op op, std::initializer_list<uint32_t> operands) {
   out.insert(out.end(), operands);
 }
 
-// A texture that is passed to a function is a variable at the call, so the calls must go. The inliner leaves alone what
-// returns early, so those returns must go before.
+// A texture that is passed to a function is a variable at the call, so the calls must go.
 Words inlined(const Words& spirv, Api api) {
-  spvtools::Optimizer optimizer(api == Api::vulkan ? SPV_ENV_VULKAN_1_0 : SPV_ENV_OPENGL_4_5);
-  std::string complaint;
-  optimizer.SetMessageConsumer(
-      [&](spv_message_level_t, const char*, const spv_position_t&, const char* text) { complaint = text; });
-  optimizer.RegisterPass(spvtools::CreateMergeReturnPass())
-      .RegisterPass(spvtools::CreateInlineExhaustivePass())
-      .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
-  spvtools::OptimizerOptions options;
-  options.set_run_validator(false);  // compile_shader() did, and the result is validated as a whole
-  Words result;
-  if (!optimizer.Run(spirv.data(), spirv.size(), &result, options))
-    refuse_to_count("SPIRV-Tools cannot inline the functions: " + complaint);
-  return result;
+  spvtools::Optimizer optimizer = optimizer_for(api);
+  register_inlining(optimizer);
+  return rewrite(optimizer, spirv, "counting build");
 }
 
 bool is_texture_operation(spv::Op op) {

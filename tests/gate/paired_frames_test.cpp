@@ -213,8 +213,10 @@ class ChangedLibrary : public Pieces {
       const PassCounts now = frame.frame_counts().back(), was = counting.frame_counts().back();
       const auto more = more_fetches.find(variant.name);
       EXPECT_EQ(now.fetches(), was.fetches() + (more == more_fetches.end() ? 0 : more->second * was.fragments)) << variant.name;
-      identities_[variant.name] = {identity_of(variant, graph, nullptr),
-                                   identity_of(this->variant(variant.name), ready_.back()->graph, nullptr)};
+      const Api api = backend_->info().api;
+      CodeHashes hashes;
+      identities_[variant.name] = {identity_of(variant, graph, nullptr, api, hashes),
+                                   identity_of(this->variant(variant.name), ready_.back()->graph, nullptr, api, hashes)};
     }
   }
   std::map<std::string, std::pair<Identity, Identity>> identities_;  // of each variant, here and in the product
@@ -250,7 +252,10 @@ TEST(ExtraFetches, ChangeTheCodeOfEachBaseline) {
       const Plan plan = make_plan(of, scene);
       const VariantManifest& baseline = of.effect(variant.effect).baseline();
       ShaderCache shaders(Api::vulkan, of.shaders);
-      return identity_of(baseline, make_graph(plan, configuration_with(plan, baseline), scene, shaders), nullptr).frame_passes;
+      CodeHashes hashes;
+      return identity_of(baseline, make_graph(plan, configuration_with(plan, baseline), scene, shaders), nullptr, Api::vulkan,
+                         hashes)
+          .frame_passes;
     };
     EXPECT_NE(code(with_extra_fetches(library, variant, pass, 1)), code(library)) << variant.effect;
   };
