@@ -153,7 +153,9 @@ Command add_gate(CLI::App& program) {
   command.add_option("--budget", options->budget_s, "Seconds of wall time for everything")
       ->capture_default_str()
       ->check(CLI::Range(1.0, 86400.0));
-  command.add_option("--processes", options->processes, "Processes that measure on each backend, at least")
+  command
+      .add_option("--processes", options->processes,
+                  "Processes that measure on each backend; two where the budget is short, more where it lasts")
       ->capture_default_str()
       ->check(CLI::Range(2, 100));
   CLI::Option* calibrate = command.add_flag("--calibrate", options->calibrate,

@@ -23,7 +23,7 @@ struct GateOptions {
   bool update = false;             // write the record in place of checking it
   std::filesystem::path limits;    // a gate file; empty: the defaults
   double budget_s = 60;            // wall time of everything
-  size_t processes = 5;            // at least, on each backend: each lays out code and memory anew
+  size_t processes = 5;            // on each backend, if the budget lasts: each lays out code and memory anew
   double family_error = 0.05;      // chance of any wrong verdict on times
   bool times = true;
   uint64_t seed = 1;  // of the order of rounds
@@ -47,9 +47,9 @@ struct Tree {
 struct VariantPair {
   const EffectManifest *effect_before = nullptr, *effect_after = nullptr;
   const VariantManifest *before = nullptr, *after = nullptr;
-  bool same_code = false;
+  bool same_code = false;    // what is executed is the same
   bool same_errors = false;  // and so is that of the baseline and of the truth, which errors are against
-  size_t same_passes = 0;    // of the frame, from its first on, whose code is the same too
+  size_t same_passes = 0;    // of the frame, from its first on, that execute the same too
   std::string failure;       // of the one after, where it cannot even be compiled
 };
 
@@ -88,6 +88,7 @@ struct GateMeasurements {
 };
 
 // Runs processes on every backend until `options.processes` have run on each and times are precise, or the budget is spent.
+// Where no variant can have changed, none is run.
 // `watch` began with the command.
 GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, const LimitsFile& limits, const Stopwatch& watch);
 

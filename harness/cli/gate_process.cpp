@@ -11,6 +11,7 @@ namespace lamina {
 namespace {
 
 constexpr double enough_of_margin = 0.3;
+constexpr double max_certificate_share = 0.2;  // of the budget; the next process asks again
 
 }  // namespace
 
@@ -19,7 +20,7 @@ GateProcess::GateProcess(const GateTask& of_task, const std::filesystem::path& s
     : task(of_task),
       options(given),
       backend(open_backend(task.backend, {options.compare.device, options.compare.validation})),
-      certified(!task.certify || certify(*backend, shaders, emit)),
+      certified(!task.certify || certify(*backend, shaders, options.budget_s * max_certificate_share, emit)),
       random(options.seed + 7919 * task.process) {}
 
 GateProcess::SceneThere::SceneThere(Backend& backend, const Tree& tree, const CellOptions& options)
@@ -32,8 +33,8 @@ SceneOnDevice GateProcess::scene_of(const Tree& tree) {
   return {tree.scene.get(), &tree.plan, &there->bakes, &there->resources};
 }
 
-bool GateProcess::certify(Backend& backend, const std::filesystem::path& shaders, const EmitLine& emit) {
-  const TimerRow timer = certify_timer(backend, shaders);
+bool GateProcess::certify(Backend& backend, const std::filesystem::path& shaders, double max_s, const EmitLine& emit) {
+  const TimerRow timer = certify_timer(backend, shaders, max_s);
   emit({{"timer", to_json(timer)}});
   return timer.ok;
 }
@@ -91,6 +92,7 @@ bool precise_enough(const TimedFrames& timed, const GateProcess& process, const 
 
 GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatch& watch,
                                       const std::function<void(const GateTask&, const EmitLine&)>& work,
+                                      const std::function<bool(const GateMeasurements&)>& fails,
                                       const std::function<std::set<std::string>(const std::vector<PairsRow>&)>& undecided) {
   GateMeasurements measured;
   std::set<std::string> broken;
@@ -116,9 +118,13 @@ GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatc
     }
   };
   run_on(options.compare.backends, true, 1);
+  if (fails && fails(measured)) return measured;
   double min_process_s = std::numeric_limits<double>::infinity();  // on all backends
+  // Two processes tell how far processes differ. Against a record all are needed: they share the rounds that give an interval.
+  const size_t least = undecided ? std::min<size_t>(2, options.processes) : options.processes;
   for (; options.times && measured.processes < options.processes; ++measured.processes) {
     const double begin_s = watch.elapsed_s();
+    if (measured.processes >= least && begin_s + min_process_s > options.budget_s) break;
     run_on(options.compare.backends, false, options.processes - measured.processes);
     min_process_s = std::min(min_process_s, watch.elapsed_s() - begin_s);
   }

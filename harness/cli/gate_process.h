@@ -39,7 +39,7 @@ class GateProcess {
     SceneResources resources;
   };
   std::map<const Scene*, std::unique_ptr<SceneThere>> scenes_;
-  static bool certify(Backend& backend, const std::filesystem::path& shaders, const EmitLine& emit);
+  static bool certify(Backend& backend, const std::filesystem::path& shaders, double max_s, const EmitLine& emit);
 };
 
 // The frames of a process by tree and variant, each made when it is first asked for.
@@ -79,12 +79,13 @@ void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const Enou
 // the higher confidence of many comparisons, then decide on which side of the margin a ratio lies.
 bool precise_enough(const TimedFrames& timed, const GateProcess& process, const LimitsFile& limits);
 
-// Runs `work` in children: one on every backend for counts and pictures; if options.times, options.processes that time, each
-// with its share of the budget; then, while `undecided` names backends and there is time for as short a process as has been,
-// more of them there. Backends take turns, or run side by side where the options say so. One on which a process fails is left
-// alone after it.
+// Runs `work` in children: one on every backend for counts and pictures; if options.times, and these do not fail the gate by
+// `fails`, options.processes that time, each with its share of the budget, or fewer where the budget ends before; then, while
+// `undecided` names backends and there is time for as short a process as has been, more of them there. Backends take turns, or
+// run side by side where the options say so. One on which a process fails is left alone after it.
 GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatch& watch,
                                       const std::function<void(const GateTask&, const EmitLine&)>& work,
+                                      const std::function<bool(const GateMeasurements&)>& fails,
                                       const std::function<std::set<std::string>(const std::vector<PairsRow>&)>& undecided);
 
 }  // namespace lamina

@@ -10,6 +10,7 @@
 #include "harness/core/text.h"
 #include "harness/gate/stored.h"
 #include "harness/gate/time_verdicts.h"
+#include "harness/gate/verdict.h"
 #include "harness/record/record.h"
 
 namespace lamina {
@@ -170,7 +171,7 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
   RecordWriter record = begin_record(options.compare.out, run, scene, tree);
   GateMeasurements measured = measure_in_processes(
       options, watch, [&](const GateTask& task, const EmitLine& emit) { measure_state(tree, effects, task, options, emit); },
-      {});
+      {}, {});
   for (const std::string& backend : options.compare.backends)
     add_times(measured.cells_after, measured.pairs, measured.certified(backend), backend);
   for (const TimerRow& timer : measured.timers) record.append(to_json(timer));
@@ -189,6 +190,7 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
     check_comparable(*stored, present, file);
     for (VerdictRow& row : judge_stored(*stored, present, limits, options.family_error)) rows.push_back(std::move(row));
   }
+  let_counts_decide(rows, limits);
   const auto comparisons = std::ranges::count_if(rows, [](const VerdictRow& row) { return row.ratio.has_value(); });
   const GateOutcome outcome = outcome_of(rows);
   for (const VerdictRow& row : rows) record.append(to_json(row));

@@ -7,6 +7,7 @@
 #include "harness/cli/gate_process.h"
 #include "harness/core/text.h"
 #include "harness/gate/identity.h"
+#include "harness/gate/verdict.h"
 
 namespace lamina {
 namespace {
@@ -18,27 +19,28 @@ const VariantManifest* find_variant(const EffectManifest* effect, const std::str
   return nullptr;
 }
 
-std::map<Api, Identity> identities(Tree& tree, const VariantManifest& variant) {
+std::map<Api, Identity> identities(Tree& tree, const VariantManifest& variant, CodeHashes& hashes) {
   const Scene& scene = *tree.scene;
   std::map<Api, Identity> all;
   const Configuration configuration = configuration_with(tree.plan, variant);
   for (auto& [api, shaders] : tree.shaders) {
     std::optional<Graph> truth;
     if (has_truth_passes(variant)) truth = make_graph(tree.plan, configuration, scene, shaders, Purpose::truth);
-    all[api] = identity_of(variant, make_graph(tree.plan, configuration, scene, shaders), truth ? &*truth : nullptr);
+    all[api] =
+        identity_of(variant, make_graph(tree.plan, configuration, scene, shaders), truth ? &*truth : nullptr, api, hashes);
   }
   return all;
 }
 
 // Whether the code is the same; compiles the shaders, so that every process finds them compiled.
-void look_at_code(VariantPair& pair, Tree& before, Tree& after) {
+void look_at_code(VariantPair& pair, Tree& before, Tree& after, CodeHashes& hashes) {
   std::map<Api, Identity> was, now;
   try {
-    if (pair.before) was = identities(before, *pair.before);
+    if (pair.before) was = identities(before, *pair.before, hashes);
   } catch (const Error&) {  // its cells say so
   }
   try {
-    if (pair.after) now = identities(after, *pair.after);
+    if (pair.after) now = identities(after, *pair.after, hashes);
   } catch (const Error& error) {
     pair.failure = error.what();
   }
@@ -119,6 +121,7 @@ TreePair pair_trees(Library library_before, Library library_after, const GateOpt
   Tree present = load_tree(std::move(library_after), options.compare);
   Tree earlier = load_tree(std::move(library_before), options.compare, &present);
   TreePair trees{std::move(earlier), std::move(present), {}};
+  CodeHashes hashes;
   std::vector<std::string> effects, all;
   for (const Plan* plan : {&trees.before.plan, &trees.after.plan})
     for (const EffectPlan& entry : plan->effects)
@@ -140,7 +143,7 @@ TreePair pair_trees(Library library_before, Library library_after, const GateOpt
     for (const std::string& name : names) {
       VariantPair pair{before, after, find_variant(before, name), find_variant(after, name), false, false, 0, ""};
       if (!is_compared(pair.before ? *pair.before : *pair.after, options.compare)) continue;
-      look_at_code(pair, trees.before, trees.after);
+      look_at_code(pair, trees.before, trees.after, hashes);
       pairs.push_back(std::move(pair));
     }
     // Errors are against a baseline, and against a truth, for which some variants draw what the pixels show.
@@ -169,9 +172,21 @@ bool is_drawn(const VariantPair& pair, const Limits& limits) {
 }
 
 GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, const LimitsFile& limits, const Stopwatch& watch) {
+  const auto is_measured = [&](const VariantPair& pair) {
+    return std::ranges::any_of(options.compare.backends, [&](const std::string& backend) {
+      const VariantManifest& variant = pair.after ? *pair.after : *pair.before;
+      return is_drawn(pair, limits.of(variant.effect, variant.name, backend));
+    });
+  };
+  if (std::ranges::none_of(trees.variants, is_measured)) return {};
   return measure_in_processes(
       options, watch,
       [&](const GateTask& task, const EmitLine& emit) { measure_pairs_of_trees(trees, task, options, limits, emit); },
+      [&](const GateMeasurements& measured) {
+        GateOptions exact = options;
+        exact.times = false;
+        return outcome_of(judge_trees(trees, measured, exact, limits).rows).verdict == Verdict::failed;
+      },
       [&](const std::vector<PairsRow>& pairs) { return judge_pairs(pairs, limits, options.family_error).undecided; });
 }
 
@@ -213,7 +228,7 @@ std::optional<VerdictRow> judge_code(const VariantPair& pair, const std::string&
     return row_about(backend, pair, "cell", Verdict::failed, fmt::format("{} cannot be run: {}", name, pair.failure));
   if (pair.same_code)
     return row_about(backend, pair, "code", Verdict::same,
-                     fmt::format("{}: the same code and passes as before, so {} can differ", name,
+                     fmt::format("{}: executes the same as before, so {} can differ", name,
                                  pair.same_errors ? "nothing" : "only its errors, to what has changed,"));
   return std::nullopt;
 }
@@ -243,9 +258,14 @@ GateResult judge_trees(const TreePair& trees, const GateMeasurements& measured, 
       for (VerdictRow& row : judge_cells(cells, allowed)) result.rows.push_back(std::move(row));
     }
   }
-  if (options.times) {
-    result.times = judge_pairs(measured.pairs, limits, options.family_error);
-    result.rows.insert(result.rows.end(), result.times.rows.begin(), result.times.rows.end());
+  if (!options.times) return result;
+  result.times = judge_pairs(measured.pairs, limits, options.family_error);
+  result.rows.insert(result.rows.end(), result.times.rows.begin(), result.times.rows.end());
+  let_counts_decide(result.rows, limits);
+  if (measured.processes == 0 && outcome_of(result.rows).verdict == Verdict::failed) {
+    VerdictRow& row = result.rows.emplace_back();
+    row.what = "time", row.verdict = Verdict::not_compared;
+    row.sentence = "times were not measured, since counts or pictures fail the gate";
   }
   return result;
 }

@@ -8,75 +8,12 @@
 #include <set>
 
 #include "harness/core/error.h"
+#include "harness/gate/count_verdicts.h"
 
 namespace lamina {
 namespace {
 
 constexpr double blank_range = 1e-4;  // below any difference that a display shows
-
-struct Subject {
-  const Limits& limits;
-  VerdictRow blank;  // names the variant and backend
-  std::vector<VerdictRow>& rows;
-};
-
-VerdictRow& add(const Subject& subject, std::string_view what, Verdict verdict, std::string sentence, std::string view = "") {
-  VerdictRow& row = subject.rows.emplace_back(subject.blank);
-  row.what = what;
-  row.verdict = verdict;
-  row.sentence = std::move(sentence);
-  row.view = std::move(view);
-  return row;
-}
-
-// "light_map on vulkan, view front": how sentences begin.
-std::string name_of_cell(const Subject& subject, const std::string& view = "") {
-  return fmt::format("{} on {}{}", subject.blank.variant, subject.blank.backend, view.empty() ? "" : ", view " + view);
-}
-
-// Counts of a cell by what they count: a pass's invocations, and its fetches by texture.
-struct Count {
-  std::string what, pass, texture;
-  auto operator<=>(const Count&) const = default;
-};
-std::map<Count, double> counts_of(const CellRow& cell) {
-  std::map<Count, double> counts;
-  for (const PassRow& pass : cell.passes) {
-    counts[{"fragments", pass.name, ""}] += static_cast<double>(pass.fragments.value_or(0));
-    counts[{"vertices", pass.name, ""}] += static_cast<double>(pass.vertices.value_or(0));
-    for (const TextureFetches& fetched : pass.by_texture)
-      counts[{"fetches", pass.name, fmt::format("{} ({}, {})", fetched.texture, fetched.format, fetched.filter)}] +=
-          static_cast<double>(fetched.fetches);
-  }
-  return counts;
-}
-
-void judge_counts(const Subject& subject, const CellRow& before, const CellRow& after, std::set<std::string>& changed) {
-  const std::map<Count, double> old_counts = counts_of(before), new_counts = counts_of(after);
-  std::set<Count> all;
-  for (const auto& [count, value] : old_counts) all.insert(count);
-  for (const auto& [count, value] : new_counts) all.insert(count);
-  const auto of = [](const std::map<Count, double>& counts, const Count& count) {
-    const auto found = counts.find(count);
-    return found == counts.end() ? 0.0 : found->second;
-  };
-  const std::string& view = after.view;
-  for (const Count& count : all) {
-    const double old_count = of(old_counts, count), new_count = of(new_counts, count);
-    if (old_count == new_count) continue;
-    changed.insert(count.what);
-    const double allowed = old_count * (1 + subject.limits.max_extra_fetches);
-    const Verdict verdict = new_count > allowed ? Verdict::worse : new_count > old_count ? Verdict::same : Verdict::better;
-    VerdictRow& row =
-        add(subject, count.what, verdict,
-            fmt::format("{}: pass {} makes {:.0f} {}{} where it made {:.0f}", name_of_cell(subject, view), count.pass,
-                        new_count, count.what == "fetches" ? "fetches" : "invocations of its " + count.what,
-                        count.texture.empty() ? "" : " of " + count.texture, old_count),
-            view);
-    row.pass = count.pass, row.texture = count.texture;
-    row.before = old_count, row.after = new_count, row.limit = allowed;
-  }
-}
 
 struct Figure {
   const char* name;
@@ -105,7 +42,7 @@ struct ErrorsFound {
 };
 
 // `before` may be null, here and below: then only what holds for every picture is judged.
-void judge_errors(const Subject& subject, const CellRow* before, const CellRow& after, const Reference& against,
+void judge_errors(const VerdictSubject& subject, const CellRow* before, const CellRow& after, const Reference& against,
                   const ErrorLimits& bounds, std::set<std::string>& changed, ErrorsFound& found) {
   const std::optional<ErrorFigures> old_error = before ? before->*against.error : std::nullopt;
   const std::optional<ErrorFigures>& new_error = after.*against.error;
@@ -113,10 +50,9 @@ void judge_errors(const Subject& subject, const CellRow* before, const CellRow& 
   if (!new_error) {
     if (!old_error) return;
     changed.insert("errors");
-    add(subject, fmt::format("error to {}", against.name), Verdict::failed,
-        fmt::format("{}: its error to the {} could be measured before, now it cannot", name_of_cell(subject, view),
-                    against.name),
-        view);
+    subject.add(
+        fmt::format("error to {}", against.name), Verdict::failed,
+        fmt::format("{}: its error to the {} could be measured before, now it cannot", subject.name(view), against.name), view);
     return;
   }
   for (const Figure& figure : figures) {
@@ -126,12 +62,12 @@ void judge_errors(const Subject& subject, const CellRow* before, const CellRow& 
                             std::string sentence) {
       changed.insert("errors");
       (verdict == Verdict::better ? found.better : found.worse) = true;
-      VerdictRow& row = add(subject, what, verdict, std::move(sentence), view);
+      VerdictRow& row = subject.add(what, verdict, std::move(sentence), view);
       row.before = old_value, row.after = now, row.limit = limit;
     };
     if (const std::optional<double>& bound = bounds.*figure.bound; bound && sign * now < sign * *bound) {
       report(Verdict::failed, old_error ? std::optional((*old_error).*figure.value) : std::nullopt, bound,
-             fmt::format("{}: {} is {:.6g}, the gate file asks for {} {:.6g}", name_of_cell(subject, view), what, now,
+             fmt::format("{}: {} is {:.6g}, the gate file asks for {} {:.6g}", subject.name(view), what, now,
                          figure.more_is_better ? "at least" : "at most", *bound));
       continue;
     }
@@ -140,49 +76,48 @@ void judge_errors(const Subject& subject, const CellRow* before, const CellRow& 
     if (now == was || std::abs(now - was) <= tolerance) continue;
     const bool worse = sign * now < sign * was;
     report(worse ? Verdict::worse : Verdict::better, was, was - sign * tolerance,
-           fmt::format("{}: {} went from {:.6g} to {:.6g}", name_of_cell(subject, view), what, was, now));
+           fmt::format("{}: {} went from {:.6g} to {:.6g}", subject.name(view), what, was, now));
   }
 }
 
 bool shows_something(const CellRow& cell) { return cell.range_linear >= blank_range; }
 
 // Whether the picture shows something, and something finite.
-void judge_content(const Subject& subject, const CellRow* before, const CellRow& after, std::set<std::string>& changed) {
+void judge_content(const VerdictSubject& subject, const CellRow* before, const CellRow& after, std::set<std::string>& changed) {
   const std::string& view = after.view;
   const uint64_t nonfinite = after.nonfinite_pixels.value_or(0), covered = after.covered_pixels.value_or(0);
   if (nonfinite > subject.limits.max_nonfinite_pixels) {
     changed.insert("nonfinite");
     VerdictRow& row =
-        add(subject, "nonfinite", Verdict::failed,
-            fmt::format("{}: {} pixels are infinite or not a number", name_of_cell(subject, view), nonfinite), view);
+        subject.add("nonfinite", Verdict::failed,
+                    fmt::format("{}: {} pixels are infinite or not a number", subject.name(view), nonfinite), view);
     row.after = static_cast<double>(nonfinite), row.limit = static_cast<double>(subject.limits.max_nonfinite_pixels);
   }
   if (!before) return;
   const uint64_t covered_before = before->covered_pixels.value_or(0);
   if (covered == 0 && covered_before > 0) {
     changed.insert("blank");
-    add(subject, "blank", Verdict::failed,
-        fmt::format("{}: the effect covers no pixel; before, it covered {}", name_of_cell(subject, view), covered_before),
-        view);
+    subject.add("blank", Verdict::failed,
+                fmt::format("{}: the effect covers no pixel; before, it covered {}", subject.name(view), covered_before), view);
   } else if (shows_something(*before) && !shows_something(after) && nonfinite == 0) {
     changed.insert("blank");
-    add(subject, "blank", Verdict::failed,
-        fmt::format("{}: the picture is blank: all pixels that the effect covers are of one colour",
-                    name_of_cell(subject, view)),
-        view);
+    subject.add(
+        "blank", Verdict::failed,
+        fmt::format("{}: the picture is blank: all pixels that the effect covers are of one colour", subject.name(view)), view);
   }
 }
 
 // Whether it is the picture that was there before.
-void judge_change(const Subject& subject, const CellRow& before, const CellRow& after, const std::optional<double>& change,
-                  bool hashes_tell, const ErrorsFound& errors, std::set<std::string>& changed) {
+void judge_change(const VerdictSubject& subject, const CellRow& before, const CellRow& after,
+                  const std::optional<double>& change, bool hashes_tell, const ErrorsFound& errors,
+                  std::set<std::string>& changed) {
   const std::string& view = after.view;
   const bool same_hash = before.image_hash == after.image_hash;
   if (subject.limits.same_image && !same_hash) {
     changed.insert("image_hash");
-    add(subject, "image_hash", Verdict::failed,
-        fmt::format("{}: the picture's hash changed, and the gate file asks for the same picture", name_of_cell(subject, view)),
-        view);
+    subject.add("image_hash", Verdict::failed,
+                fmt::format("{}: the picture's hash changed, and the gate file asks for the same picture", subject.name(view)),
+                view);
   }
   const double most = subject.limits.max_picture_change;
   if (same_hash || after.nonfinite_pixels.value_or(0) > 0 || (change ? *change <= most : !hashes_tell)) return;
@@ -190,23 +125,23 @@ void judge_change(const Subject& subject, const CellRow& before, const CellRow& 
   changed.insert("picture");
   const std::string by = change ? fmt::format(" by up to {:.4g} in linear light", *change) : ", as its hash did";
   const char* why = after.baseline ? "it is what other variants are held to" : "no error got better by it";
-  VerdictRow& row = add(subject, "picture", Verdict::worse,
-                        fmt::format("{}: the picture changed{}, and {}", name_of_cell(subject, view), by, why), view);
+  VerdictRow& row = subject.add("picture", Verdict::worse,
+                                fmt::format("{}: the picture changed{}, and {}", subject.name(view), by, why), view);
   row.after = change;
   if (change) row.limit = most;
 }
 
 // A variant that was not there before.
-void judge_presence(const Subject& subject, const CellPair& pair) {
-  add(subject, "cell", Verdict::not_compared, name_of_cell(subject) + " is new: there is nothing to compare it with");
+void judge_presence(const VerdictSubject& subject, const CellPair& pair) {
+  subject.add("cell", Verdict::not_compared, subject.name() + " is new: there is nothing to compare it with");
   const auto drawn = [](const std::optional<CellRow>& cell) { return cell && !cell->failed; };
   const auto covers = [&](const std::optional<CellRow>& cell) { return drawn(cell) && cell->covered_pixels.value_or(0) > 0; };
   if (std::ranges::any_of(pair.after, drawn) && std::ranges::none_of(pair.after, covers))
-    add(subject, "blank", Verdict::failed, name_of_cell(subject) + ": the effect covers no pixel in any view");
+    subject.add("blank", Verdict::failed, subject.name() + ": the effect covers no pixel in any view");
 }
 
 // Views that gave different pictures and now give one: a frame that is not drawn again.
-void judge_staleness(const Subject& subject, const CellPair& pair, std::set<std::string>& changed) {
+void judge_staleness(const VerdictSubject& subject, const CellPair& pair, std::set<std::string>& changed) {
   for (size_t i = 0; i < pair.after.size(); ++i)
     for (size_t j = i + 1; j < pair.after.size(); ++j) {
       const std::optional<CellRow>&a = pair.after[i], &b = pair.after[j];
@@ -214,9 +149,10 @@ void judge_staleness(const Subject& subject, const CellPair& pair, std::set<std:
       if (a->image_hash != b->image_hash || a->image_hash.empty()) continue;
       if (pair.before[i]->image_hash == pair.before[j]->image_hash) continue;
       changed.insert("blank");
-      add(subject, "stale", Verdict::failed,
+      subject.add(
+          "stale", Verdict::failed,
           fmt::format("{}: views {} and {} show the same picture, which they did not before: a frame is not drawn again",
-                      name_of_cell(subject), a->view, b->view));
+                      subject.name(), a->view, b->view));
     }
 }
 
@@ -238,43 +174,46 @@ std::vector<VerdictRow> judge_cells(const CellPair& pair, const Limits& limits) 
   };
   const bool all_new = present(pair.before) == pair.before.end();
   const CellRow& example = **(all_new ? present(pair.after) : present(pair.before));
-  Subject subject{limits, {}, rows};
+  VerdictSubject subject{limits, {}, rows};
   subject.blank.backend = example.backend, subject.blank.effect = example.effect, subject.blank.variant = example.variant;
   std::set<std::string> changed;
   size_t compared = 0;
   for (size_t i = 0; i < pair.after.size(); ++i) {
     const std::optional<CellRow>&before = pair.before[i], &after = pair.after[i];
     if (!after) {
-      add(subject, "cell", Verdict::failed, fmt::format("{} is gone: it was there before", name_of_cell(subject, before->view)),
-          before->view);
+      subject.add("cell", Verdict::failed, fmt::format("{} is gone: it was there before", subject.name(before->view)),
+                  before->view);
     } else if (after->failed) {
-      add(subject, "cell", Verdict::failed,
-          fmt::format("{} cannot be measured: {}", name_of_cell(subject, after->view), after->reason), after->view);
+      subject.add("cell", Verdict::failed, fmt::format("{} cannot be measured: {}", subject.name(after->view), after->reason),
+                  after->view);
     } else {
       const CellRow* was = before && !before->failed ? &*before : nullptr;
       if (was) {
         ++compared;
         judge_counts(subject, *was, *after, changed);
       } else if (!all_new) {
-        add(subject, "cell", Verdict::not_compared,
-            fmt::format("{} {}, so there is nothing to compare it with", name_of_cell(subject, after->view),
-                        before ? "could not be measured before" : "is new"),
-            after->view);
+        subject.add("cell", Verdict::not_compared,
+                    fmt::format("{} {}, so there is nothing to compare it with", subject.name(after->view),
+                                before ? "could not be measured before" : "is new"),
+                    after->view);
       }
       ErrorsFound errors;
       judge_errors(subject, was, *after, to_baseline, limits.baseline, changed, errors);
       judge_errors(subject, was, *after, to_truth, limits.truth, changed, errors);
       judge_content(subject, was, *after, changed);
+      judge_work_bounds(subject, *after);
       const std::optional<double> change = i < pair.changes.size() ? pair.changes[i] : std::nullopt;
       if (was) judge_change(subject, *was, *after, change, pair.hashes_tell, errors, changed);
     }
   }
   if (all_new) judge_presence(subject, pair);
   judge_staleness(subject, pair, changed);
+  if (std::ranges::none_of(pair.after, [](const std::optional<CellRow>& cell) { return cell && counts_operations(*cell); }))
+    changed.insert("operations");  // there is nothing to say of them
   if (compared > 0)
-    for (const char* what : {"fetches", "errors", "nonfinite", "blank"})
+    for (const char* what : {"fetches", "operations", "errors", "nonfinite", "blank"})
       if (!changed.contains(what))
-        add(subject, what, Verdict::same, fmt::format("{}: {} as before in {} views", name_of_cell(subject), what, compared));
+        subject.add(what, Verdict::same, fmt::format("{}: {} as before in {} views", subject.name(), what, compared));
   return rows;
 }
 

@@ -11,9 +11,9 @@
 namespace lamina {
 namespace {
 
-constexpr double largest_psnr_db = 1000, largest_linear = 65504, max_pixels = 1e9;
+constexpr double largest_psnr_db = 1000, largest_linear = 65504, max_pixels = 1e9, max_count = 1e15;
 
-enum class Form : uint8_t { number, share, flag };  // share: "3%", or 0.03
+enum class Form : uint8_t { number, share, flag, times };  // share: "3%", or 0.03
 
 struct LimitKey {
   const char* name;
@@ -37,6 +37,12 @@ const std::vector<LimitKey>& known_keys() {
       {"max_drift", Form::share, 1e-4, 10, [](Limits& l, double v) { l.max_drift = v; }},
       {"max_ratio_drift", Form::share, 1e-4, 10, [](Limits& l, double v) { l.max_ratio_drift = v; }},
       {"max_extra_fetches", Form::share, 0, 1000, [](Limits& l, double v) { l.max_extra_fetches = v; }},
+      {"max_extra_operations", Form::share, 0, 1000, [](Limits& l, double v) { l.max_extra_operations = v; }},
+      {"max_frame_ms", Form::number, 0, max_count, [](Limits& l, double v) { l.max_frame_ms = v; }},
+      {"max_frame_fetches", Form::number, 0, max_count, [](Limits& l, double v) { l.max_frame_fetches = v; }},
+      {"max_frame_operations", Form::number, 0, max_count, [](Limits& l, double v) { l.max_frame_operations = v; }},
+      {"max_target_bytes", Form::number, 0, max_count, [](Limits& l, double v) { l.max_target_bytes = v; }},
+      {"times", Form::times, 0, 1, [](Limits& l, double v) { l.times_must_decide = v != 0; }},
       {"max_picture_change", Form::number, 0, largest_linear, [](Limits& l, double v) { l.max_picture_change = v; }},
       {"max_nonfinite_pixels", Form::number, 0, max_pixels,
        [](Limits& l, double v) { l.max_nonfinite_pixels = static_cast<uint64_t>(v); }},
@@ -76,8 +82,16 @@ double read_share(const TomlTable& table, const LimitKey& key) {
   return share;
 }
 
+double read_times(const TomlTable& table, const LimitKey& key) {
+  const std::string text = table.string(key.name);
+  if (text != "must_decide" && text != "may_stay_open")
+    throw table.error(key.name, fmt::format("'{}' must be \"must_decide\" or \"may_stay_open\"", text));
+  return text == "must_decide" ? 1 : 0;
+}
+
 std::optional<double> read_value(const TomlTable& table, const LimitKey& key) {
   if (!table.has(key.name)) return std::nullopt;
+  if (key.form == Form::times) return read_times(table, key);
   if (key.form == Form::flag) return *table.optional_bool(key.name) ? 1 : 0;
   if (key.form == Form::share && table.is_string(key.name)) return read_share(table, key);
   return table.optional_number(key.name, key.low, key.high);

@@ -29,7 +29,12 @@ struct Limits {
   double min_pass_share = 0.1;
   // Against a stored record, where nothing is paired: of a frame's time on the same machine, and of its ratio to the baseline.
   double max_drift = 0.25, max_ratio_drift = 0.05;
-  double max_extra_fetches = 0;  // of a pass by texture, as a share
+  double max_extra_fetches = 0;     // of a pass by texture, as a share
+  double max_extra_operations = 0;  // of a pass by class, as a share
+  // Of a frame: absent, no bound. A frame's time is judged where it is measured.
+  std::optional<double> max_frame_ms, max_frame_fetches, max_frame_operations, max_target_bytes;
+  // Whether a time that may be slower makes the gate ambiguous though every count is equal or fewer and the picture holds.
+  bool times_must_decide = false;
   // Greatest difference of a picture from the one before, linear light: two steps of a half float just under 1. A picture may
   // change further where an error got better and none got worse. A baseline without a truth has no errors, so it may not.
   double max_picture_change = 0.002;

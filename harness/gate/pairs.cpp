@@ -71,6 +71,23 @@ std::string sentence_of(const VerdictRow& row) {
                      percent(row.ratio->median), percent(row.ratio->low), percent(row.ratio->high), *row.limit * 100);
 }
 
+// A row for each frame that takes longer than its bound.
+void judge_frame_ms(std::vector<VerdictRow>& rows, const std::map<ViewKey, std::vector<const PairsRow*>>& by_cell,
+                    const LimitsFile& limits) {
+  std::vector<VerdictRow> too_long;
+  for (const VerdictRow& row : rows) {
+    const std::optional<double> bound = limits.of(row.effect, row.variant, row.backend).max_frame_ms;
+    const bool is_frame =
+        row.pass.empty() || by_cell.at({row.backend, row.effect, row.variant, row.view}).front()->passes.size() == 1;
+    if (!bound || !is_frame || *row.after <= *bound) continue;
+    VerdictRow& longer = too_long.emplace_back(row);
+    longer.what = "frame_ms", longer.verdict = Verdict::failed, longer.limit = bound, longer.ratio.reset();
+    longer.sentence = fmt::format("{} on {}: the frame takes {:.4g} ms, the gate file allows {:.4g}", row.variant, row.backend,
+                                  *row.after, *bound);
+  }
+  rows.insert(rows.end(), too_long.begin(), too_long.end());
+}
+
 }  // namespace
 
 RatioEstimate estimate_of(const PairsRow& row, std::string_view frame, Part pass) {
@@ -177,6 +194,7 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
     }
     if (row.verdict == Verdict::ambiguous) report.undecided.insert(row.backend);
   }
+  judge_frame_ms(report.rows, by_cell, limits);
   report.comparisons = comparisons.size();
   return report;
 }

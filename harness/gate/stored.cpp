@@ -115,6 +115,16 @@ struct Judge {
     if (then && now) compare(after, "time", "", *now, *then, margin);
   }
 
+  void bound(const CellRow& cell, const std::optional<double>& max_ms) {
+    if (!max_ms) return;
+    const double ms = median(frame_samples_ms(cell.passes));
+    if (ms <= *max_ms) return;
+    VerdictRow& row = add(cell, "frame_ms", "");
+    row.verdict = Verdict::failed, row.after = ms, row.limit = max_ms;
+    row.sentence =
+        fmt::format("{} on {}: the frame takes {:.4g} ms, the gate file allows {:.4g}", row.variant, row.backend, ms, *max_ms);
+  }
+
   void ratio(const CellRow& before, const CellRow& after, double margin) {
     const std::optional<Interval>&then = before.ratio_to_baseline, &now = after.ratio_to_baseline;
     if (!then || !now) return;
@@ -202,6 +212,7 @@ std::vector<VerdictRow> judge_stored(const Record& stored, const Record& run, co
       }
       judge.ratio(*before, *after, cell_limits.max_ratio_drift);
       if (same_machine) judge.times(*before, *after, cell_limits.max_drift);
+      judge.bound(*after, cell_limits.max_frame_ms);
     }
   }
   return rows;

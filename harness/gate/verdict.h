@@ -3,7 +3,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "harness/gate/limits.h"
 #include "harness/record/gate_rows.h"
 
 namespace lamina {
@@ -15,5 +17,11 @@ struct GateOutcome {
   int status = 0;
 };
 GateOutcome outcome_of(std::span<const VerdictRow> rows);
+
+// Counts decide, times confirm. Where no pass of a variant executes more of anything and its pictures hold, a time that may or
+// may not be slower is open and no longer ambiguous, unless the limits say that times must decide; and a time that is slower
+// says what counts leave to blame. The same holds for a timer without a certificate, where it holds for all variants on its
+// backend. A variant decides by counts where fetches and operations were compared.
+void let_counts_decide(std::vector<VerdictRow>& rows, const LimitsFile& limits);
 
 }  // namespace lamina

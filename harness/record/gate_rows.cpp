@@ -13,12 +13,13 @@ namespace {
 
 using namespace lines;
 
-constexpr std::array<std::string_view, 8> verdict_names = {"same",      "faster", "better", "not_compared",
+constexpr std::array<std::string_view, 9> verdict_names = {"same",      "faster", "better", "not_compared", "time_open",
                                                            "ambiguous", "slower", "worse",  "failed"};
 constexpr std::array verdicts_on_times = {Verdict::same, Verdict::faster, Verdict::slower, Verdict::ambiguous};
 constexpr std::array verdicts_of_gates = {Verdict::same, Verdict::faster, Verdict::slower, Verdict::ambiguous, Verdict::failed};
-constexpr std::array verdicts_on_figures = {Verdict::same,  Verdict::faster,    Verdict::slower, Verdict::better,
-                                            Verdict::worse, Verdict::ambiguous, Verdict::failed, Verdict::not_compared};
+constexpr std::array verdicts_on_figures = {Verdict::same,   Verdict::faster,       Verdict::slower,
+                                            Verdict::better, Verdict::worse,        Verdict::ambiguous,
+                                            Verdict::failed, Verdict::not_compared, Verdict::time_open};
 
 [[noreturn]] void refuse_word(const At& at, const std::string& word, const std::vector<std::string_view>& known) {
   refuse(at, fmt::format("the field '{}' is '{}', which is none of {}", at.path(), word, fmt::join(known, ", ")));

@@ -20,6 +20,7 @@ enum class Verdict : uint8_t {
   faster,        // a time, beyond the margin
   better,        // anything else that improved
   not_compared,  // there is nothing to compare with: neither a pass nor a failure
+  time_open,     // the same of a time, where every count is equal or fewer and the picture holds: no failure
   ambiguous,     // the interval reaches over the margin
   slower,
   worse,

@@ -43,7 +43,7 @@ std::string commands(const char* kind, const std::vector<Annotation>& annotation
 }
 
 Annotation annotation_of(const VerdictRow& row) {
-  return {fmt::format("{}: {}: {}", name_of(row.verdict), row.what, subject_of(row)), row.sentence};
+  return {fmt::format("{}: {} ({}): {}", name_of(row.verdict), row.what, kind_of(row), subject_of(row)), row.sentence};
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ std::string sentences(const char* title, const GateReading::Rows& rows, bool ope
   std::string html = fmt::format("<details class=\"verdicts printed\"{}><summary>{}: {}</summary>\n<ul>\n", open ? " open" : "",
                                  title, rows.size());
   for (const VerdictRow* row : rows)
-    html += fmt::format("<li><strong>{}</strong> ({}) {}</li>\n", name_of(row->verdict), escaped_html(row->what),
-                        escaped_html(row->sentence));
+    html += fmt::format("<li><strong>{}</strong> ({}, {}) {}</li>\n", name_of(row->verdict), escaped_html(row->what),
+                        kind_of(*row), escaped_html(row->sentence));
   return html + "</ul></details>\n";
 }
 
@@ -66,6 +66,7 @@ std::string html_gate(const Record& record) {
   std::string html = "<h2>What the gate found</h2>\n";
   html += sentences("Regressed", reading.regressed, true) +
           sentences("Ambiguous", reading.ambiguous, reading.ambiguous.size() <= max_open_sentences) +
+          sentences("Time open", reading.open, false) +
           sentences("Not compared", reading.not_compared, reading.not_compared.size() <= max_open_sentences) +
           sentences("Better", reading.improved, reading.improved.size() <= max_open_sentences);
   if (record.verdicts.empty()) return html;

@@ -24,6 +24,7 @@ std::string facts_of(const VerdictRow& verdict) {
   add("where", subject_of(verdict));
   add("before and after", before_and_after(verdict));
   add("change", change_of(verdict));
+  add("kind", std::string(kind_of(verdict)));
   add("how sure", certainty_of(verdict));
   add("limit", limit_of(verdict));
   return words;
@@ -43,6 +44,7 @@ const char* element_for(Verdict verdict) {
       return "failure";
     case Verdict::ambiguous:
       return "error";
+    case Verdict::time_open:
     case Verdict::not_compared:
       return "skipped";
     default:
@@ -88,7 +90,7 @@ std::string gate_junit(const Record& record) {
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"lamina gate\" {0}{1}>\n"
       "  <testsuite name=\"lamina gate\" {0} skipped=\"{2}\"{1}{3}>\n",
-      counts, time, reading.not_compared.size(), timestamp);
+      counts, time, reading.not_compared.size() + reading.open.size(), timestamp);
   xml += properties(record);
   if (trouble) xml += test_case("gate", "answer", outcome_element("error", "no answer", reading.trouble, reading.conditions));
   for (const VerdictRow& verdict : record.verdicts) xml += test_case(verdict);

@@ -27,8 +27,8 @@ void add_section(std::string& text, const char* title, const GateReading::Rows& 
   text += fmt::format("\n**{}**\n\n", title);
   std::vector<std::string> lines;
   for (const VerdictRow* row : rows)
-    lines.push_back(fmt::format("- **{}** ({}) {}\n", escaped_markdown(std::string(name_of(row->verdict))),
-                                escaped_markdown(row->what), escaped_markdown(row->sentence)));
+    lines.push_back(fmt::format("- **{}** ({}, {}) {}\n", escaped_markdown(std::string(name_of(row->verdict))),
+                                escaped_markdown(row->what), kind_of(*row), escaped_markdown(row->sentence)));
   add_while_they_fit(text, lines, max_bytes / 2, "of these");
 }
 
@@ -41,6 +41,7 @@ std::string gate_markdown(const Record& record) {
   if (!reading.trouble.empty()) text += fmt::format("**{}**\n\n", escaped_markdown(reading.trouble));
   add_section(text, "Regressed", reading.regressed);
   add_section(text, "Ambiguous", reading.ambiguous);
+  add_section(text, "Time open", reading.open);
   add_section(text, "Better", reading.improved);
   text += "\n";
   for (const SameArmRow& aa : record.aas) text += fmt::format("{}  \n", escaped_markdown(words_for_aa(aa)));

@@ -22,6 +22,8 @@ GateReading::Rows& rows_for(GateReading& reading, Verdict verdict) {
       return reading.regressed;
     case Verdict::ambiguous:
       return reading.ambiguous;
+    case Verdict::time_open:
+      return reading.open;
     case Verdict::not_compared:
       return reading.not_compared;
     case Verdict::faster:
@@ -69,6 +71,7 @@ std::string counts_of(const Record& record, const GateReading& reading) {
   };
   add(reading.regressed, "regressed");
   add(reading.ambiguous, "ambiguous");
+  add(reading.open, "with its time open");
   add(reading.not_compared, "not compared");
   add(reading.improved, "better");
   add(reading.same, "the same");
@@ -142,7 +145,7 @@ std::string change_of(const VerdictRow& row) {
   if (row.ratio)
     return fmt::format("{} [{}, {}]", percent(row.ratio->median), percent(row.ratio->low), percent(row.ratio->high));
   if (!row.before || !row.after) return "";
-  if (row.what == "fetches" && *row.before > 0) return percent(*row.after / *row.before);
+  if (kind_of(row) == "count" && *row.before > 0) return percent(*row.after / *row.before);
   return fmt::format("{:+.3g}", *row.after - *row.before);
 }
 
@@ -151,20 +154,30 @@ std::string certainty_of(const VerdictRow& row) {
   return row.before && row.after ? "exact" : "";
 }
 
+std::string_view kind_of(const VerdictRow& row) {
+  const auto is = [&](auto... whats) { return ((row.what == whats) || ...); };
+  if (is("time", "ratio", "timer", "frame_ms")) return "interval";
+  if (is("fetches", "operations", "fragments", "vertices", "target_bytes")) return "count";
+  if (is("code", "cell", "api")) return "code";
+  return "picture";
+}
+
 std::string limit_of(const VerdictRow& row) { return row.limit ? words_for_number(*row.limit) : ""; }
 
 Table verdicts_table(const GateReading& reading) {
   // How sure stands beside the figures on the page, and is words in Markdown.
-  Table table = {.columns = {words_column("verdict"), words_column("what"), words_column("effect"), words_column("variant"),
-                             words_column("backend"), words_column("where", "wrap"), number_column("before -> after"),
-                             number_column("change"), words_column("how sure", "num"), number_column("limit")},
+  Table table = {.columns = {words_column("verdict"), words_column("what"), words_column("kind"), words_column("effect"),
+                             words_column("variant"), words_column("backend"), words_column("where", "wrap"),
+                             number_column("before -> after"), number_column("change"), words_column("how sure", "num"),
+                             number_column("limit")},
                  .html_class = "wide"};
   for (const GateReading::Rows* rows :
-       {&reading.regressed, &reading.ambiguous, &reading.not_compared, &reading.improved, &reading.same})
+       {&reading.regressed, &reading.ambiguous, &reading.open, &reading.not_compared, &reading.improved, &reading.same})
     for (const VerdictRow* row : *rows)
-      table.rows.push_back(row_of({std::string(name_of(row->verdict)), row->what, row->effect, row->variant, row->backend,
-                                   place_of(*row), before_and_after(*row), change_of(*row), certainty_of(*row), limit_of(*row)},
-                                  rows == &reading.regressed ? Mark::bad : Mark::none));
+      table.rows.push_back(
+          row_of({std::string(name_of(row->verdict)), row->what, std::string(kind_of(*row)), row->effect, row->variant,
+                  row->backend, place_of(*row), before_and_after(*row), change_of(*row), certainty_of(*row), limit_of(*row)},
+                 rows == &reading.regressed ? Mark::bad : Mark::none));
   return table;
 }
 

@@ -12,14 +12,14 @@
 namespace lamina {
 
 struct GateReading {
-  using Rows = std::vector<const VerdictRow*>;   // into the record, which must outlive this
-  Rows regressed;                                // slower, worse, failed
-  Rows ambiguous, not_compared, improved, same;  // improved: faster, better
-  std::vector<const SameArmRow*> unequal_aas;    // A/A arms that differ from themselves
-  bool well = false;                             // the gate says so and its figures bear it out
-  std::string word;                              // "passed", "FAILED", "AMBIGUOUS" or "NO VERDICT"
-  std::string counts;                            // "2 of 36 checks regressed, 1 is ambiguous"
-  std::string conditions;                        // "against main, 60 rounds in 3 processes, 41.2 s, ..."; "" without an answer
+  using Rows = std::vector<const VerdictRow*>;         // into the record, which must outlive this
+  Rows regressed;                                      // slower, worse, failed
+  Rows ambiguous, open, not_compared, improved, same;  // open: times that counts need not wait for; improved: faster, better
+  std::vector<const SameArmRow*> unequal_aas;          // A/A arms that differ from themselves
+  bool well = false;                                   // the gate says so and its figures bear it out
+  std::string word;                                    // "passed", "FAILED", "AMBIGUOUS" or "NO VERDICT"
+  std::string counts;                                  // "2 of 36 checks regressed, 1 is ambiguous"
+  std::string conditions;  // "against main, 60 rounds in 3 processes, 41.2 s, ..."; "" without an answer
   // Why the answer cannot be believed: it is missing, its figures contradict it, nothing was compared. "" for most.
   std::string trouble;
 };
@@ -35,6 +35,8 @@ std::string before_and_after(const VerdictRow& row);  // "12.31 -> 13.54 ms", "n
 std::string change_of(const VerdictRow& row);         // "+10.1% [+8.2%, +11.9%]", "-0.0123"; "" where not known
 std::string certainty_of(const VerdictRow& row);      // "95.9% interval, 60 rounds", or "exact"
 std::string limit_of(const VerdictRow& row);          // "0.03"; "" where there is none
+// What kind of answer it is: "count" and "picture" are exact, "interval" is of measured times, "code" needs no measurement.
+std::string_view kind_of(const VerdictRow& row);
 // Every verdict, in the order in which they are read: what regressed first, marked as bad, what is the same last.
 Table verdicts_table(const GateReading& reading);
 // Of an A/A line: "A/A vertex_normal on vulkan: 1.001 [0.997, 1.004], 60 rounds: same".

@@ -20,12 +20,12 @@ void add_rows(Lines& lines, const char* title, const GateReading::Rows& rows, Ma
   if (rows.empty()) return;
   lines.add("");
   lines.add(title, bold);
-  Table table = {.columns = std::vector<Column>(9)};
-  table.columns[5].right = table.columns[6].right = true;  // before and after, and the change
+  Table table = {.columns = std::vector<Column>(10)};
+  table.columns[6].right = table.columns[7].right = true;  // before and after, and the change
   for (const VerdictRow* row : rows) {
     const std::string limit = limit_of(*row);
     table.rows.push_back(
-        row_of({std::string(name_of(row->verdict)), row->what,
+        row_of({std::string(name_of(row->verdict)), row->what, std::string(kind_of(*row)),
                 several_effects ? fmt::format("{}/{}", row->effect, row->variant) : row->variant, row->backend, place_of(*row),
                 before_and_after(*row), change_of(*row), certainty_of(*row), limit.empty() ? "" : "limit " + limit},
                mark));
@@ -57,6 +57,7 @@ std::string gate_table(const Record& record, bool colours) {
   if (!reading.conditions.empty()) lines.add(one_line(reading.conditions), dim);
   add_rows(lines, "regressed", reading.regressed, Mark::bad, several, true);
   add_rows(lines, "ambiguous", reading.ambiguous, Mark::doubtful, several, true);
+  add_rows(lines, "time open: every count is equal or fewer", reading.open, Mark::none, several, false);
   add_not_compared(lines, reading.not_compared);
   add_rows(lines, "better", reading.improved, Mark::good, several, false);
   lines.add("");

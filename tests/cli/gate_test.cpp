@@ -92,12 +92,20 @@ TEST_P(GateMutations, IsCaught) {
         << outcome.output;
 }
 
-TEST_F(Gate, TheSameCodeAndACommentPass) {
+// Names, comments and layout, of a shader and of a manifest: nothing is drawn or timed again.
+TEST_F(Gate, WhatExecutesTheSamePassesUnmeasured) {
   copy_tree();
-  replace(composite, "void main() {", "// another comment\nvoid main() {");
+  replace(composite, "void main() {", "// another comment\nfloat unused(float x) { return 2.0 * x; }\nvoid main() {");
+  replace(composite, "vec3 view_tangent", "vec3 eye_tangent");
+  replace(composite, ", view_tangent,", ", eye_tangent,");
+  replace(composite, "dot(normal_tangent, view_tangent)", "dot(normal_tangent, eye_tangent)");
+  replace(light_map, "[[pass]]", "# another comment\n\n[[pass]]");
   const Outcome outcome = gate();
   EXPECT_EQ(outcome.status, 0) << outcome.output;
-  EXPECT_EQ(record().gates.at(0).verdict, Verdict::same);
+  const Record record = this->record();
+  for (const VerdictRow& row : record.verdicts) EXPECT_EQ(row.what, "code") << row.sentence;
+  EXPECT_EQ(record.gates.at(0).verdict, Verdict::same);
+  EXPECT_TRUE(record.cells.empty());
 }
 
 // Other code that draws the same picture with as many fetches: everything is looked at, and passes.
@@ -124,11 +132,12 @@ TEST_F(Gate, LimitsOfTheGateFileHold) {
   replace(taps, "  return middle + difference / 13.0;",
           "  difference += 1e-9 * textureGrad(source, center, footprint.uv_dx, footprint.uv_dy).rgb;\n  return middle + "
           "difference / 13.0;");
-  const auto limits = write("gate.toml", "[default]\nmax_extra_fetches = \"10%\"\n");
+  const auto limits = write("gate.toml", "[default]\nmax_extra_fetches = \"10%\"\nmax_extra_operations = \"10%\"\n");
   const Outcome allowed = gate("--backend osmesa --limits " + limits.string());
   EXPECT_EQ(allowed.status, 0) << allowed.output;
-  const auto strict = write(
-      "strict.toml", "[default]\nmax_extra_fetches = \"10%\"\n[[limit]]\nvariant = \"vertex_normal\"\nmin_ssim = 0.99999\n");
+  const auto strict = write("strict.toml",
+                            "[default]\nmax_extra_fetches = \"10%\"\nmax_extra_operations = \"10%\"\n[[limit]]\nvariant = "
+                            "\"vertex_normal\"\nmin_ssim = 0.99999\n");
   const Outcome refused = gate("--backend osmesa --limits " + strict.string());
   EXPECT_EQ(refused.status, 1) << refused.output;
   EXPECT_SAYS(refused.output, "the gate file asks for at least");

@@ -67,6 +67,61 @@ TEST(ExactVerdicts, TheAllowanceIsAShareOfWhatThereWas) {
   EXPECT_EQ(status(rows_after([](CellRow& after) { after.passes[0].by_texture[1].fetches = 203; }, limits)), 1);
 }
 
+// A cell whose first pass executes these operations before, and those after.
+std::vector<VerdictRow> rows_of_operations(const std::map<std::string, uint64_t>& before,
+                                           const std::map<std::string, uint64_t>& after, const Limits& limits = {}) {
+  CellPair pair{{cell()}, {cell()}, {0.0}};
+  pair.before[0]->passes[0].operations = before;
+  pair.after[0]->passes[0].operations = after;
+  return judge_cells(pair, limits);
+}
+
+TEST(ExactVerdicts, AnOperationMoreIsWorseAndOneLessBetter) {
+  EXPECT_EQ(count(rows_of_operations({{"float_add", 100}}, {{"float_add", 100}}), "operations", Verdict::same), 1u);
+  const auto more = rows_of_operations({{"float_add", 100}, {"exp", 7}}, {{"float_add", 101}, {"exp", 7}});
+  ASSERT_EQ(count(more, "operations", Verdict::worse), 1u);
+  EXPECT_EQ(more[0].before, 107);
+  EXPECT_EQ(more[0].after, 108);
+  EXPECT_NE(more[0].sentence.find("float_add 101, was 100"), std::string::npos) << more[0].sentence;
+  EXPECT_EQ(more[0].sentence.find("exp"), std::string::npos) << "as before: " << more[0].sentence;
+  EXPECT_EQ(status(more), 1);
+  EXPECT_EQ(count(rows_of_operations({{"float_add", 100}}, {{"float_add", 99}}), "operations", Verdict::better), 1u);
+  Limits limits;
+  limits.max_extra_operations = 0.01;
+  EXPECT_EQ(status(rows_of_operations({{"float_add", 100}}, {{"float_add", 101}}, limits)), 0);
+  EXPECT_EQ(status(rows_of_operations({{"float_add", 100}}, {{"float_add", 102}}, limits)), 1);
+  EXPECT_EQ(status(rows_of_operations({{"float_add", 100}}, {{"float_add", 100}, {"exp", 1}}, limits)), 1) << "a new class";
+}
+
+// Two multiplications for a power: no count says which costs more.
+TEST(ExactVerdicts, OperationsThatAreTradedAreForTimesToJudge) {
+  const auto rows = rows_of_operations({{"pow", 100}}, {{"float_multiply", 200}});
+  EXPECT_EQ(count(rows, "operations", Verdict::not_compared), 1u);
+  EXPECT_EQ(status(rows), 0);
+}
+
+TEST(ExactVerdicts, ARecordWithoutOperationsIsNotComparedByThem) {
+  EXPECT_EQ(count(rows_of_operations({}, {{"pow", 100}}), "operations", Verdict::not_compared), 1u);
+  EXPECT_EQ(count(rows_of_operations({}, {}), "operations", Verdict::same), 0u);
+}
+
+TEST(ExactVerdicts, AFrameKeepsToItsBoundsOfWork) {
+  Limits limits;
+  limits.max_frame_operations = 100, limits.max_target_bytes = 4096;
+  const auto with = [&](std::optional<uint64_t> operations, std::optional<uint64_t> bytes) {
+    CellPair pair{{cell()}, {cell()}, {0.0}};
+    for (std::optional<CellRow>* side : {&pair.before[0], &pair.after[0]}) {
+      if (operations) (*side)->passes[0].operations = {{"float_add", *operations}};
+      (*side)->target_bytes = bytes;
+    }
+    return judge_cells(pair, limits);
+  };
+  EXPECT_EQ(status(with(100, 4096)), 0);
+  EXPECT_EQ(count(with(101, 4096), "operations", Verdict::failed), 1u);
+  EXPECT_EQ(count(with(100, 4097), "target_bytes", Verdict::failed), 1u);
+  EXPECT_EQ(count(with(std::nullopt, 4096), "operations", Verdict::failed), 1u) << "a bound on what nobody counted";
+}
+
 TEST(ExactVerdicts, AnotherFormatOrANewPassIsSeen) {
   EXPECT_EQ(status(rows_after([](CellRow& after) { after.passes[0].by_texture[0].format = "rgba32_float"; })), 1);
   EXPECT_EQ(status(rows_after([](CellRow& after) {

@@ -41,6 +41,8 @@ min_ssim = 0.9
 variant = "vertex_normal"
 min_ssim = 0.97
 max_flip_to_truth = 0.2
+times = "must_decide"
+max_frame_ms = 12.5
 [[limit]]
 backend = "osmesa"
 max_slowdown = 0.05
@@ -50,11 +52,15 @@ same_image = true
   EXPECT_DOUBLE_EQ(plain.max_slowdown, 0.03);
   EXPECT_EQ(plain.baseline.min_ssim, 0.9);
   EXPECT_FALSE(plain.same_image);
+  EXPECT_FALSE(plain.times_must_decide);
+  EXPECT_FALSE(plain.max_frame_ms);
   const Limits both = limits.of("layered_material", "vertex_normal", "osmesa");
   EXPECT_DOUBLE_EQ(both.max_slowdown, 0.05);
   EXPECT_EQ(both.baseline.min_ssim, 0.97);
   EXPECT_EQ(both.truth.max_flip, 0.2);
   EXPECT_TRUE(both.same_image);
+  EXPECT_TRUE(both.times_must_decide);
+  EXPECT_EQ(both.max_frame_ms, 12.5);
   EXPECT_FALSE(both.baseline.max_flip);
 }
 
@@ -76,6 +82,8 @@ TEST_F(GateLimits, ContradictionsAndValuesOutOfRangeAreRefused) {
   expect_refused("[default]\nmax_slowdown = 0\n", "max_slowdown");
   expect_refused("[[limit]]\nmin_ssim = 0.9\n", "belong under [default]");
   expect_refused("max_slowdown = 0.1\n", "max_slowdown");
+  expect_refused("[default]\ntimes = \"decide\"\n", "must be \"must_decide\" or \"may_stay_open\"");
+  expect_refused("[default]\nmax_target_bytes = -1\n", "max_target_bytes");
   expect_refused("[default\n", "");
 }
 

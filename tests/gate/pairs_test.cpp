@@ -3,12 +3,12 @@
 #include "harness/gate/pairs.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "harness/core/error.h"
-#include "harness/core/text.h"
+#include "tests/gate/limits_file.h"
 #include "tests/record/read_back.h"
 
 namespace lamina {
@@ -46,6 +46,18 @@ const VerdictRow* find(const TimeReport& report, const std::string& pass) {
   return nullptr;
 }
 
+// 41 ms before, 45 ms after.
+TEST(Pairs, AFrameKeepsToItsBoundInMilliseconds) {
+  const auto too_long = [](const char* text) {
+    const TimeReport report = judge_pairs(pairs(1, 1.1), limits_of(text), 0.05);
+    return std::ranges::count_if(report.rows, [](const VerdictRow& row) {
+      return row.what == "frame_ms" && row.verdict == Verdict::failed && row.pass.empty();
+    });
+  };
+  EXPECT_EQ(too_long("[default]\nmax_frame_ms = 45.1\n"), 0);
+  EXPECT_EQ(too_long("[default]\nmax_frame_ms = 44.9\n"), 1);
+}
+
 TEST(Pairs, FrameAndLargePassesAreJudgedSmallOnesWithinTheFrame) {
   const TimeReport report = judge_pairs(pairs(1, 1.1), {}, 0.05);
   ASSERT_TRUE(find(report, ""));
@@ -62,11 +74,7 @@ TEST(Pairs, FrameAndLargePassesAreJudgedSmallOnesWithinTheFrame) {
 }
 
 TEST(Pairs, AGateFileSaysHowSmallAPassIsJudgedByItself) {
-  const std::filesystem::path file =
-      std::filesystem::temp_directory_path() / ("lamina_pairs_" + std::to_string(::getpid()) + ".toml");
-  write_file_atomically(file, "[default]\nmin_pass_share = \"2%\"\n");
-  const LimitsFile limits(file, {});
-  std::filesystem::remove(file);
+  const LimitsFile limits = limits_of("[default]\nmin_pass_share = \"2%\"\n");
   ASSERT_TRUE(find(judge_pairs(pairs(1.1, 1), limits, 0.05), "small"));
   EXPECT_EQ(find(judge_pairs(pairs(1.1, 1), limits, 0.05), "small")->verdict, Verdict::slower);
 }

@@ -111,7 +111,7 @@ TEST(GateJunit, ARowOfABackendAloneHasAClassnameAndASubject) {
   timer.effect = timer.variant = "";
   const Record record = example_gate(Verdict::ambiguous, 3, {timer});
   EXPECT_TRUE(has(gate_junit(record), "<testcase classname=\"vulkan\" name=\"timer\">"));
-  EXPECT_EQ(github_annotations(record), "::warning title=ambiguous%3A timer%3A vulkan::the certificate failed\n");
+  EXPECT_EQ(github_annotations(record), "::warning title=ambiguous%3A timer (interval)%3A vulkan::the certificate failed\n");
 }
 
 TEST(Xml, EscapesWhatHasAMeaningAndDropsWhatIsNotAllowed) {
@@ -130,10 +130,10 @@ TEST(GithubAnnotations, AreOneLineEachWithTheirEscapes) {
   Record record = example_failed_gate();
   record.verdicts[1].sentence = "100% of a,b: c\r\nd";
   EXPECT_EQ(github_annotations(record),
-            "::error title=slower%3A time%3A vertex_normal on vulkan%2C pass composite::100%25 of a,b: c%0D%0Ad\n"
-            "::error title=worse%3A fetches%3A vertex_normal on vulkan%2C view front%2C pass composite%2C texture "
+            "::error title=slower%3A time (interval)%3A vertex_normal on vulkan%2C pass composite::100%25 of a,b: c%0D%0Ad\n"
+            "::error title=worse%3A fetches (count)%3A vertex_normal on vulkan%2C view front%2C pass composite%2C texture "
             "light_map_texture::one tap more\n"
-            "::warning title=ambiguous%3A time%3A vertex_normal on vulkan::the interval reaches over the margin\n");
+            "::warning title=ambiguous%3A time (interval)%3A vertex_normal on vulkan::the interval reaches over the margin\n");
   EXPECT_EQ(github_annotations(example_passed_gate()), "");
 }
 

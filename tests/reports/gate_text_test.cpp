@@ -141,7 +141,7 @@ TEST(GateMarkdown, FoldsTheWholeMatrixAway) {
   ASSERT_NE(fold, std::string::npos);
   EXPECT_LT(text.find("one tap more"), fold);
   EXPECT_EQ(text.find("unchanged"), std::string::npos);  // sentences of what is the same are in gate.json
-  EXPECT_NE(text.find("| same | ssim |", fold), std::string::npos);
+  EXPECT_NE(text.find("| same | ssim | picture |", fold), std::string::npos);
   EXPECT_TRUE(has(text, "\n</details>\n"));
   EXPECT_TRUE(gate_markdown(example_passed_gate()).starts_with("### ✅ Lamina gate passed"));
 }

@@ -37,12 +37,13 @@ TEST(Gate, TheAnswerComesFirstThenItsVerdictThenWhatMoved) {
   EXPECT_NE(order.back(), std::string::npos);
   EXPECT_TRUE(std::ranges::is_sorted(order)) << testing::PrintToString(order);
   EXPECT_TRUE(has(page, "class=\"verdict unwell\""));
-  EXPECT_TRUE(has(page, "<li><strong>slower</strong> (time) the composite pass takes 10% longer</li>"));
+  EXPECT_TRUE(has(page, "<li><strong>slower</strong> (time, interval) the composite pass takes 10% longer</li>"));
   EXPECT_TRUE(has(page, "A/A vertex_normal on vulkan: 1.001 [0.997, 1.004], 60 samples: same"));
   EXPECT_FALSE(has(page_of(example_passed_gate()), "class=\"verdict unwell\""));
   EXPECT_TRUE(has(page_of(example_passed_gate()), "<strong>Gate passed: 1 check: 1 the same</strong>"));
   EXPECT_TRUE(
-      has(page, "<summary>Not compared: 1</summary>\n<ul>\n<li><strong>not_compared</strong> (time) another machine</li>"));
+      has(page,
+          "<summary>Not compared: 1</summary>\n<ul>\n<li><strong>not_compared</strong> (time, interval) another machine</li>"));
   EXPECT_FALSE(has(page_of(example_record(example_cells())), "Gate"));
   Record equal = example_passed_gate();
   equal.cells.clear();
@@ -53,12 +54,14 @@ TEST(Gate, PageSummaryAndCommentHoldTheSameRows) {
   const Record record = example_failed_gate();
   const std::string page = page_of(record), summary = markdown_summary(record), comment = gate_markdown(record);
   const std::string row =
-      "| slower | time | layered_material | vertex_normal | vulkan | pass composite | 10.00 -&gt; 11.00 ms | +10.0% \\[+8.0%, "
+      "| slower | time | interval | layered_material | vertex_normal | vulkan | pass composite | 10.00 -&gt; 11.00 ms | +10.0% "
+      "\\[+8.0%, "
       "+12.0%\\] | 96.1% interval, 60 samples | 0.03 |";
   EXPECT_TRUE(has(summary, row)) << summary;
   EXPECT_TRUE(has(comment, row)) << comment;
   EXPECT_TRUE(has(page,
-                  "<tr class=\"bad\"><th scope=\"row\">slower</th><td>time</td><td>layered_material</td><td>vertex_normal</td>"
+                  "<tr class=\"bad\"><th "
+                  "scope=\"row\">slower</th><td>time</td><td>interval</td><td>layered_material</td><td>vertex_normal</td>"
                   "<td>vulkan</td><td class=\"wrap\">pass composite</td><td class=\"num\">10.00 -&gt; 11.00 ms</td>"
                   "<td class=\"num\">+10.0% [+8.0%, +12.0%]</td>"));
   EXPECT_GT(page.find("<tr><th scope=\"row\">same</th>"), page.find("<tr class=\"bad\">")) << "what regressed comes first";
