@@ -98,7 +98,7 @@ int run_compare(const CompareOptions& options) {
   pin_rasterizer_threads();
   const Library library = load_library_for(options.scene);
   const Scene scene = load_scene_for(options.scene, library);
-  const Plan plan = make_plan(library, scene);
+  const Plan plan = make_plan(library, scene, options.aspect());
   const std::vector<const EffectManifest*> effects = compared_effects(plan);
   check_variant_names("compare", options.variants, variant_names(effects));
   const std::vector<ProbedBackend> backends = probe_backends(options);

@@ -64,7 +64,7 @@ Tree load_tree(Library library, const CellOptions& options, const Tree* known) {
     const Api api = backend == "vulkan" ? Api::vulkan : Api::opengl;
     tree.shaders.try_emplace(api, api, tree.library.shaders);
   }
-  tree.plan = make_plan(tree.library, *tree.scene);
+  tree.plan = make_plan(tree.library, *tree.scene, options.aspect());
   return tree;
 }
 

@@ -51,12 +51,12 @@ void add_variant(CLI::App& command, std::vector<std::string>& variants, const st
   command.add_option("--variant", variants, help);
 }
 
-void add_size(CLI::App& command, CellOptions& options) {
+void add_size(CLI::App& command, FrameSize& size) {
   command
       .add_option_function<std::string>(
-          "--size", [&options](const std::string& text) { std::tie(options.width_px, options.height_px) = parse_size(text); },
+          "--size", [&size](const std::string& text) { std::tie(size.width_px, size.height_px) = parse_size(text); },
           "Size of the frame in pixels")
-      ->default_str(fmt::format("{}x{}", options.width_px, options.height_px));
+      ->default_str(fmt::format("{}x{}", size.width_px, size.height_px));
 }
 
 void add_rounds(CLI::App& command, RoundOptions& rounds, const std::string& timed) {

@@ -16,6 +16,11 @@ class App;
 
 namespace lamina {
 
+struct FrameSize {
+  uint32_t width_px = 512, height_px = 512;
+  double aspect() const { return static_cast<double>(width_px) / height_px; }
+};
+
 // Of commands that look at a scene.
 struct SceneOptions {
   std::string scene = "heart";
@@ -31,11 +36,10 @@ struct DeviceOptions {
 };
 
 // Of commands that leave cells: which ones, and how exactly each is known.
-struct CellOptions : DeviceOptions {
+struct CellOptions : DeviceOptions, FrameSize {
   SceneOptions scene;
   std::filesystem::path out = "lamina-out";
   std::vector<std::string> variants;  // by name; empty: all. The baseline is always there.
-  uint32_t width_px = 512, height_px = 512;
   size_t truth_rays = 256;                               // a pixel and light; 0: no truth
   std::filesystem::path cache = default_cache_folder();  // of bakes and truths; empty: none
   std::string command;                                   // as the user typed it
@@ -54,7 +58,7 @@ void add_backends(CLI::App& command, DeviceOptions& options);  // and --device
 void add_variant(CLI::App& command, std::vector<std::string>& variants,
                  const std::string& help = "Only this variant and the baseline (may be given again)");
 // Throws Error(bad_input) while it is parsed.
-void add_size(CLI::App& command, CellOptions& options);
+void add_size(CLI::App& command, FrameSize& size);
 // --budget and --precision; `timed`: what has a budget of its own.
 void add_rounds(CLI::App& command, RoundOptions& rounds, const std::string& timed);
 void add_truth(CLI::App& command, CellOptions& options);  // --truth-rays and --cache

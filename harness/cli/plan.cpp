@@ -22,10 +22,12 @@ void print_variant(const PlanRow::Variant& variant) {
   }
 }
 
-int run_plan(const SceneOptions& options) {
+struct PlanOptions : SceneOptions, FrameSize {};
+
+int run_plan(const PlanOptions& options) {
   const Library library = load_library_for(options);
   const Scene scene = load_scene_for(options, library);
-  const Plan plan = make_plan(library, scene);
+  const Plan plan = make_plan(library, scene, options.aspect());
   ShaderCache shaders(Api::vulkan, library.shaders);
   const PlanRow row = plan_row(plan, scene, shaders);
   fmt::print("scene {}: {} object{}, {} light{}, {} view{}; meshes {}, lights {}\n", scene.name, scene.objects.size(),
@@ -45,9 +47,10 @@ int run_plan(const SceneOptions& options) {
 }  // namespace
 
 Command add_plan(CLI::App& program) {
-  auto options = std::make_shared<SceneOptions>();
+  auto options = std::make_shared<PlanOptions>();
   CLI::App& command = *program.add_subcommand("plan", "What the scene calls for and why, and the passes");
   add_scene(command, *options);
+  add_size(command, *options);
   return {&command, [=](const std::string&) { return run_plan(*options); }};
 }
 

@@ -263,7 +263,7 @@ int run_sweep(const SweepOptions& options) {
   const Library library = load_library_for(options.compare.scene);
   SweptScene scenes(scene_of(options, library), library, points_from(options));
   const Scene& scene = scenes.scene();
-  const Plan plan = make_plan(library, scene);
+  const Plan plan = make_plan(library, scene);  // what no view sees now, another point may show
   const std::vector<const EffectManifest*> effects = compared_effects(plan);
   check_variant_names("sweep", options.compare.variants, variant_names(effects));
   std::vector<Limit> limits;

@@ -29,7 +29,7 @@ TruthRun::TruthRun(SceneResources& resources, const Plan& plan, const EffectMani
 
 // The variant itself where it has passes for the truth, else the one that has them and the same bake options.
 const VariantManifest* TruthRun::teller(const VariantManifest& variant) const {
-  if (effect_.truth.empty()) return nullptr;
+  if (effect_.truth.empty() || !plan_.of(effect_.name)->called_for) return nullptr;
   if (has_truth_passes(variant)) return &variant;
   for (const VariantManifest& candidate : effect_.variants)
     if (candidate.bake == variant.bake && has_truth_passes(candidate)) return &candidate;

@@ -90,6 +90,8 @@ WordManifest read_word(const std::string& name, const TomlTable& table) {
   const auto [words, value] = read_words(table);
   word.of = words;
   word.value = words[value];
+  word.needed = table.optional_string("needed").value_or("");
+  if (!word.needed.empty()) expect_one_of(table, "needed", word.needed, words);
   table.refuse_unknown_keys();
   return word;
 }
@@ -113,6 +115,7 @@ TextureManifest read_texture(const std::string& name, const TomlTable& table, co
   if (!texture.alpha_otherwise.empty()) expect_one_of(table, "alpha_otherwise", texture.alpha_otherwise, model_alphas);
   texture.alpha_value = table.optional_number("alpha_value", 0, 1).value_or(1);
   texture.sampler = read_sampler(table, texture.sampler);
+  texture.min_width = static_cast<uint32_t>(table.optional_number("min_width", 1, 16384).value_or(1));
   texture.required = texture.value.empty() && texture.meaning == TextureMeaning::colour &&
                      (texture.otherwise.empty() || texture.otherwise.starts_with("model."));
   table.refuse_unknown_keys();
@@ -194,6 +197,9 @@ EffectManifest read_effect(const std::filesystem::path& file, const EffectCode& 
   effect.blocks_light = head.optional_bool("blocks_light").value_or(effect.solid);
   effect.closed = head.optional_bool("closed").value_or(false);
   effect.unique_unwrap = head.optional_bool("unique_unwrap").value_or(false);
+  effect.only_where_seen = head.optional_bool("only_where_seen").value_or(false);
+  if (effect.only_where_seen && !effect.of_objects())
+    throw head.error("only_where_seen", "'only_where_seen' is about objects, and no 'key' lets objects call for the effect");
   effect.reads_frame = head.optional_bool("reads_frame").value_or(false);
   effect.instead_of = head.optional_strings("instead_of").value_or(std::vector<std::string>{});
   effect.because = head.string("because");

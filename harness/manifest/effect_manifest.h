@@ -33,7 +33,8 @@ struct NumberManifest {
 struct WordManifest {
   std::string name, key, title;
   std::vector<std::string> of;
-  std::string value;  // where nothing else is said
+  std::string value;   // where nothing else is said
+  std::string needed;  // "" or one of `of`: where no object says it, the effect is not called for
 };
 
 // What a texel means, and so how files are read and how levels are filtered and stored.
@@ -55,7 +56,8 @@ struct TextureManifest {
   std::string alpha_otherwise;  // "model.transparency" or ""
   double alpha_value = 1;       // where nothing says another
   Sampler sampler{Filter::trilinear, Wrap::repeat};
-  bool required = false;  // nothing stands in for it: an object without it cannot have the effect
+  uint32_t min_width = 1;  // texels: what is read along its width needs two, if a scene gives it
+  bool required = false;   // nothing stands in for it: an object without it cannot have the effect
 };
 
 // What is asked of an object's mesh and textures: see harness/scene/facts.h for the functions.
@@ -100,6 +102,9 @@ struct EffectManifest {
   bool blocks_light = true;    // false: rays pass through its objects
   bool closed = false;         // its objects must be closed hulls
   bool unique_unwrap = false;  // objects whose parts share texels are taken apart
+  // An object that no view can see is left out, and the effect with its last one. Only for effects whose passes draw their
+  // objects from the eye, and nowhere outside the meshes.
+  bool only_where_seen = false;
   bool reads_frame = false;    // drawn after all effects that do not
   std::vector<std::string> instead_of;  // effects that an object with this one cannot have; load_library() makes it mutual
   std::vector<std::string> needs;       // numbers or facts: where one is 0, the effect is not called for

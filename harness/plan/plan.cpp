@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "harness/plan/seen.h"
 #include "harness/scene/declare.h"
 
 namespace lamina {
@@ -18,14 +19,22 @@ EffectPlan& of_effect(Plan& plan, const EffectManifest& effect) {
   return plan.effects[static_cast<size_t>(&effect - plan.library->effects.data())];
 }
 
+bool is_in_a_view(const Scene& scene, const Object& object, double aspect) {
+  return std::any_of(scene.views.begin(), scene.views.end(),
+                     [&](const View& view) { return may_be_seen(object, view, aspect); });
+}
+
 // Gives the object to the effects that draw it. One whose effects need what it has none of is drawn as what no effect draws,
 // where it is a surface.
-void add_object(Plan& plan, const Scene& scene, size_t index) {
+void add_object(Plan& plan, const Scene& scene, std::optional<double> aspect, size_t index) {
   const Object& object = scene.objects[index];
   bool drawn = false, over_frame = false;
   for (const EffectManifest* effect : effects_of(object, *plan.library)) {
     if (!are_met(effect->needs, *effect, scene, &object)) continue;
-    of_effect(plan, *effect).objects.push_back(index);
+    if (aspect && effect->only_where_seen && !is_in_a_view(scene, object, *aspect))
+      ++of_effect(plan, *effect).unseen;
+    else
+      of_effect(plan, *effect).objects.push_back(index);
     drawn = true;
     over_frame = over_frame || effect->reads_frame;
   }
@@ -34,6 +43,22 @@ void add_object(Plan& plan, const Scene& scene, size_t index) {
   if (!object.solid) return;
   plan.all.push_back(index);
   if (!over_frame) plan.opaque.push_back(index);
+}
+
+// Whether some object says each word that the effect needs of one of them.
+bool says_what_is_needed(const EffectPlan& entry, const Scene& scene) {
+  return std::all_of(entry.effect->object.words.begin(), entry.effect->object.words.end(), [&](const WordManifest& word) {
+    return word.needed.empty() || std::any_of(entry.objects.begin(), entry.objects.end(), [&](size_t object) {
+             return scene.objects[object].effects.at(entry.effect->name).words.at(word.name) == word.needed;
+           });
+  });
+}
+
+std::string reason_of(const EffectPlan& entry) {
+  if (entry.unseen == 0) return entry.called_for ? entry.effect->because : entry.effect->not_because;
+  if (!entry.called_for) return "no view sees an object that calls for it";
+  const size_t all = entry.objects.size() + entry.unseen;
+  return fmt::format("{} ({} of {} objects; no view sees the others)", entry.effect->because, entry.objects.size(), all);
 }
 
 void settle_features(EffectPlan& entry, const Scene& scene) {
@@ -70,17 +95,18 @@ std::map<std::string, std::string> feature_defines(const EffectManifest& effect,
   return defines;
 }
 
-Plan make_plan(const Library& library, const Scene& scene) {
+Plan make_plan(const Library& library, const Scene& scene, std::optional<double> aspect) {
   Plan plan;
   plan.library = &library;
   for (const EffectManifest& effect : library.effects) plan.effects.emplace_back().effect = &effect;
-  for (size_t i = 0; i < scene.objects.size(); ++i) add_object(plan, scene, i);
+  for (size_t i = 0; i < scene.objects.size(); ++i) add_object(plan, scene, aspect, i);
   for (EffectPlan& entry : plan.effects) {
     const EffectManifest& effect = *entry.effect;
+    if (!says_what_is_needed(entry, scene)) entry.objects.clear();
     entry.called_for = effect.of_objects()
                            ? !entry.objects.empty()
                            : scene.effects.contains(effect.name) && are_met(effect.needs, effect, scene, nullptr);
-    entry.reason = entry.called_for ? effect.because : effect.not_because;
+    entry.reason = reason_of(entry);
     if (entry.called_for) settle_features(entry, scene);
   }
   return plan;

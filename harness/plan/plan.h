@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct EffectPlan {
   const EffectManifest* effect = nullptr;
   bool called_for = false;
   std::string reason;
-  std::vector<size_t> objects;  // of the scene, that call for it
+  std::vector<size_t> objects;  // of the scene, that call for it and may be seen
+  size_t unseen = 0;            // objects that call for it and are left out, because no view can see them
   std::vector<FeaturePlan> features;
 };
 
@@ -35,8 +37,9 @@ struct Plan {
   const EffectPlan* of(std::string_view effect) const;
 };
 
-// In time linear in objects and effects. The plan points into `library`.
-Plan make_plan(const Library& library, const Scene& scene);
+// In time linear in objects and effects, and in vertices of objects of effects with `only_where_seen`. The plan points into
+// `library`. `aspect`: width over height of the frame; without one, no object is left out for being out of every view.
+Plan make_plan(const Library& library, const Scene& scene, std::optional<double> aspect = std::nullopt);
 
 // What a number or fact of the effect is worth for an object, or, without one or where the object has none, for the scene.
 double needed_value(const EffectManifest& effect, const Scene& scene, const Object* object, std::string_view name);

@@ -46,6 +46,11 @@ class Declaration {
     Texture before = now;
     if (!before && keeps_size && rgb) before = default_texture(request);
     now = made_texture(request, before, keeps_size);
+    if ((rgb || alpha) && now->width < texture.min_width)
+      throw Error(ErrorKind::bad_input, "scene", rgb ? rgb->where : alpha->where,
+                  fmt::format("'{}' is {} texel{} wide and must be {} at least: give a picture that says along its width what a "
+                              "single colour cannot",
+                              rgb ? texture.rgb : texture.alpha, now->width, now->width == 1 ? "" : "s", texture.min_width));
     if (!fresh && before && before->width != now->width) {
       const float wider = static_cast<float>(now->width) / static_cast<float>(before->width);
       for (const NumberManifest& number : declared_.numbers)
@@ -91,8 +96,9 @@ void apply_effect(Object& object, const EffectManifest& effect, const Keys& keys
   Declaration(effect.object, keys, owner, &object.mesh, object.look.get(), code, entry->second).apply(fresh);
   if (!fresh || !effect.closed) return;
   if (const auto problem = hull_problem(object.mesh))
-    throw Error(ErrorKind::bad_input, "scene", owner,
-                fmt::format("{} needs a closed hull, and its mesh {}", effect.name, *problem));
+    throw Error(ErrorKind::bad_input, "scene", keys.where.empty() ? owner : keys.where,
+                fmt::format("{}{} needs a closed hull, and its mesh {}", keys.where.empty() ? "" : owner + ": ", effect.name,
+                            *problem));
 }
 
 }  // namespace

@@ -2,11 +2,9 @@
 // Pictures with fog: backends agree, nothing is NaN, colour follows the formula, and fog that is none costs nothing.
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "harness/effects/volume_fog/fog_color.h"
-#include "harness/quality/quality.h"
 #include "harness/scene/textures.h"
+#include "tests/effects/backends_agree.h"
 #include "tests/effects/fog_cases.h"
 
 namespace lamina {
@@ -61,7 +59,7 @@ TEST_P(FogPictures, ColourFollowsTheFormula) {
   EXPECT_NEAR(expected.r, 0.5 * 0.25 + behind.r * 0.75, 2e-3);
 }
 
-// Density 0, hulls of no share, and hulls that no view sees: the picture of a scene without them, to the bit.
+// Density 0, and hulls of no share: the picture of a scene without them, to the bit.
 TEST_P(FogPictures, NoFogCostsNothing) {
   Scene none = ball_in_fog(1);
   none.objects.resize(2);
@@ -78,45 +76,62 @@ TEST_P(FogPictures, NoFogCostsNothing) {
     if (const auto fog = object.effects.find("volume_fog"); fog != object.effects.end()) fog->second.numbers["share"] = 0;
   EXPECT_TRUE(same(no_share));
   EXPECT_FALSE(make_plan(library(), no_share).of("volume_fog")->called_for);
-  Scene behind = ball_in_fog(1);
-  for (Object& object : behind.objects)
-    if (!object.solid) object.world_from_object[3].z += 40;
-  EXPECT_TRUE(same(behind));
   EXPECT_FALSE(same(ball_in_fog(1))) << "where there is fog it is seen";
 }
 
-// Every variant on two backends.
-TEST(FogBackends, AgreeAndHaveNoNaN) {
-  std::vector<std::unique_ptr<Backend>> backends;
-  for (const std::string_view name : {"vulkan", "osmesa"}) {
-    try {
-      backends.push_back(open_backend(name, {"", true}));
-    } catch (const Error& error) {
-      GTEST_SKIP() << error.what();
-    }
-  }
-  const Scene scene = ball_in_fog(0.9f);
-  const Library& library = builtin_library();
-  const Plan plan = make_plan(library, scene);
-  Bakes bakes(scene, *library.code, DiskCache(""));
-  for (const VariantManifest& variant : library.effect("volume_fog").variants) {
-    std::vector<Image> pictures;
-    for (const auto& backend : backends) {
-      ShaderCache shaders(backend->info().api, library.shaders);
-      SceneResources resources(*backend, scene, library, 48, 48, &bakes);
-      const Graph graph = make_graph(plan, configuration_with(plan, variant), scene, shaders);
-      Frame frame(resources, graph, Build::timed);
-      frame.run_once(Timing::off);
-      frame.run(0, Timing::off);
-      pictures.push_back(frame.picture());
-    }
-    EXPECT_GE(psnr_db(to_display(pictures[0]), to_display(pictures[1])), 45) << variant.name;
-    for (const Image& image : pictures)
-      for (const float value : image.rgba) ASSERT_TRUE(std::isfinite(value)) << variant.name;
-  }
-  for (const auto& backend : backends)
-    for (const std::string& message : backend->take_messages()) ADD_FAILURE() << message;
+Scene moved(Scene scene, std::string_view name, glm::vec3 by) {
+  for (Object& object : scene.objects)
+    if (!object.solid && (name.empty() || object.name == name)) object.world_from_object[3] += glm::vec4(by, 0);
+  return scene;
 }
+
+// Hulls beside, above, behind and far beyond the view: no pass, and to the bit the picture of a scene without them.
+TEST_P(FogPictures, FogOutsideEveryViewCostsNothing) {
+  const auto passes = [&](const Scene& scene) {
+    const Plan plan = make_plan(library(), scene, 1);
+    ShaderCache shaders(backend_->info().api, library().shaders);
+    const Graph graph = make_graph(plan, configuration_with(plan, variant("lambert")), scene, shaders);
+    return graph.passes.size() + graph.dropped.size();
+  };
+  Scene none = ball_in_fog(1);
+  none.objects.resize(2);
+  const Image bare = picture(none, "lambert");
+  for (const glm::vec3 by : {glm::vec3(0, 0, 40), {14, 0, 0}, {-14, 0, 0}, {0, 14, 0}, {0, -14, 0}, {0, 0, -40}}) {
+    SCOPED_TRACE(fmt::format("{} {} {}", by.x, by.y, by.z));
+    const Scene outside = moved(ball_in_fog(1), "", by);
+    const EffectPlan fog = *make_plan(library(), outside, 1).of("volume_fog");
+    EXPECT_FALSE(fog.called_for);
+    EXPECT_EQ(fog.reason, "no view sees an object that calls for it");
+    EXPECT_EQ(passes(outside), passes(none));
+    EXPECT_EQ(picture(outside, "lambert").rgba, bare.rgba);
+  }
+  EXPECT_GT(passes(ball_in_fog(1)), passes(none));
+  Scene two_views = moved(ball_in_fog(1), "", {0, 0, 40});
+  two_views.views.push_back(two_views.views[0]);
+  two_views.views[1].eye.z += 40, two_views.views[1].target.z += 40;
+  EXPECT_TRUE(make_plan(library(), two_views, 1).of("volume_fog")->called_for) << "the second view sees it";
+}
+
+// A hull that leaves the view is left out, and comes back with its next plan. A hole takes away from nothing where no fog is.
+TEST_P(FogPictures, HullsAreDrawnWhereAViewSeesThem) {
+  const Scene scene = moved(ball_in_fog(1), "low", {0, 0, 40});
+  const EffectPlan fog = *make_plan(library(), scene, 1).of("volume_fog");
+  EXPECT_EQ(fog.objects, (std::vector<size_t>{2, 4}));
+  EXPECT_EQ(fog.reason, "an object is a hull of fog (2 of 3 objects; no view sees the others)");
+  Scene without = ball_in_fog(1);
+  without.objects.erase(without.objects.begin() + 3);
+  EXPECT_EQ(picture(scene, "float_sum").rgba, picture(without, "float_sum").rgba);
+  EXPECT_EQ(make_plan(library(), moved(scene, "low", {0, 0, -40}), 1).of("volume_fog")->objects.size(), 3u);
+
+  const Scene hole_alone = moved(scene, "outer", {0, 0, 40});
+  EXPECT_FALSE(make_plan(library(), hole_alone, 1).of("volume_fog")->called_for);
+  without.objects.resize(2);
+  EXPECT_EQ(picture(hole_alone, "lambert").rgba, picture(without, "lambert").rgba);
+  EXPECT_TRUE(make_plan(library(), moved(hole_alone, "outer", {0.5f, 1, -34.4f}), 1).of("volume_fog")->called_for)
+      << "the eye is in the hull";
+}
+
+TEST(FogBackends, AgreeAndHaveNoNaN) { expect_backends_agree("volume_fog", {ball_in_fog(0.9f)}); }
 
 INSTANTIATE_TEST_SUITE_P(Backends, FogPictures, backend_parameters, backend_test_name);
 

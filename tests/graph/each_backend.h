@@ -33,7 +33,7 @@ class EachBackend : public testing::TestWithParam<std::string_view> {
   }
   // The picture of view 0 by a variant.
   Image picture(const Scene& scene, std::string_view name, uint32_t size = 64, Build build = Build::timed) {
-    const Plan plan = make_plan(library(), scene);
+    const Plan plan = make_plan(library(), scene, 1);
     ShaderCache shaders(backend_->info().api, library().shaders);
     Bakes bakes(scene, *library().code, DiskCache(""));
     SceneResources resources(*backend_, scene, library(), size, size, &bakes);
