@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reflectance by the function that REFRACTION names.
-#include "angle_fresnel.glsl"
-#include "exact_fresnel.glsl"
-#include "schlick.glsl"
-#include "schlick_both_sides.glsl"
-#include "textbook_fresnel.glsl"
+// The refracted cosine by the function that REFRACTION names.
+#include "angle_refraction.glsl"
+#include "builtin_refraction.glsl"
+#include "exact_refraction.glsl"
+#include "textbook_refraction.glsl"
 
-float reflectance(float c, float n) { return REFRACTION(c, n); }
+float refracted_cosine(float c, float n) { return REFRACTION(c, n); }

@@ -3,7 +3,7 @@
 // eta: index of refraction of the inside over that of the outside, 1 or more. Cosines are to the normal, 0 to 1.
 #ifndef TRANSLUCENCY_OPTICS_GLSL
 #define TRANSLUCENCY_OPTICS_GLSL
-#include "../refraction/exact_fresnel.glsl"
+#include "../fresnel/exact_fresnel.glsl"
 #include "../wrap_lighting/normalised_wrap.glsl"
 
 const float pi = 3.14159265;

@@ -9,7 +9,9 @@ LIGHT_MAPS(leaving, 16)  // x = how far the light has come where it leaves, 0 wh
 layout(constant_id = 0) const int steps = 8;
 layout(constant_id = 1) const int samples = 4;
 layout(constant_id = 2) const float sample_radius = 1.5;  // texels
+const float inset = 0.01;  // texels below the surface, where the map is read
 const int chord_halvings = 14;
+const float rounded = 1e-6;  // of places: what single precision leaves of a difference of two that are equal
 
 // The light's path to a point as if the surface were flat where it enters: the straight path s, and what refraction makes of
 // it (Jensen and others 2001): longer or shorter, and more or less of it on the same area.
@@ -18,25 +20,38 @@ struct Entry {
   float share;  // of the irradiance at normal incidence
 };
 
-// How much farther the light comes at a place in a texel than at its middle, on the plane through what is drawn there. Without
-// it, lit slopes would get paths of up to a texel at random.
+// How much farther the light comes on the line through a point than at a texel's middle, on the plane through what is drawn there.
+// Without it lit slopes would get paths of up to a texel at random, and samples beside them paths of their slope.
 float slope_in_texel(Lit lit, vec3 position, vec2 from_middle, vec3 entry_normal, float cosine) {
   mat4 m = casting_clip_from_world[lit.map];
   vec3 right = normalize(vec3(m[0].x, m[1].x, m[2].x)), down = normalize(vec3(m[0].y, m[1].y, m[2].y));
   return dot(entry_normal, right * from_middle.x + down * from_middle.y) / max(cosine, 0.1) * texel_width(lit.map, position);
 }
 
-Entry entry_at(Lit lit, vec4 light, vec3 position, vec2 offset, vec3 normal) {
-  vec2 place = map_place(lit.map, position) + offset;
-  ivec2 texel = ivec2(floor(place));
+// `run` metres along the eye's ray in the object, which starts at the surface. The map is read just below the surface, so that a texel
+// that just misses the object is not asked.
+Entry entry_at(Lit lit, vec4 light, vec3 along, float run, vec2 offset, vec3 normal) {
+  float width = texel_width(lit.map, in_position);
+  vec3 position = in_position + along * run;
+  ivec2 texel = ivec2(floor(map_place(lit.map, position - normal * (inset * width)) + offset));
   vec4 entry = in_map(texel) ? entry_map(lit.map, texel) : vec4(0.0, 0.0, 0.0, 1e30);
   bool covered = entry.w < 1e29 && dot(entry.xyz, entry.xyz) > 0.0;
   float cosine = max(dot(covered ? entry.xyz : normal, lit.direction), 0.0);
   if (cosine <= 0.0) return Entry(0.0, 0.0);
   float spread = cosine / max(refracted_cosine(cosine, refraction_index), min_cosine);
-  float come = entry.w + (covered ? slope_in_texel(lit, position, place - vec2(texel) - 0.5, entry.xyz, cosine) : 0.0);
-  float straight = covered ? max(light_distance(light, position) - come, 0.0) : 0.0;
-  return Entry(straight * spread, (1.0 - fresnel(cosine, refraction_index)) * spread);
+  float straight = 0.0;
+  if (covered) {
+    // In a dense medium a run is shorter than the last digit of a place: then the plane says how the path grows along the ray.
+    bool is_short = run < width;
+    vec3 from = is_short ? in_position : position;
+    float come = light_distance(light, from);
+    straight = come - entry.w - slope_in_texel(lit, from, map_place(lit.map, from) - vec2(texel) - 0.5, entry.xyz, cosine);
+    if (is_short) {
+      if (abs(straight) * max(cosine, 0.1) < rounded * (abs(come) + width * float(map_side()))) straight = 0.0;
+      straight -= run * dot(entry.xyz, along) / max(cosine, 0.1);
+    }
+  }
+  return Entry(max(straight, 0.0) * spread, (1.0 - fresnel(cosine, refraction_index)) * spread);
 }
 
 bool is_inside(int light_index, int map, vec3 position) {
@@ -48,6 +63,7 @@ bool is_inside(int light_index, int map, vec3 position) {
 
 // How far the eye's ray runs inside, up to `most`: where the map says that it leaves, for an object without holes.
 float chord(int light_index, int map, vec3 from, vec3 along, float most) {
+  if (most < texel_width(map, from)) return most;  // which the map does not resolve
   if (is_inside(light_index, map, from + along * most)) return most;
   float inside = 0.0, outside = most;
   for (int i = 0; i < chord_halvings; ++i) {
@@ -74,7 +90,7 @@ void main() {
       color += reflectance * lit.irradiance * max(cosine, 0.0);
       continue;
     }
-    vec3 inner = in_position - normal * (0.01 * texel_width(lit.map, in_position));
+    vec3 inner = in_position - normal * (inset * texel_width(lit.map, in_position));
     vec3 most = 8.0 / max(sigma, 1e-9);
     float run = chord(i, lit.map, inner, along, max(most.r, max(most.g, most.b)));
     vec3 once = vec3(0.0), slab = vec3(0.0);
@@ -82,17 +98,17 @@ void main() {
       float covered = 1.0 - exp(-sigma[channel] * run), sum = 0.0;
       for (int step = 0; step < steps; ++step) {
         float u = (float(step) + 0.5) / float(steps) * covered;
-        vec3 place = inner + along * (-log(1.0 - u) / max(sigma[channel], 1e-9));
+        float depth = -log(1.0 - u) / max(sigma[channel], 1e-9);
         for (int sample_index = 0; sample_index < samples; ++sample_index) {
           vec2 offset = sample_radius * disc_place(sample_index, samples);
-          Entry entry = entry_at(lit, light_position[i], place, offset, normal);
+          Entry entry = entry_at(lit, light_position[i], along, depth, offset, normal);
           sum += entry.share * exp(-sigma[channel] * entry.path);
         }
       }
       once[channel] = covered * sum / float(steps * samples);
     }
     for (int sample_index = 0; sample_index < samples; ++sample_index) {
-      Entry entry = entry_at(lit, light_position[i], inner, sample_radius * disc_place(sample_index, samples), normal);
+      Entry entry = entry_at(lit, light_position[i], along, 0.0, sample_radius * disc_place(sample_index, samples), normal);
       slab += slab_transmittance(sigma * entry.path, reflectance) / float(samples);
     }
     // A Lambert albedo is pi times a radiance, and isotropic scattering has the density 1 / 4 pi.

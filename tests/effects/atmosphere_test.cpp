@@ -10,6 +10,7 @@
 
 #include "harness/effects/atmosphere/single_scattering_truth.h"
 #include "tests/effects/air_scenes.h"
+#include "tests/effects/backends_agree.h"
 #include "tests/graph/each_backend.h"
 
 namespace lamina {
@@ -228,6 +229,13 @@ TEST_P(Atmosphere, EveryVariantIsFiniteUnderEverySun) {
       SCOPED_TRACE(made.name + " " + std::to_string(sun));
       expect_finite(picture(sky(85, sun_at(sun)), made.name, 8));
     }
+}
+
+TEST(AtmosphereBackends, AgreeAndHaveNoNaN) {
+  const std::map<std::string, double> bright = {{"sun_red", 3}, {"sun_green", 3}, {"sun_blue", 3}};
+  Scene wall = square_in_air({0.4f, 0.5f, 0.6f}, {{"density", 200}}, sun_at(70, -60));
+  wall.views[0].eye = {3, 2, 12}, wall.views[0].target = {0, 0.3f, 0};
+  expect_backends_agree("atmosphere", {wall, sky(75, sun_at(60), bright, 600, 60), sky(89, sun_at(88, 20), bright, 2, 30)}, 32);
 }
 
 TEST(AtmosphereScenes, TheFilesLoadAndCallForIt) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The families of functions that scattering is made of: shaders/henyey_greenstein, cornette_shanks, rayleigh, transmittance,
-// mean_transmittance, slab_in_scatter and fresnel have what their inputs mean. Errors are relative to the value.
+// mean_transmittance, slab_in_scatter, fresnel and refraction have what their inputs mean. Errors are relative to the value, of
+// refraction to 1.
 #pragma once
 
 #include <cmath>
@@ -35,5 +36,11 @@ Formula transmittance_formula();
 Formula mean_transmittance_formula();
 Formula slab_in_scatter_formula();
 Formula fresnel_formula();
+Formula refraction_formula();
+
+// Inputs of functions of a smooth boundary: c, the cosine on the side that the light comes from, and n, the index of refraction
+// that it goes into over the one that it comes from.
+bool accepts_boundary(Oracle::Point p);
+std::vector<Formula::Set> boundary_sets();
 
 }  // namespace lamina

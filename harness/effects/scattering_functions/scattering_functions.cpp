@@ -15,7 +15,8 @@ void add_scattering_functions(EffectCode& code) {
       {"transmittance", FormulaOracle(transmittance_formula())},
       {"mean_transmittance", FormulaOracle(mean_transmittance_formula())},
       {"slab_in_scatter", FormulaOracle(slab_in_scatter_formula())},
-      {"fresnel", FormulaOracle(fresnel_formula())}};
+      {"fresnel", FormulaOracle(fresnel_formula())},
+      {"refraction", FormulaOracle(refraction_formula())}};
   for (const auto& [name, oracle] : oracles) code.oracles[name] = &oracle;
 }
 

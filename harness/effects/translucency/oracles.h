@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The families of functions that light through objects is made of: shaders/refraction, wrap_lighting, back_light,
-// thickness_ramp and depth_bias have what their inputs mean.
+// The families of functions that light through objects is made of: shaders/wrap_lighting, back_light, thickness_ramp
+// and depth_bias have what their inputs mean.
 #pragma once
 
 #include "harness/stress/formula_oracle.h"
 
 namespace lamina {
 
-const Oracle& refraction_oracle();
 const Oracle& wrap_oracle();
 const Oracle& back_light_oracle();
 const Oracle& ramp_oracle();

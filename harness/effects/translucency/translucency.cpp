@@ -14,7 +14,6 @@ void add_translucency(EffectCode& code);
 void add_translucency(EffectCode& code) {
   code.bakers["thickness"] = &thickness_baker;
   code.truths["translucency"] = scattering_truth;
-  code.oracles["refraction"] = &refraction_oracle();
   code.oracles["wrap_lighting"] = &wrap_oracle();
   code.oracles["back_light"] = &back_light_oracle();
   code.oracles["thickness_ramp"] = &ramp_oracle();
