@@ -105,7 +105,7 @@ struct EffectManifest {
   // An object that no view can see is left out, and the effect with its last one. Only for effects whose passes draw their
   // objects from the eye, and nowhere outside the meshes.
   bool only_where_seen = false;
-  bool reads_frame = false;    // drawn after all effects that do not
+  bool reads_frame = false;             // drawn after all effects that do not
   std::vector<std::string> instead_of;  // effects that an object with this one cannot have; load_library() makes it mutual
   std::vector<std::string> needs;       // numbers or facts: where one is 0, the effect is not called for
   std::string because, not_because;

@@ -47,10 +47,11 @@ class Declaration {
     if (!before && keeps_size && rgb) before = default_texture(request);
     now = made_texture(request, before, keeps_size);
     if ((rgb || alpha) && now->width < texture.min_width)
-      throw Error(ErrorKind::bad_input, "scene", rgb ? rgb->where : alpha->where,
-                  fmt::format("'{}' is {} texel{} wide and must be {} at least: give a picture that says along its width what a "
-                              "single colour cannot",
-                              rgb ? texture.rgb : texture.alpha, now->width, now->width == 1 ? "" : "s", texture.min_width));
+      throw Error(
+          ErrorKind::bad_input, "scene", rgb ? rgb->where : alpha->where,
+          fmt::format("'{}' is {} texel{} wide and must be {} at least: give a picture that says along its width what a "
+                      "single colour cannot",
+                      rgb ? texture.rgb : texture.alpha, now->width, now->width == 1 ? "" : "s", texture.min_width));
     if (!fresh && before && before->width != now->width) {
       const float wider = static_cast<float>(now->width) / static_cast<float>(before->width);
       for (const NumberManifest& number : declared_.numbers)

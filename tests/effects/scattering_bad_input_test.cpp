@@ -18,8 +18,8 @@ std::string tetrahedron_model(const std::vector<uint16_t>& last_face) {
   const int normals = maker.add_floats({-0.57735f, -0.57735f, -0.57735f, 1, 0, 0, 0, 1, 0, 0, 0, 1}, 3);
   const int uvs = maker.add_floats({0, 0, 1, 0, 0, 1, 1, 1}, 2);
   const int faces = maker.add_accessor(indices, 1, 5123);
-  maker.add_mesh("hull", {fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{},"TEXCOORD_0":{}}},"indices":{}}})", positions,
-                                      normals, uvs, faces)});
+  maker.add_mesh("hull", {fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{},"TEXCOORD_0":{}}},"indices":{}}})",
+                                      positions, normals, uvs, faces)});
   maker.add_node(R"({"mesh":0,"name":"hull"})");
   return maker.glb();
 }
@@ -43,7 +43,8 @@ class ScatteringInput : public testing::Test {
 
 TEST_F(ScatteringInput, FogNeedsAHullARampAndADensity) {
   EXPECT_EQ(load_scene(write("[objects.hull]\nfog = true\n"), builtin_library()).objects.size(), 1u);
-  expect_refused_at(3, "[objects.hull]\nfog = true\n", "volume_fog needs a closed hull, and its mesh is open: the edge from (", {});
+  expect_refused_at(3, "[objects.hull]\nfog = true\n", "volume_fog needs a closed hull, and its mesh is open: the edge from (",
+                    {});
   expect_refused_at(3, "[objects.hull]\nfog = true\n", "volume_fog needs a closed hull, and its mesh", {1, 3, 2});
   const std::string fog = "[objects.hull]\nfog = true\n[effects.volume_fog]\n";
   expect_refused_at(6, fog + "density = -1\n", "'density' must be a number from 0 to 10000");

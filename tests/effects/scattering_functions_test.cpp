@@ -13,8 +13,8 @@ namespace lamina {
 namespace {
 
 constexpr size_t scattering_inputs = 500;
-const char* const scattering_folders[] = {"henyey_greenstein",  "cornette_shanks", "rayleigh", "transmittance",
-                                          "mean_transmittance", "slab_in_scatter", "fresnel", "refraction",
+const char* const scattering_folders[] = {"henyey_greenstein",  "cornette_shanks", "rayleigh",       "transmittance",
+                                          "mean_transmittance", "slab_in_scatter", "fresnel",        "refraction",
                                           "wrap_lighting",      "back_light",      "thickness_ramp", "depth_bias"};
 
 Family scattering_family(const std::string& folder) {

@@ -211,7 +211,7 @@ TEST(TranslucentBackends, AgreeAndHaveNoNaN) {
 }
 
 // In the variants that draw maps of the lights.
-constexpr const char* mapped_variants[] = {"refracted_march", "burley_slab", "filtered_samples",
+constexpr const char* mapped_variants[] = {"refracted_march", "burley_slab",     "filtered_samples",
                                            "one_sample",      "one_sample_ramp", "light_sums"};
 
 TEST_P(TranslucentScenes, WithoutACastingLightNoMapIsDrawn) {
@@ -250,8 +250,9 @@ TEST_P(TranslucentScenes, StillLightsAndMeshesMakeOneMapALight) {
 
 // A medium that scatters nothing sends nothing back, and asks for no map.
 TEST_P(TranslucentScenes, ABlackMediumIsBlackWithoutAMap) {
-  const Scene scene = lit_alone(translucent(sphere_mesh(9), {.refraction_index = 1.4, .multiple_scattering = 1, .albedo = {0, 0, 0}}),
-                                {0, 0, -1}, {0, 0, 5}, 26);
+  const Scene scene =
+      lit_alone(translucent(sphere_mesh(9), {.refraction_index = 1.4, .multiple_scattering = 1, .albedo = {0, 0, 0}}),
+                {0, 0, -1}, {0, 0, 5}, 26);
   for (const char* name : mapped_variants) {
     const MapPasses maps = map_passes(scene, name);
     EXPECT_EQ(maps.once + maps.every_frame + maps.read, 0u) << name;

@@ -11,8 +11,8 @@
 namespace lamina {
 namespace {
 
-// The objects of a built-in scene as one medium without a boundary, under its first light alone, as that light casts. An optical
-// depth of 3 is as long as the scene is wide.
+// The objects of a built-in scene as one medium without a boundary, under its first light alone, as that light casts. An
+// optical depth of 3 is as long as the scene is wide.
 struct SummedScene {
   Scene scene;
   double size_m = 0;
@@ -42,7 +42,8 @@ SummedLength length_before(const Solids& solids, glm::dvec3 point, glm::dvec3 to
   const double away = 4 * solids.radius_m();
   SummedLength length;
   double inside = 0;
-  for (const SurfaceCrossing& crossing : solids.crossings(point + away * to_light, -to_light, away - 1e-5 * solids.radius_m())) {
+  for (const SurfaceCrossing& crossing :
+       solids.crossings(point + away * to_light, -to_light, away - 1e-5 * solids.radius_m())) {
     inside += crossing.entering ? 1 : -1;
     length.metres += crossing.entering ? -crossing.distance : crossing.distance;
     length.min_cosine = std::min(length.min_cosine, std::abs(glm::dot(crossing.normal, to_light)));
@@ -67,7 +68,8 @@ class TranslucentSums : public EachBackend {
     const View& view = scene.views[0];
     const glm::dvec3 eye(view.eye), to_light = -glm::normalize(glm::dvec3(scene.lights[0].direction));
     const double texel = made.size_m / 512, extinction = 3 / made.size_m;
-    const glm::dvec3 across = glm::normalize(glm::cross(to_light, glm::dvec3(0.3, 0.5, 0.8))), up = glm::cross(to_light, across);
+    const glm::dvec3 across = glm::normalize(glm::cross(to_light, glm::dvec3(0.3, 0.5, 0.8))),
+                     up = glm::cross(to_light, across);
     SummedErrors found;
     for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x) {

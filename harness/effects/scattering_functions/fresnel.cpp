@@ -19,12 +19,9 @@ Real wide_fresnel(const Real& cosine, const Real& n) {
 }  // namespace
 
 Formula fresnel_formula() {
-  return {{"c", "n"},
-          "the cosine must lie above 0 and up to 1, the index from 0.25 to 4",
-          accepts_boundary,
-          [](std::span<const Real> p) -> Real { return wide_fresnel(p[0], p[1]); },
-          of_value,
-          boundary_sets()};
+  return {{"c", "n"},       "the cosine must lie above 0 and up to 1, the index from 0.25 to 4",
+          accepts_boundary, [](std::span<const Real> p) -> Real { return wide_fresnel(p[0], p[1]); },
+          of_value,         boundary_sets()};
 }
 
 }  // namespace lamina
