@@ -157,6 +157,8 @@ TEST(Air, NumbersOfTheSceneAreTheEarthsWhereItGivesNone) {
   EXPECT_NEAR(thick.rayleigh.g, 2 * air.rayleigh.g, 1e-12);
   EXPECT_NEAR(thick.mie.g, 6 * air.mie.g, 1e-12);
   EXPECT_EQ(thick.ozone, glm::dvec3(0));
+  add_air(scene, {{"density", 2}, {"ozone_amount", 3}, {"mie_amount", 1}});
+  EXPECT_NEAR(air_of(scene.effects.at("atmosphere")).ozone.g, 6 * air.ozone.g, 1e-13);
 }
 
 }  // namespace

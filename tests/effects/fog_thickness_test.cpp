@@ -163,12 +163,25 @@ TEST_P(FogThickness, AnalyticHullsAgreeWithClosedForms) {
     EXPECT_NEAR(found[i].middle_m(), cases.cases()[i].most_m, 3e-5) << cases.cases()[i].name << " " << i;
 }
 
+// Both meshes as one; the second turned inside out where it is said.
+Mesh joined(Mesh mesh, const Mesh& other, bool inside_out) {
+  const auto first = static_cast<uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (size_t i = 0; i < other.indices.size(); i += 3)
+    for (const size_t corner : {i, i + (inside_out ? 2 : 1), i + (inside_out ? 1 : 2)})
+      mesh.indices.push_back(first + other.indices[corner]);
+  return mesh;
+}
+
 TEST(HullShapes, AreToldFromOtherMeshes) {
   EXPECT_EQ(hull_shape(sphere_mesh(9)), HullShape::ellipsoid);
   EXPECT_EQ(hull_shape(block_mesh({{{-1, 2, 3}, {4, 5, 6}}}, 0.7f)), HullShape::box);
   EXPECT_EQ(hull_shape(block_mesh({{{0, 0, 0}, {2, 2, 2}}, {{0, 0, 0}, {1, 1, 1}, false}}, 5)), HullShape::any)
       << "a corner out";
   EXPECT_EQ(hull_shape(block_mesh({{{0, 0, 0}, {3, 3, 3}}, {{1, 1, 1}, {2, 2, 2}, false}}, 5)), HullShape::any) << "a shell";
+  const Mesh box = block_mesh({{{-1, -1, -1}, {1, 1, 1}}}, 5), inner = block_mesh({{{0, 0, 0}, {0.5f, 0.5f, 0.5f}}}, 5);
+  EXPECT_EQ(hull_shape(joined(box, box, false)), HullShape::any) << "twice the same box: fog of twice the density";
+  EXPECT_EQ(hull_shape(joined(joined(box, inner, false), inner, true)), HullShape::any) << "more than a box, of its volume";
   Mesh dented = sphere_mesh(9);
   dented.vertices[40].position *= 0.999f;
   EXPECT_EQ(hull_shape(dented), HullShape::any);
