@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/cli/effect_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "harness/core/stopwatch.h"
@@ -47,6 +49,18 @@ Parameters own_parameters(const Configuration& configuration, const std::map<std
     for (const ParameterManifest& parameter : variant->parameters)
       if (const auto set = params.find(variant->name + "." + parameter.name); set != params.end()) own.insert(*set);
   return own;
+}
+
+// A pass that repeats until nothing is left, and was stopped before: said, for nothing in the picture shows it.
+void note_unfinished(CellRow& row, const Frame& frame, size_t view) {
+  for (const GraphPass* pass : frame.unfinished(view)) {
+    std::string note = fmt::format("pass '{}' still drew something in the last of its repetitions: the rest is not drawn",
+                                   pass->pass->name);
+    if (!pass->pass->repeat.parameter.empty())
+      note += fmt::format("; raise {}.{}", pass->variant->name, pass->pass->repeat.parameter);
+    fmt::print(stderr, "lamina: note: {}, view {}: {}\n", row.variant, row.view, note);
+    row.notes.push_back(std::move(note));
+  }
 }
 
 // The passes done once, repeated: [pass][repetition].
@@ -228,6 +242,7 @@ EffectRun::Drawn EffectRun::draw(Variant& variant, size_t view) {
     prepared.ready->frame.run(view, Timing::off);
     variant.first_is_drawn = false;
   }
+  note_unfinished(variant.rows[view], prepared.ready->frame, view);
   const Clock clock(spent_.read_back);
   return {prepared.ready->frame.picture(), prepared.covered[view]};
 }

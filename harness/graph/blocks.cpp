@@ -78,8 +78,10 @@ BlockValues frame_values(const ShaderResource& block, const BlockContext& contex
   return values;
 }
 
-BlockValues object_values(const Object& object) {
+BlockValues object_values(const Scene& scene, size_t place) {
+  const Object& object = scene.objects[place];
   BlockValues values;
+  values.set("object_place", glm::ivec4(static_cast<int>(place), static_cast<int>(scene.objects.size()), 0, 0));
   values.set("world_from_object", object.world_from_object);
   values.set("world_from_object_normal", glm::mat4(glm::transpose(glm::inverse(glm::mat3(object.world_from_object)))));
   return values;
@@ -138,7 +140,7 @@ BlockValues block_values(const ShaderResource& block, const BlockContext& contex
     refuse(context, unknown_name("uniform block", block.name, blocks));
   }
   if (!context.object) refuse(context, "block 'Object' is only there where a pass draws objects");
-  return object_values(context.scene.objects[*context.object]);
+  return object_values(context.scene, *context.object);
 }
 
 }  // namespace lamina

@@ -45,6 +45,11 @@ const std::vector<size_t>& Frame::running(Sequence& sequence, size_t view) {
   std::map<std::pair<size_t, uint32_t>, uint64_t> drawn;
   for (size_t i = 0; i < passes.size(); ++i)
     if (passes[i].count_samples) drawn[{sequence.step_of_pass[i], sequence.repetition_of_pass[i]}] += counted.samples[i];
+  running.unfinished.clear();
+  for (const auto& [which, samples] : drawn) {
+    const auto next = drawn.find({which.first, which.second + 1});
+    if (samples > 0 && next == drawn.end()) running.unfinished.push_back(which.first);
+  }
   for (const auto& [which, samples] : drawn)
     if (samples == 0 && kept[which.first] == UINT32_MAX)
       kept[which.first] = sequence.steps[which.first].turns ? (which.second + 1) / 2 * 2 : which.second;
@@ -67,6 +72,12 @@ FrameTimes Frame::run_sequence(Sequence& sequence, size_t view, Timing timing) {
   sums.pass_ms.assign(sequence.steps.size(), 0);
   for (size_t i = 0; i < times.pass_ms.size(); ++i) sums.pass_ms[sequence.step_of_pass[which[i]]] += times.pass_ms[i];
   return sums;
+}
+
+std::vector<const GraphPass*> Frame::unfinished(size_t view) const {
+  std::vector<const GraphPass*> passes;
+  for (const size_t step : frame_.running.at(view).unfinished) passes.push_back(frame_.steps[step].pass);
+  return passes;
 }
 
 void Frame::set_background(glm::vec3 linear) {

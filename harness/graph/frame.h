@@ -54,6 +54,9 @@ class Frame {
   };
   std::vector<Slice> slices(size_t view, std::span<const uint32_t> parts);
 
+  // Passes with until_empty whose last repetition still drew something when view `view` was run: there may be more to draw.
+  std::vector<const GraphPass*> unfinished(size_t view) const;
+
   // The picture of the last run(): linear light; alpha as the passes left it.
   Image picture();
 
@@ -96,7 +99,8 @@ class Frame {
     // [view]: which of them run, where a pass stops repeating when it has drawn nothing; and for which state of the scene.
     struct Running {
       uint64_t of_update = 0;
-      std::vector<size_t> passes;  // by index
+      std::vector<size_t> passes;      // by index
+      std::vector<size_t> unfinished;  // steps that drew to the last repetition
     };
     std::vector<Running> running;
     bool stops_early = false;

@@ -130,7 +130,10 @@ void FrameBuilder::build_pass(const Repetition& repetition, std::span<const Grap
   const PassManifest& manifest = *repetition.pass.pass;
   // Any object of the pass may read back what it writes, so targets are swapped only after the reads of all draws are bound.
   std::vector<FrameTarget*> turning;
-  for (const GraphDraw& draw : draws) prepare_read_back(repetition, draw, turning);
+  for (const GraphDraw& draw : draws) {
+    clear_unwritten(repetition, draw);
+    prepare_read_back(repetition, draw, turning);
+  }
   Pass into = begin_pass(repetition, draws.front());
   for (size_t i = 0; i < draws.size() && manifest.draw != DrawKind::mips; ++i)
     if (!draws[i].stages.empty()) into.draws.push_back(make_draw(repetition, draws[i], into));
@@ -138,6 +141,25 @@ void FrameBuilder::build_pass(const Repetition& repetition, std::span<const Grap
   repetition.passes.push_back(std::move(into));
   for (FrameTarget* target : turning) target->current = 1 - target->current;
   repetition.step.turns = repetition.step.turns || !turning.empty();
+}
+
+// The frame and its depth may be read where nothing has been drawn: they are then empty.
+void FrameBuilder::clear_unwritten(const Repetition& repetition, const GraphDraw& draw) {
+  for (const ResolvedRead& read : draw.reads) {
+    const bool depth = read.source.kind == Source::Kind::depth;
+    if (!depth && (read.source.kind != Source::Kind::frame || writes_frame(repetition.pass))) continue;
+    FrameTarget& target = depth ? targets_.depth() : targets_.frame();
+    if (target.written) continue;
+    target.written = true;
+    Pass cleared;
+    cleared.name = label_of(repetition.pass, draw, false) + " before";
+    const glm::vec3& around = scene_.background;
+    if (depth)
+      cleared.depth = Attachment{target.buffers[target.current], 0, Load::clear, {1, 0, 0, 0}};
+    else
+      cleared.colors.push_back({target.buffers[target.current], 0, Load::clear, {around.r, around.g, around.b, 0}});
+    repetition.passes.push_back(cleared);
+  }
 }
 
 // For a draw that reads what it writes: clears the buffer that it reads, if nothing is in it yet, and copies it into the buffer
@@ -213,7 +235,7 @@ void FrameBuilder::attach(const Repetition& repetition, const GraphDraw& draw, P
   const bool own = !manifest.depth_target.empty();
   FrameTarget& depth = own ? targets_.target(repetition.pass, draw, manifest.depth_target) : targets_.depth();
   const bool turns = own && reads_back(repetition.pass, draw, manifest.depth_target);
-  const bool keeps = depth.written && !turns;
+  const bool keeps = depth.written && !turns && !manifest.clear_depth_again;
   into.depth = Attachment{depth.buffers[turns ? 1 - depth.current : depth.current],
                           0,
                           keeps ? Load::keep : Load::clear,

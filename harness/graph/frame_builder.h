@@ -36,6 +36,7 @@ class FrameBuilder {
   void build_repetition(const Repetition& repetition);
   // Draws of one backend pass: all objects of a view, or one thing's.
   void build_pass(const Repetition& repetition, std::span<const GraphDraw> draws);
+  void clear_unwritten(const Repetition& repetition, const GraphDraw& draw);
   void prepare_read_back(const Repetition& repetition, const GraphDraw& draw, std::vector<FrameTarget*>& turning);
   Pass begin_pass(const Repetition& repetition, const GraphDraw& draw);
   void attach(const Repetition& repetition, const GraphDraw& draw, Pass& into);

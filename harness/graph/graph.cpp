@@ -37,6 +37,31 @@ std::string frequency_words(const PassManifest& pass, const Scene& scene, bool& 
   return scene.mesh_moves ? "every frame: a mesh moves" : "every frame: a light moves";
 }
 
+// The effect's objects that the pass is of: those with and without the features that it names.
+std::vector<size_t> chosen_objects(const EffectPlan& effect, const PassManifest& pass, const Scene& scene) {
+  std::vector<size_t> chosen;
+  for (const size_t object : effect.objects) {
+    const auto features = feature_defines(*effect.effect, scene, &scene.objects[object]);
+    if ((pass.with.empty() || features.contains(pass.with)) && !features.contains(pass.without)) chosen.push_back(object);
+  }
+  return chosen;
+}
+
+std::string chosen_words(const PassManifest& pass) {
+  const std::string without = pass.without.empty() ? "" : "without " + pass.without;
+  if (pass.with.empty()) return without;
+  return "with " + pass.with + (without.empty() ? "" : " and " + without);
+}
+
+// Features that the effect does not have.
+void check_features(const EffectManifest& effect, const PassManifest& pass) {
+  std::vector<std::string> known;
+  for (const FeatureManifest& feature : effect.features) known.push_back(feature.define);
+  for (const std::string& name : {pass.with, pass.without})
+    if (!name.empty() && std::find(known.begin(), known.end(), name) == known.end())
+      throw Error(ErrorKind::bad_input, "variants", pass.where, unknown_name("feature", name, known));
+}
+
 void require_closed(const EffectPlan& effect, const VariantManifest& variant, const Scene& scene) {
   for (const size_t object : effect.objects)
     if (const auto problem = hull_problem(scene.objects[object].mesh))
@@ -67,7 +92,7 @@ class Maker {
         pass.draws.push_back(make_draw(pass, std::nullopt, light));
         continue;
       }
-      const std::vector<size_t>& objects = objects_of(effect, manifest);
+      const std::vector<size_t> objects = objects_of(effect, manifest);
       for (const size_t object : objects) pass.draws.push_back(make_draw(pass, object, light));
       // A scene without any such object still has the targets that are cleared before them.
       if (objects.empty() && manifest.draw == DrawKind::objects) pass.draws.push_back({.light = light});
@@ -76,8 +101,9 @@ class Maker {
   }
 
  private:
-  const std::vector<size_t>& objects_of(const EffectPlan& effect, const PassManifest& pass) const {
-    return pass.of == DrawnObjects::all ? plan_.all : pass.of == DrawnObjects::opaque ? plan_.opaque : effect.objects;
+  std::vector<size_t> objects_of(const EffectPlan& effect, const PassManifest& pass) const {
+    if (pass.of != DrawnObjects::own) return pass.of == DrawnObjects::all ? plan_.all : plan_.opaque;
+    return chosen_objects(effect, pass, scene_);
   }
 
   std::map<std::string, std::string> definitions(const GraphPass& pass, const Object* object) const {
@@ -232,6 +258,14 @@ Graph make_graph(const Plan& plan, const Configuration& configuration, const Sce
       if (variant->value_of(manifest.repeat, parameters) < 1) continue;
       if (manifest.view == PassView::light && !manifest.needs_light && casting_lights(scene).empty()) {
         graph.dropped.push_back({.effect = effect.effect, .variant = variant, .pass = &manifest, .reason = "no light casts"});
+        continue;
+      }
+      check_features(*effect.effect, manifest);
+      if (!chosen_words(manifest).empty() && chosen_objects(effect, manifest, scene).empty()) {
+        graph.dropped.push_back({.effect = effect.effect,
+                                 .variant = variant,
+                                 .pass = &manifest,
+                                 .reason = "left out: no object " + chosen_words(manifest)});
         continue;
       }
       graph.passes.push_back(maker.make_pass(effect, *variant, manifest));

@@ -14,7 +14,7 @@ const std::vector<std::string> meaning_names = {"colour", "number", "normal", "n
 const std::vector<std::string> model_textures = {"model.base_colour", "model.normal"};
 const std::vector<std::string> model_alphas = {"model.transparency"};
 const std::vector<std::string> model_numbers = {"model.thickness"};
-const std::vector<std::string> fact_functions = {"seen_alpha", "largest", "largest_channel"};
+const std::vector<std::string> fact_functions = {"seen_alpha", "largest", "largest_channel", "least_alpha"};
 
 template <class Row>
 const Row* named(const std::vector<Row>& rows, std::string_view name) {
@@ -150,12 +150,25 @@ std::vector<std::string> facts_and_numbers(const EffectManifest& effect) {
   return names;
 }
 
-std::vector<std::string> read_needs(const TomlTable& table, const EffectManifest& effect) {
-  const std::vector<std::string> needs = table.optional_strings("needs").value_or(std::vector<std::string>{});
+NeedManifest read_need(const TomlTable& table, const std::string& text) {
+  const size_t sign = text.find(" >= ");
+  if (sign == std::string::npos) return {text, std::nullopt};
+  const std::string number = text.substr(sign + 4);
+  char* end = nullptr;
+  const double at_least = std::strtod(number.c_str(), &end);
+  if (number.empty() || *end != 0 || !std::isfinite(at_least))
+    throw table.error("needs", fmt::format("'{}' must be a name, or NAME >= NUMBER", text));
+  return {text.substr(0, sign), at_least};
+}
+
+std::vector<NeedManifest> read_needs(const TomlTable& table, const EffectManifest& effect) {
   const std::vector<std::string> known = facts_and_numbers(effect);
-  for (const std::string& need : needs)
-    if (std::find(known.begin(), known.end(), need) == known.end())
-      throw table.error("needs", unknown_name("fact or number", need, known));
+  std::vector<NeedManifest> needs;
+  for (const std::string& text : table.optional_strings("needs").value_or(std::vector<std::string>{})) {
+    needs.push_back(read_need(table, text));
+    if (std::find(known.begin(), known.end(), needs.back().name) == known.end())
+      throw table.error("needs", unknown_name("fact or number", needs.back().name, known));
+  }
   return needs;
 }
 

@@ -65,10 +65,16 @@ struct FactManifest {
   std::string name, function, texture;
 };
 
-// A definition that shaders get, per object, where all of `needs` (numbers or facts) are above 0.
+// A number or fact that must be above 0, or, written "NAME >= NUMBER", at least that number.
+struct NeedManifest {
+  std::string name;
+  std::optional<double> at_least;
+};
+
+// A definition that shaders get, per object, where all of `needs` are met.
 struct FeatureManifest {
   std::string define;
-  std::vector<std::string> needs;
+  std::vector<NeedManifest> needs;
   std::string because, not_because;
 };
 
@@ -107,7 +113,7 @@ struct EffectManifest {
   bool only_where_seen = false;
   bool reads_frame = false;             // drawn after all effects that do not
   std::vector<std::string> instead_of;  // effects that an object with this one cannot have; load_library() makes it mutual
-  std::vector<std::string> needs;       // numbers or facts: where one is 0, the effect is not called for
+  std::vector<NeedManifest> needs;      // where one is not met, the effect is not called for
   std::string because, not_because;
   std::optional<MirrorManifest> mirror;
   Declarations object, scene;

@@ -88,6 +88,7 @@ void read_depth(const TomlTable& table, const VariantManifest& variant, PassMani
   pass.depth = choice(table, "depth", {"none", "read", "read_write"}, Depth::none);
   pass.depth_test = choice(table, "depth_test", {"less_equal", "equal", "greater"}, DepthTest::less_equal);
   pass.clear_depth = static_cast<float>(table.optional_number("clear_depth", 0, 1).value_or(1));
+  pass.clear_depth_again = table.optional_bool("clear_depth_again").value_or(false);
   pass.depth_target = table.optional_string("depth_target").value_or("");
   if (pass.depth_target.empty()) return;
   const TargetManifest* target = variant.target(pass.depth_target);
@@ -96,6 +97,11 @@ void read_depth(const TomlTable& table, const VariantManifest& variant, PassMani
     throw table.error("depth_target", fmt::format("'{}' is not of the format d32_float", pass.depth_target));
   if (pass.depth == Depth::none)
     throw table.error("depth_target", "depth is neither read nor written: say depth = \"read_write\"");
+}
+
+void check_clear_depth_again(const TomlTable& table, const PassManifest& pass) {
+  if (pass.clear_depth_again && pass.depth_target.empty())
+    throw table.error("clear_depth_again", "the frame's depth is everyone's: name a 'depth_target' of the variant");
 }
 
 void read_compute(const TomlTable& table, const VariantManifest& variant, PassManifest& pass) {
@@ -153,6 +159,8 @@ void check_view(const TomlTable& table, const PassManifest& pass) {
   const bool objects = pass.draw == DrawKind::objects;
   if (pass.depth != Depth::none && !objects) throw table.error("depth", "only passes that draw objects on screen have depth");
   if (pass.of != DrawnObjects::own && !objects) throw table.error("of", "only passes that draw objects on screen choose them");
+  if (pass.of != DrawnObjects::own && !(pass.with.empty() && pass.without.empty()))
+    throw table.error("of", "'with' and 'without' choose among the effect's own objects, which have its features");
   if (pass.view != PassView::eye && pass.draw == DrawKind::unwrapped)
     throw table.error("view", "an unwrapped pass has no view");
   if (pass.view != PassView::eye && pass.depth != Depth::none && pass.depth_target.empty())
@@ -242,6 +250,9 @@ PassManifest read_pass(const TomlTable& table, const VariantManifest& variant, c
   }
   read_blend(table, pass);
   read_depth(table, variant, pass);
+  check_clear_depth_again(table, pass);
+  pass.with = table.optional_string("with").value_or("");
+  pass.without = table.optional_string("without").value_or("");
   pass.cull = choice(table, "cull", {"none", "back", "front"}, Cull::none);
   read_compute(table, variant, pass);
   table.refuse_unknown_keys();

@@ -91,6 +91,7 @@ struct PassManifest {
   std::string where;  // FILE:LINE, for messages
   DrawKind draw = DrawKind::objects;
   DrawnObjects of = DrawnObjects::own;
+  std::string with, without;  // features: only objects that have the one and lack the other; "": all
   PassView view = PassView::eye;
   Frequency when = Frequency::frame;
   Setting repeat{1, {}};
@@ -109,6 +110,7 @@ struct PassManifest {
   DepthTest depth_test = DepthTest::less_equal;
   std::string depth_target;  // in place of the frame's depth
   float clear_depth = 1;
+  bool clear_depth_again = false;  // before every repetition
   Cull cull = Cull::none;
   std::array<uint32_t, 3> groups = {1, 1, 1};   // compute
   std::string threads_over;                     // compute: one thread a texel of this target ...

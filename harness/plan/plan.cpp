@@ -9,10 +9,12 @@
 namespace lamina {
 namespace {
 
-// Whether every fact and number of `needs`, the effect's own or those of one of its features, is above 0.
-bool are_met(const std::vector<std::string>& needs, const EffectManifest& effect, const Scene& scene, const Object* object) {
-  return std::all_of(needs.begin(), needs.end(),
-                     [&](const std::string& need) { return needed_value(effect, scene, object, need) > 0; });
+// Whether all of `needs`, the effect's own or those of one of its features, are met.
+bool are_met(const std::vector<NeedManifest>& needs, const EffectManifest& effect, const Scene& scene, const Object* object) {
+  return std::all_of(needs.begin(), needs.end(), [&](const NeedManifest& need) {
+    const double value = needed_value(effect, scene, object, need.name);
+    return need.at_least ? value >= *need.at_least : value > 0;
+  });
 }
 
 EffectPlan& of_effect(Plan& plan, const EffectManifest& effect) {

@@ -48,6 +48,7 @@ struct CellRow {
   std::map<std::string, std::string> words;  // by path, of parameters that take words
   bool failed = false;
   std::string reason;  // of the failure
+  std::vector<std::string> notes;  // what the picture may lack, one sentence each
   bool timed = true;   // false: the timer's certificate failed, or a sweep did not ask: no time is given
   std::vector<PassRow> passes;
   std::optional<double> median_ms;  // of frame_samples_ms(), made when the line is written, and so is

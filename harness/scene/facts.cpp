@@ -16,6 +16,19 @@ double largest(const Texture& texture, bool of_all_channels) {
   return double(greatest);
 }
 
+double least_alpha(const Texture& texture) {
+  float least = 1;
+  for (const glm::vec4& texel : base_texels(*texture).rgba) least = std::min(least, texel.a);
+  return double(least);
+}
+
+// Of the mesh too, whose texture loses an alpha that it does not show.
+double value_of(const std::string& function, const Mesh& mesh, Texture& texture) {
+  if (function == "seen_alpha") return double(settle_seen_alpha(mesh, texture));
+  if (function == "least_alpha") return least_alpha(texture);
+  return largest(texture, function == "largest_channel");
+}
+
 }  // namespace
 
 double fact_or_number(const EffectValues& values, std::string_view name) {
@@ -29,8 +42,7 @@ void settle_facts(Object& object, const EffectManifest& effect) {
   if (values == object.effects.end()) return;
   for (const FactManifest& fact : effect.facts) {
     Texture& texture = values->second.textures.at(fact.texture);
-    values->second.facts[fact.name] = fact.function == "seen_alpha" ? double(settle_seen_alpha(object.mesh, texture))
-                                                                    : largest(texture, fact.function == "largest_channel");
+    values->second.facts[fact.name] = value_of(fact.function, object.mesh, texture);
   }
 }
 

@@ -4,6 +4,7 @@
 //   seen_alpha = "TEXTURE"  the greatest alpha of the texture wherever the mesh shows it, 0 to 1
 //   largest = "TEXTURE"     the greatest red of any texel of the texture, 0 to 1
 //   largest_channel = "TEXTURE"  the greatest red, green or blue of any texel of the texture, 0 to 1
+//   least_alpha = "TEXTURE"      the least alpha of any texel of the texture, 0 to 1
 #pragma once
 
 #include "harness/manifest/effect_manifest.h"

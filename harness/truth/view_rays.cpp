@@ -13,8 +13,8 @@ ViewRays::ViewRays(const View& view, int width_px, int height_px)
       width_px_(width_px),
       height_px_(height_px) {}
 
-glm::dvec3 ViewRays::direction(int column, int row) const {
-  const double x = (2 * (column + 0.5) - width_px_) / height_px_, y = 1 - 2 * (row + 0.5) / height_px_;
+glm::dvec3 ViewRays::through(double x_px, double y_px) const {
+  const double x = (2 * x_px - width_px_) / height_px_, y = 1 - 2 * y_px / height_px_;
   return glm::normalize(ahead_ + half_height_ * (x * right_ + y * up_));
 }
 

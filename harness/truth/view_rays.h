@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays of a view through the middles of its pixels, in doubles.
+// The rays of a view through the middles of its pixels, or any place of its picture, in doubles.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,7 +12,9 @@ class ViewRays {
  public:
   ViewRays(const View& view, int width_px, int height_px);
   // Unit, in the world; the top row is 0.
-  glm::dvec3 direction(int column, int row) const;
+  glm::dvec3 direction(int column, int row) const { return through(column + 0.5, row + 0.5); }
+  // Through a place of the picture, in pixels from its top left corner.
+  glm::dvec3 through(double x_px, double y_px) const;
   // Of the pixel row * width + column.
   glm::dvec3 direction(size_t pixel) const;
   // Unit, along the view's axis.

@@ -31,6 +31,9 @@ layout(std140, binding = 0) uniform Frame {
 layout(std140, binding = 1) uniform Object {
   mat4 world_from_object;
   mat4 world_from_object_normal;     // inverse transpose, for normals
+#ifdef OBJECT_MEMBERS
+  OBJECT_MEMBERS                     // ivec4 object_place: x = the object's place among the scene's, y = how many there are
+#endif
 };
 
 layout(std140, binding = 2) uniform Pass {

@@ -4,6 +4,7 @@
 // left of its 8 is room for a sum.
 #ifndef DEPTH_ENCODING_CODES_GLSL
 #define DEPTH_ENCODING_CODES_GLSL
+#include "../common/random.glsl"
 
 // 2^(3 bits), for bits from 1 to 8.
 float code_scale(int bits) { return float(1 << (3 * bits)); }
@@ -47,15 +48,5 @@ uvec4 dithered_code(float depth, float random, int bits) {
 
 // What sums of dithered channels stand for.
 int joined_dithered_code(ivec4 sums, int bits) { return joined_code(sums.xyz, bits) - (sums.w << bits); }
-
-// A random number from 0 to 1 for three words: O'Neill, "PCG", 2014, as a hash (Jarzynski and Olano, "Hash Functions for GPU
-// Rendering", JCGT 9(3), 2020).
-float random_of(uvec3 v) {
-  v = v * 1664525u + 1013904223u;
-  v.x += v.y * v.z, v.y += v.z * v.x, v.z += v.x * v.y;
-  v ^= v >> 16u;
-  v.x += v.y * v.z, v.y += v.z * v.x, v.z += v.x * v.y;
-  return float(v.x >> 8u) / 16777216.0;
-}
 
 #endif

@@ -71,6 +71,10 @@ TEST_F(UserEffect, MistakesAreNamedWithFileAndLine) {
   EXPECT_SAYS(
       refusal("key = \"wax\"", "[numbers.a]\nvalue = 1\n[features.F]\nneeds = [\"b\"]\nbecause = \"x\"\nnot_because = \"y\"\n"),
       "unknown fact or number 'b'");
+  for (const std::string need : {"a >= much", "a >= "})
+    EXPECT_SAYS(refusal("key = \"wax\"", "[numbers.a]\nvalue = 1\n[features.F]\nneeds = [\"" + need +
+                                             "\"]\nbecause = \"x\"\nnot_because = \"y\"\n"),
+                "'" + need + "' must be a name, or NAME >= NUMBER");
   EXPECT_SAYS(refusal("", "[numbers.a]\nvalue = 1\n"), "'key' is missing");
   EXPECT_SAYS(refusal("key = \"wax\"\ninstead_of = [\"layers\"]"), "unknown effect 'layers'");
   EXPECT_SAYS(refusal("key = \"wax\"", "[mirror]\nheight = \"level\"\n"), "unknown height 'level'");

@@ -129,6 +129,9 @@ TEST_F(UserVariant, PassesAreHeldToTheirTargetsAndViews) {
   EXPECT_SAYS(refused("objects", "write = [\"flat\"]\nblend = [\"none\", \"additive\"]\n"), "2 ways for 1 targets");
   EXPECT_SAYS(refused("fullscreen", "write = [\"flat\"]\ndepth = \"read\"\n"), "have depth");
   EXPECT_SAYS(refused("fullscreen", "write = [\"flat\"]\nof = \"all\"\n"), "choose them");
+  EXPECT_SAYS(refused("objects", "write = [\"flat\"]\nof = \"all\"\nwith = \"A\"\n"), "among the effect's own objects");
+  EXPECT_SAYS(refused("objects", "write = [\"flat\"]\ndepth = \"read\"\nclear_depth_again = true\n"),
+              "the frame's depth is everyone's");
   EXPECT_SAYS(refused("fullscreen", "write = [\"flat\"]\nuntil_empty = true\n"), "count what they draw");
 }
 

@@ -38,6 +38,11 @@ TEST(Facts, LargestChannelIsTheGreatestOfAllThree) {
   }
 }
 
+TEST(Facts, LeastAlphaIsTheLeastOfAnyTexel) {
+  EXPECT_EQ(Asked({{0, 0, 0, 1}, {0, 0, 0, 1}}, "least_alpha").most(), 1) << "colours do not count";
+  EXPECT_NEAR(Asked({{1, 1, 1, 0.8f}, {1, 1, 1, 0.3f}, {1, 1, 1, 1}}, "least_alpha").most(), 0.3, 0.5 / 255);
+}
+
 TEST(Facts, AFactComesBeforeANumberAndWhatIsNotKnownIsZero) {
   EffectValues values;
   values.numbers = {{"both", 2}, {"number", 3}};
