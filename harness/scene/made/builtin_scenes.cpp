@@ -14,12 +14,15 @@
 #include "harness/scene/made/fog_shaft.h"
 #include "harness/scene/made/fog_valley.h"
 #include "harness/scene/made/fog_xray.h"
+#include "harness/scene/made/glass_drift.h"
+#include "harness/scene/made/glass_stack.h"
 #include "harness/scene/made/heart.h"
 #include "harness/scene/made/hollow_shell.h"
 #include "harness/scene/made/leaf_pair.h"
 #include "harness/scene/made/open_plane.h"
 #include "harness/scene/made/sphere_over_plane.h"
 #include "harness/scene/made/terrain.h"
+#include "harness/scene/made/thin_glass.h"
 #include "harness/scene/made/two_windows.h"
 #include "harness/scene/made/wax_block.h"
 
@@ -48,6 +51,9 @@ constexpr Builtin builtins[] = {
     {"ear", [](float) { return make_ear(); }},
     {"leaf_pair", [](float) { return make_leaf_pair(); }},
     {"hollow_shell", [](float) { return make_hollow_shell(); }},
+    {"glass_stack", [](float) { return make_glass_stack(); }},
+    {"thin_glass", [](float) { return make_thin_glass(); }},
+    {"glass_drift", make_glass_drift},
 };
 
 }  // namespace

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of glass: backends agree, nothing is NaN, the baseline keeps to the truth by rays, and patterns of pixels err at
+// edges as worked out by hand, and with every odd move.
+#include <gtest/gtest.h>
+
+#include "harness/quality/quality.h"
+#include "tests/effects/glass_scenes.h"
+
+namespace lamina {
+namespace {
+
+Scene built_in(const std::string& name, float time_s = 0) { return load_scene(name, builtin_library(), time_s); }
+
+TEST(GlassBackends, AgreeAndHaveNoNaN) {
+  std::vector<std::unique_ptr<Backend>> backends;
+  for (const std::string_view name : {"vulkan", "osmesa"}) {
+    try {
+      backends.push_back(open_backend(name, {"", true}));
+    } catch (const Error& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+  const Scene scene = built_in("glass_stack");
+  const Library& library = builtin_library();
+  const Plan plan = make_plan(library, scene);
+  Bakes bakes(scene, *library.code, DiskCache(""));
+  for (const VariantManifest& variant : library.effect("transparency").variants) {
+    std::vector<Image> pictures;
+    for (const auto& backend : backends) {
+      ShaderCache shaders(backend->info().api, library.shaders);
+      SceneResources resources(*backend, scene, library, 48, 48, &bakes);
+      const Graph graph = make_graph(plan, configuration_with(plan, variant), scene, shaders);
+      Frame frame(resources, graph, Build::timed);
+      frame.run_once(Timing::off);
+      frame.run(0, Timing::off);
+      EXPECT_TRUE(frame.unfinished(0).empty());
+      pictures.push_back(frame.picture());
+    }
+    EXPECT_GE(psnr_db(to_display(pictures[0]), to_display(pictures[1])), 45) << variant.name;
+    for (const Image& image : pictures) EXPECT_EQ(count_nonfinite(image), 0u) << variant.name;
+  }
+  for (const auto& backend : backends)
+    for (const std::string& message : backend->take_messages()) ADD_FAILURE() << message;
+}
+
+class GlassPictures : public GlassOnEachBackend {};
+
+// What rays find at the pixels' middles: all layers for the baseline, the nearest for a single one.
+TEST_P(GlassPictures, TheBaselineKeepsToTheTruth) {
+  for (const char* name : {"glass_stack", "thin_glass"}) {
+    const Scene scene = built_in(name);
+    for (const char* variant : {"depth_peeling", "single_layer"}) {
+      const Image picture = glass(scene, variant, 64);
+      const TruthAnswer answer = truth_of(scene, variant, 64, 4);
+      ASSERT_EQ(answer.steps.size(), 3u);
+      EXPECT_GT(answer.pixels.size(), 300u);
+      EXPECT_GE(psnr_db(to_display(picture), to_display(with_answer(picture, answer, 0))), 40) << name << " " << variant;
+      const bool all_kept = answer.steps[0].light == answer.steps[1].light;
+      EXPECT_EQ(all_kept, variant == std::string("depth_peeling")) << name;
+    }
+  }
+}
+
+TEST_P(GlassPictures, TheTruthOfSheetsIsTheirSum) {
+  const Scene scene = glass_sheets(four_sheets(), glm::vec3(0.2f));
+  const TruthAnswer answer = truth_of(scene, "single_layer", 8, 9);
+  ASSERT_EQ(answer.pixels.size(), 64u);
+  const glm::vec3 expected[] = {{0.6f, 0.1f, 0.1f}, {0.65f, 0.4f, 0.2125f}, {0.65f, 0.4f, 0.2125f}};
+  for (size_t step = 0; step < 3; ++step)
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(answer.steps[step].light[27][c], expected[step][c], 2e-4) << step;
+}
+
+// A wall of two halves, black and white, behind a sheet that is nearly clear; the edge lies between two columns.
+TEST_P(GlassPictures, EdgesBehindGlassAreReconstructedAsWorkedOut) {
+  Scene scene = glass_sheets({{0.0005, {0, 0, 0}, 2}}, glm::vec3(0));
+  Object half = wall(-4, 8);
+  half.world_from_object = glm::translate(glm::mat4(1), glm::vec3(8, 0, 0)) * half.world_from_object;
+  half.said.values["albedo"] = {glm::vec3(1)};
+  scene.objects.push_back(half);
+  scene = settled_glass(std::move(scene));
+  const auto worst = [&](const std::string& name) {
+    const Image picture = glass(scene, name);
+    float most = 0;
+    for (int y = 4; y < 12; ++y)
+      for (int x = 4; x < 12; ++x) most = std::max(most, std::abs(pixel(picture, x, y).r - (x < 8 ? 0.0f : 1.0f)));
+    return most;
+  };
+  EXPECT_NEAR(worst("depth_peeling"), 0, 0.002);
+  EXPECT_NEAR(worst("checkerboard_mean"), 0.25, 0.002);
+  EXPECT_NEAR(worst("checkerboard_directed"), 0, 0.002);
+  EXPECT_NEAR(worst("quad_stipple"), 0.25, 0.002);
+  EXPECT_NEAR(worst("checkerboard_twelve"), 0.19, 0.002) << "1.24 / 4 - 0.03 of four cells behind the edge";
+}
+
+// A lit sheet seen from places a pixel apart: the pictures are one picture moved, but a pattern has changed places after an odd
+// number of pixels.
+TEST_P(GlassPictures, PatternsAreStableForEvenMovesAlone) {
+  Scene scene = glass_sheets({{0.5, {0.8f, 0.8f, 0.8f}, 4}}, glm::vec3(0.2f));
+  scene.ambient = glm::vec3(0.05f);
+  Light lamp;
+  lamp.kind = Light::Kind::point;
+  lamp.position = {0.1f, 0.2f, -3.9f};  // near the sheet: its light is curved
+  lamp.radiance = glm::vec3(0.05f);
+  scene.lights = {lamp};
+  constexpr int size = 32;
+  const float pixel_m = 8 * std::tan(glm::radians(20.0f)) / size;
+  const auto moved_by = [&](const std::string& name, int pixels) {
+    const auto seen = [&](int by) {
+      Scene there = scene;
+      there.views[0].eye.x = there.views[0].target.x = pixel_m * float(by);
+      return glass(there, name, size);
+    };
+    const Image before = seen(0), after = seen(pixels);
+    float most = 0;
+    for (int y = 4; y < size - 4; ++y)
+      for (int x = 6; x < size - 6; ++x) most = std::max(most, std::abs(pixel(after, x - pixels, y).r - pixel(before, x, y).r));
+    return most;
+  };
+  EXPECT_LT(moved_by("depth_peeling", 1), 0.003f);
+  EXPECT_LT(moved_by("checkerboard_mean", 2), 0.003f);
+  EXPECT_GT(moved_by("checkerboard_mean", 1), 0.02f);
+  EXPECT_LT(moved_by("quad_stipple", 2), 0.003f);
+}
+
+// Light that is linear in the picture is reconstructed exactly, background too; and so is a parity of 1.
+TEST_P(GlassPictures, BothParitiesShowTheSameSheet) {
+  const Scene scene = built_in("glass_drift");
+  const Image exact = glass(scene, "single_layer", 64);
+  for (const std::string name : {"checkerboard_mean", "checkerboard_directed", "checkerboard_twelve", "quad_stipple"}) {
+    const Image even = glass(scene, name, 64), odd = glass(scene, name, 64, {{name + ".parity", 1}});
+    EXPECT_NE(even.rgba, odd.rgba);
+    const double limit = name == "quad_stipple" ? 20 : 24;
+    EXPECT_GE(psnr_db(to_display(even), to_display(exact)), limit) << name;
+    EXPECT_GE(psnr_db(to_display(odd), to_display(exact)), limit) << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, GlassPictures, backend_parameters, backend_test_name);
+
+}  // namespace
+}  // namespace lamina
