@@ -16,10 +16,12 @@
 #include "harness/scene/made/fog_xray.h"
 #include "harness/scene/made/glass_drift.h"
 #include "harness/scene/made/glass_stack.h"
+#include "harness/scene/made/hair_head.h"
 #include "harness/scene/made/heart.h"
 #include "harness/scene/made/hollow_shell.h"
 #include "harness/scene/made/leaf_pair.h"
 #include "harness/scene/made/open_plane.h"
+#include "harness/scene/made/rough_glass.h"
 #include "harness/scene/made/sphere_over_plane.h"
 #include "harness/scene/made/terrain.h"
 #include "harness/scene/made/thin_glass.h"
@@ -54,6 +56,8 @@ constexpr Builtin builtins[] = {
     {"glass_stack", [](float) { return make_glass_stack(); }},
     {"thin_glass", [](float) { return make_thin_glass(); }},
     {"glass_drift", make_glass_drift},
+    {"hair_head", [](float) { return make_hair_head(); }},
+    {"rough_glass", [](float) { return make_rough_glass(); }},
 };
 
 }  // namespace

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// See rough_glass.h.
+#include "harness/scene/made/rough_glass.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "harness/scene/default_views.h"
+#include "harness/scene/made/block_mesh.h"
+#include "harness/scene/made/coloured_object.h"
+#include "harness/scene/made/directional_light.h"
+#include "harness/scene/made/noise.h"
+#include "harness/scene/made/sphere_mesh.h"
+#include "harness/scene/textures.h"
+
+namespace lamina {
+namespace {
+
+// Tiles of many colours with light joints, so that blur shows at once.
+Texels tiles(glm::uvec2 count, uint32_t seed) {
+  constexpr uint32_t side = 512;
+  Texels made{side, side, {}};
+  for (uint32_t y = 0; y < side; ++y)
+    for (uint32_t x = 0; x < side; ++x) {
+      const glm::uvec2 cell = glm::uvec2(x, y) * count / side, first = (cell * side + count - 1u) / count;
+      Random random(hash_lattice(glm::ivec3(cell, 0), seed));
+      const float hue = random.next(), light = 0.25f + 0.55f * random.next();
+      const glm::vec3 colour =
+          light * (0.35f + 0.65f * glm::clamp(glm::abs(glm::fract(hue + glm::vec3(1, 2.0f / 3, 1.0f / 3)) * 6.0f - 3.0f) - 1.0f,
+                                              0.0f, 1.0f));
+      const bool joint = x - first.x < 5 || y - first.y < 5;
+      made.rgba.emplace_back(joint ? glm::vec3(0.78f, 0.76f, 0.72f) : colour, 1);
+    }
+  return made;
+}
+
+Object tiled(std::string name, Mesh mesh, glm::uvec2 count, uint32_t seed) {
+  Object object = coloured_object(std::move(name), std::move(mesh), glm::vec3(1), false);
+  object.said.values["albedo"] = {make_texture("tiles", tiles(count, seed), TexelMeaning::colour)};
+  return object;
+}
+
+// One side of the unit tile: a square facing +z, its texture upright.
+Mesh square_mesh() {
+  Mesh mesh;
+  for (const glm::vec2 uv : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)})
+    mesh.vertices.push_back({{uv.x - 0.5f, 0.5f - uv.y, 0}, {0, 0, 1}, {1, 0, 0, -1}, uv});
+  mesh.indices = {0, 2, 1, 0, 3, 2};
+  return mesh;
+}
+
+Object glass_pane(std::string name, float left, float roughness, float thickness_m) {
+  Object pane = coloured_object(std::move(name), square_mesh(), glm::vec3(1), false);
+  pane.world_from_object = glm::scale(glm::translate(glm::mat4(1), {left + 0.31f, 0.55f, 0}), {0.58f, 1.0f, 1});
+  pane.said.calls.insert("rough_refraction");
+  pane.said.values["rough_glass.roughness"] = {double(roughness)};
+  pane.said.values["rough_glass.thickness"] = {double(thickness_m)};
+  return pane;
+}
+
+Object ball(std::string name, glm::vec3 middle, float radius, glm::vec3 colour) {
+  Object object = coloured_object(std::move(name), sphere_mesh(25), colour, false);
+  object.world_from_object = glm::scale(glm::translate(glm::mat4(1), middle), glm::vec3(radius));
+  return object;
+}
+
+}  // namespace
+
+Scene make_rough_glass() {
+  Scene scene;
+  scene.objects.push_back(glass_pane("pane_0", -1.24f, 0.15f, 0.006f));
+  scene.objects.push_back(glass_pane("pane_1", -0.62f, 0.3f, 0.006f));
+  scene.objects.push_back(glass_pane("pane_2", 0.0f, 0.5f, 0.006f));
+  scene.objects.push_back(glass_pane("pane_3", 0.62f, 0.3f, 0.12f));
+  Object wall = tiled("wall", square_mesh(), {14, 8}, 3), floor = tiled("floor", square_mesh(), {9, 9}, 11);
+  wall.world_from_object = glm::scale(glm::translate(glm::mat4(1), {0, 1.2f, -1.6f}), {4.9f, 2.8f, 1});
+  floor.world_from_object = glm::scale(
+      glm::rotate(glm::translate(glm::mat4(1), {0, 0, 0.2f}), glm::radians(-90.0f), glm::vec3(1, 0, 0)), {5, 3.7f, 1});
+  scene.objects.push_back(std::move(wall));
+  scene.objects.push_back(std::move(floor));
+  scene.objects.push_back(ball("ball_0", {-0.85f, 0.30f, -0.35f}, 0.22f, {0.75f, 0.10f, 0.07f}));
+  scene.objects.push_back(ball("ball_1", {-0.2f, 0.34f, -0.95f}, 0.26f, {0.85f, 0.62f, 0.08f}));
+  scene.objects.push_back(ball("ball_2", {0.42f, 0.26f, -0.28f}, 0.18f, {0.10f, 0.28f, 0.75f}));
+  scene.objects.push_back(ball("ball_3", {0.98f, 0.32f, -0.8f}, 0.24f, {0.10f, 0.55f, 0.18f}));
+  scene.objects.push_back(
+      coloured_object("rod", block_mesh({{{-0.36f, 0.0f, 0.24f}, {-0.33f, 0.95f, 0.27f}}}, 1), {0.02f, 0.02f, 0.025f}, false));
+  scene.lights.push_back(directional_light("key", glm::normalize(glm::vec3(-0.4f, 0.9f, 0.75f)), {0.9f, 0.87f, 0.8f}));
+  scene.lights.push_back(directional_light("fill", glm::normalize(glm::vec3(0.8f, 0.35f, 0.5f)), {0.18f, 0.2f, 0.24f}));
+  scene.ambient = {0.22f, 0.23f, 0.25f};
+  scene.background = {0.10f, 0.12f, 0.15f};
+  scene.views = {{"front", {0, 0.85f, 3.7f}, {0, 0.5f, 0}, {0, 1, 0}, 36},
+                 {"aslant", {1.9f, 1.0f, 2.4f}, {0.05f, 0.45f, -0.2f}, {0, 1, 0}, 36}};
+  const BoundingSphere bounds = bounding_sphere(scene.objects);
+  for (View& view : scene.views) fit_depth(view, bounds);
+  return scene;
+}
+
+}  // namespace lamina

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ordered_dither.glsl"
+#include "stress/function.glsl"
