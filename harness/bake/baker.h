@@ -45,7 +45,7 @@ class Baker {
  public:
   virtual ~Baker() = default;
   // What BakerCode::names() promises for these options. `values`: what the object has for the effect. Throws Error(failed) for
-  // an object that cannot be baked.
+  // an object that cannot be baked, Error(bad_input) for one that the scene must say otherwise of: that ends the command.
   virtual Baked bake(size_t object, const EffectValues& values, const BakeOptions& options) = 0;
 };
 

@@ -33,7 +33,8 @@ void bake(const Plan& plan, const std::vector<const EffectManifest*>& effects, c
         const size_t known = bakes.stats().size();
         try {
           bakes.baked(*effect, object, variant.bake);
-        } catch (const Error&) {
+        } catch (const Error& error) {
+          if (error.kind() == ErrorKind::bad_input) throw;  // no variant could do better
           continue;
         }
         if (bakes.stats().size() == known) continue;
