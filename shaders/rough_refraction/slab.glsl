@@ -15,7 +15,10 @@ layout(binding = 4) uniform sampler2D view_depth;  // metres along the view's ax
 const float far_m = 1e5;  // what is further is seen by its direction alone
 
 float view_depth_of(vec3 world) { return -(view_from_world * vec4(world, 1.0)).z; }
-float depth_at(vec2 uv) { return min(texelFetch(view_depth, clamp(ivec2(uv * vec2(textureSize(view_depth, 0))), ivec2(0), textureSize(view_depth, 0) - 1), 0).r, far_m); }
+float depth_at(vec2 uv) {
+  ivec2 size = textureSize(view_depth, 0);
+  return min(texelFetch(view_depth, clamp(ivec2(uv * vec2(size)), ivec2(0), size - 1), 0).r, far_m);
+}
 
 // Where on the picture (0 to 1) the ray is at a view depth. A ray that goes backwards is taken to stay where it leaves.
 vec2 picture_at(vec3 from, vec3 direction, float depth) {

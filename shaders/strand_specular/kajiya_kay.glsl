@@ -6,7 +6,9 @@
 // The power 1 / (2 ax^2) is as wide along the strand as microfacets of slope ax; the lobe is divided by what it adds up to over
 // all light at a view square to the strand, 2 pi sqrt(2 pi / (p + 2.5)). A cylinder has no side of its own, so light from behind
 // the card is faded out as in Scheuermann, "Hair Rendering and Shading", SIGGRAPH 2004 (sketch).
-float cone_cosine(float tl, float tv) { return sqrt(max((1.0 - tl) * (1.0 + tl), 0.0) * max((1.0 - tv) * (1.0 + tv), 0.0)) - tl * tv; }
+float cone_cosine(float tl, float tv) {
+  return sqrt(max((1.0 - tl) * (1.0 + tl), 0.0) * max((1.0 - tv) * (1.0 + tv), 0.0)) - tl * tv;
+}
 
 float kajiya_kay(vec3 l, vec3 v, float ax, float ay) {
   float cone = cone_cosine(l.x, v.x), power = 0.5 / (ax * ax);
