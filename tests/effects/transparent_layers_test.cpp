@@ -159,6 +159,25 @@ TEST_P(TransparentLayers, WhatIsNotTransparentIsLeftOut) {
   }
 }
 
+TEST_P(TransparentLayers, NothingShowsBehindWhatIsOpaque) {
+  const Scene scene = glass_sheets({{1, {1, 0, 0}, 2}, {0.5, {0, 1, 0}, 4}}, glm::vec3(0.2f));
+  for (const VariantManifest& each : library().effect("transparency").variants)
+    expect_near(glass(scene, each.name), {1, 0, 0}, half_error, each.name);
+}
+
+// Light and eye straight before the sheet: Lambert's 1 and Blinn's (10 + 8) / 8.
+TEST_P(TransparentLayers, HighlightsAreNormalised) {
+  Scene scene = glass_sheets({{0.5, {0.25f, 0.25f, 0.25f}, 2}}, glm::vec3(0));
+  scene.ambient = glm::vec3(0);
+  Light lamp;
+  lamp.direction = {0, 0, -1};
+  scene.lights = {lamp};
+  auto& numbers = scene.objects[0].effects.at("transparency").numbers;
+  numbers["specular"] = 1, numbers["gloss"] = 10;
+  for (const char* name : {"depth_peeling", "single_layer", "checkerboard_mean", "quad_stipple"})
+    expect_near(glass(scene, name, 33), glm::vec3(0.5f * (0.25f + 2.25f)), 0.01f, name);
+}
+
 TEST_P(TransparentLayers, MoreLayersThanTheLimitAreSaid) {
   std::vector<Sheet> sheets;
   for (int i = 0; i < 20; ++i) sheets.push_back({0.05, {1, 1, 1}, 2 + 0.1f * float(i)});
