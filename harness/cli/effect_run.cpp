@@ -54,8 +54,8 @@ Parameters own_parameters(const Configuration& configuration, const std::map<std
 // A pass that repeats until nothing is left, and was stopped before: said, for nothing in the picture shows it.
 void note_unfinished(CellRow& row, const Frame& frame, size_t view) {
   for (const GraphPass* pass : frame.unfinished(view)) {
-    std::string note = fmt::format("pass '{}' still drew something in the last of its repetitions: the rest is not drawn",
-                                   pass->pass->name);
+    std::string note =
+        fmt::format("pass '{}' still drew something in the last of its repetitions: the rest is not drawn", pass->pass->name);
     if (!pass->pass->repeat.parameter.empty())
       note += fmt::format("; raise {}.{}", pass->variant->name, pass->pass->repeat.parameter);
     fmt::print(stderr, "lamina: note: {}, view {}: {}\n", row.variant, row.view, note);

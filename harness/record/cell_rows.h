@@ -47,9 +47,9 @@ struct CellRow {
   std::map<std::string, double> params;      // by path; "scene.time" is always there; a word of a sweep by its place
   std::map<std::string, std::string> words;  // by path, of parameters that take words
   bool failed = false;
-  std::string reason;  // of the failure
+  std::string reason;              // of the failure
   std::vector<std::string> notes;  // what the picture may lack, one sentence each
-  bool timed = true;   // false: the timer's certificate failed, or a sweep did not ask: no time is given
+  bool timed = true;               // false: the timer's certificate failed, or a sweep did not ask: no time is given
   std::vector<PassRow> passes;
   std::optional<double> median_ms;  // of frame_samples_ms(), made when the line is written, and so is
   std::optional<double> once_ms;    // the sum of the medians of the passes that are done once

@@ -80,8 +80,8 @@ TEST_P(FogCodes, DitheringHasNoBias) {
   EXPECT_NEAR(std::sqrt(squares / double(count)), 0.578 * unit, 0.05 * unit) << "along rays it is a little more";
 }
 
-// Half floats are rounded toward 0 here, so a sum of depths is wrong in the mean too: below, by about half a unit of a depth for
-// each face that is added to one.
+// Half floats are rounded toward 0 here, so a sum of depths is wrong in the mean too: below, by about half a unit of a depth
+// for each face that is added to one.
 TEST_P(FogCodes, HalfSumsHaveABias) {
   FogCases cases;
   cases.add("slanted", {fog_box("box", {-1, -1, -1}, {1, 1, 1}, 1)}, {2.1f, 1.7f, 4.2f}, {0, 0, 0}, 2);

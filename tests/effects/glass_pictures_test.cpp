@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/quality/quality.h"
+#include "tests/effects/backends_agree.h"
 #include "tests/effects/glass_scenes.h"
 
 namespace lamina {
@@ -11,37 +12,7 @@ namespace {
 
 Scene built_in(const std::string& name, float time_s = 0) { return load_scene(name, builtin_library(), time_s); }
 
-TEST(GlassBackends, AgreeAndHaveNoNaN) {
-  std::vector<std::unique_ptr<Backend>> backends;
-  for (const std::string_view name : {"vulkan", "osmesa"}) {
-    try {
-      backends.push_back(open_backend(name, {"", true}));
-    } catch (const Error& error) {
-      GTEST_SKIP() << error.what();
-    }
-  }
-  const Scene scene = built_in("glass_stack");
-  const Library& library = builtin_library();
-  const Plan plan = make_plan(library, scene);
-  Bakes bakes(scene, *library.code, DiskCache(""));
-  for (const VariantManifest& variant : library.effect("transparency").variants) {
-    std::vector<Image> pictures;
-    for (const auto& backend : backends) {
-      ShaderCache shaders(backend->info().api, library.shaders);
-      SceneResources resources(*backend, scene, library, 48, 48, &bakes);
-      const Graph graph = make_graph(plan, configuration_with(plan, variant), scene, shaders);
-      Frame frame(resources, graph, Build::timed);
-      frame.run_once(Timing::off);
-      frame.run(0, Timing::off);
-      EXPECT_TRUE(frame.unfinished(0).empty());
-      pictures.push_back(frame.picture());
-    }
-    EXPECT_GE(psnr_db(to_display(pictures[0]), to_display(pictures[1])), 45) << variant.name;
-    for (const Image& image : pictures) EXPECT_EQ(count_nonfinite(image), 0u) << variant.name;
-  }
-  for (const auto& backend : backends)
-    for (const std::string& message : backend->take_messages()) ADD_FAILURE() << message;
-}
+TEST(GlassBackends, AgreeAndHaveNoNaN) { expect_backends_agree("transparency", {built_in("glass_stack")}); }
 
 class GlassPictures : public GlassOnEachBackend {};
 

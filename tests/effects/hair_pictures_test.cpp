@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "harness/scene/made/hair_head.h"
-#include "tests/effects/agreeing_backends.h"
+#include "tests/effects/backends_agree.h"
 #include "tests/effects/hair_scenes.h"
 
 namespace lamina {
@@ -207,7 +207,7 @@ TEST_P(HairPictures, WhatCannotBeHairIsRefused) {
 }
 
 // Every variant on two backends, of the built-in head. Pixels whose opacity is a threshold's may differ.
-TEST(HairBackends, AgreeAndHaveNoNaN) { expect_backends_agree(load_scene("hair_head", builtin_library()), "hair", 64); }
+TEST(HairBackends, AgreeAndHaveNoNaN) { expect_backends_agree("hair", {load_scene("hair_head", builtin_library())}); }
 
 INSTANTIATE_TEST_SUITE_P(Backends, HairPictures, backend_parameters, backend_test_name);
 

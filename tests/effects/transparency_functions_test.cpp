@@ -12,9 +12,7 @@ namespace {
 
 constexpr size_t layer_inputs = 400;
 
-Family layer_family(const std::string& folder) {
-  return load_family(shaders_folder() / folder / "family.toml", effect_code());
-}
+Family layer_family(const std::string& folder) { return load_family(shaders_folder() / folder / "family.toml", effect_code()); }
 
 class TransparencyShaders : public ::testing::TestWithParam<std::string_view> {
  protected:
@@ -127,7 +125,8 @@ TEST(TransparencyOracles, GiveTheFiguresThatAreKnown) {
   const std::vector<double> between = {-0.5, 0.5, 0.25, 2, 0}, behind = {-0.5, 0.5, 0.25, 2, 0.9};
   EXPECT_NEAR(moments.oracle->value(between), std::exp(-0.5), 1e-15);
   EXPECT_NEAR(moments.oracle->value(behind), std::exp(-2.0), 1e-15);
-  for (const auto& [slope, offset, share] : {std::tuple(0.0, 0.25, 0.75), {1.0, 0.0, 0.5}, {1.0, 1.0, 1.0}, {1.0, 0.5, 0.875}}) {
+  for (const auto& [slope, offset, share] :
+       {std::tuple(0.0, 0.25, 0.75), {1.0, 0.0, 0.5}, {1.0, 1.0, 1.0}, {1.0, 0.5, 0.875}}) {
     const std::vector<double> point = {slope, offset};
     EXPECT_NEAR(steps.oracle->value(point), share, 1e-15) << slope << " " << offset;
   }

@@ -154,8 +154,7 @@ TEST_P(TransparentLayers, WhatIsNotTransparentIsLeftOut) {
   for (const VariantManifest& each : library().effect("transparency").variants) {
     const auto made = drawing(mixed, each.name, 16);
     EXPECT_EQ(made->graph.passes[0].pass->name, "opaque");
-    if (!each.name.starts_with("stochastic"))
-      expect_near(made->frame->picture(), {0.5f, 0.5f, 0}, 2 * half_error, each.name);
+    if (!each.name.starts_with("stochastic")) expect_near(made->frame->picture(), {0.5f, 0.5f, 0}, 2 * half_error, each.name);
   }
 }
 

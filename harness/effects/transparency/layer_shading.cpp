@@ -33,8 +33,7 @@ const char* const plain_effect = "surface";
 
 LayerShading::LayerShading(const Scene& scene) : scene_(scene) {
   for (size_t i = 0; i < scene.objects.size(); ++i)
-    for (const auto& [effect, texture] :
-         {std::pair(own_effect, "transparent_color"), std::pair(plain_effect, "albedo")}) {
+    for (const auto& [effect, texture] : {std::pair(own_effect, "transparent_color"), std::pair(plain_effect, "albedo")}) {
       const auto values = scene.objects[i].effects.find(effect);
       if (values == scene.objects[i].effects.end()) continue;
       if (const auto found = values->second.textures.find(texture); found != values->second.textures.end())

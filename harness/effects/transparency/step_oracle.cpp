@@ -20,17 +20,30 @@ Real left_share(std::span<const Real> p) {
 }  // namespace
 
 const Oracle& step_reconstruction_oracle() {
-  static const FormulaOracle oracle(
-      {{"slope", "offset"},
-       "the slope must lie from 0 to 1, the offset from -4 to 4",
-       [](Oracle::Point p) { return p[0] >= 0 && p[0] <= 1 && std::abs(p[1]) <= 4; },
-       left_share,
-       of_one,
-       {{"upright", [](SetRandom& r) { return std::vector{0.0, r.uniform(-2, 2)}; }},
-        {"between", [](SetRandom& r) { return std::vector{0.0, std::floor(r.uniform(-2, 2)) + 0.5}; }},
-        {"gentle", [](SetRandom& r) { return std::vector{0.5, r.uniform(-2.5, 2.5)}; }},
-        {"diagonal", [](SetRandom& r) { return std::vector{1.0, r.uniform(-3, 3)}; }},
-        {"any", [](SetRandom& r) { return std::vector{r.uniform(0, 1), r.uniform(-3, 3)}; }}}});
+  static const FormulaOracle oracle({{"slope", "offset"},
+                                     "the slope must lie from 0 to 1, the offset from -4 to 4",
+                                     [](Oracle::Point p) { return p[0] >= 0 && p[0] <= 1 && std::abs(p[1]) <= 4; },
+                                     left_share,
+                                     of_one,
+                                     {{"upright",
+                                       [](SetRandom& r) {
+                                         return std::vector{0.0, r.uniform(-2, 2)};
+                                       }},
+                                      {"between",
+                                       [](SetRandom& r) {
+                                         return std::vector{0.0, std::floor(r.uniform(-2, 2)) + 0.5};
+                                       }},
+                                      {"gentle",
+                                       [](SetRandom& r) {
+                                         return std::vector{0.5, r.uniform(-2.5, 2.5)};
+                                       }},
+                                      {"diagonal",
+                                       [](SetRandom& r) {
+                                         return std::vector{1.0, r.uniform(-3, 3)};
+                                       }},
+                                      {"any", [](SetRandom& r) {
+                                         return std::vector{r.uniform(0, 1), r.uniform(-3, 3)};
+                                       }}}});
   return oracle;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The truth of transparent surfaces: every surface along each pixel's rays, shaded by the same lights, composited in order.
 //
-// A variant's passes with when = "truth" write seen_behind, four floats a pixel: the frame without transparent surfaces, and how
-// many layers the variant keeps, 0 for all. Steps: this variant against the exact compositing of the layers that it keeps
+// A variant's passes with when = "truth" write seen_behind, four floats a pixel: the frame without transparent surfaces, and
+// how many layers the variant keeps, 0 for all. Steps: this variant against the exact compositing of the layers that it keeps
 // (reconstruction); those against all layers (layers); the ray through the pixel's middle against many rays (samples).
 #pragma once
 

@@ -33,8 +33,7 @@ Scene make_glass_drift(float time_s) {
   add("pane", block_mesh({{{-0.2f, 0, -0.01f}, {0.2f, 0.55f, 0}}}, 10), at({-0.28f, 0.14f, 0}), {{0.12f, 0.42f, 0.55f}, 0.3});
   for (int i = 0; i < 8; ++i) {
     const float turn = static_cast<float>(M_PI) * (static_cast<float>(i) + 0.5f) / 8;
-    add(fmt::format("spoke_{}", i),
-        block_mesh({{{-0.2f, -pixel_m, -pixel_m}, {0.2f, pixel_m, pixel_m}}}, 10),
+    add(fmt::format("spoke_{}", i), block_mesh({{{-0.2f, -pixel_m, -pixel_m}, {0.2f, pixel_m, pixel_m}}}, 10),
         glm::rotate(at({0.24f, 0.68f, 0}), turn, {0, 0, 1}), {{0.72f, 0.30f, 0.06f}, 0.5, 0.5, 60, 0});
   }
   add("ball", sphere_mesh(), glm::scale(at({0.24f, 0.24f, 0}), glm::vec3(0.18f)), {{0.60f, 0.72f, 0.30f}, 0.12, 3});

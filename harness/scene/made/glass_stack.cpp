@@ -14,9 +14,7 @@
 namespace lamina {
 namespace {
 
-Mesh pane(float width, float height) {
-  return block_mesh({{{-width / 2, 0, -0.008f}, {width / 2, height, 0.008f}}}, 10);
-}
+Mesh pane(float width, float height) { return block_mesh({{{-width / 2, 0, -0.008f}, {width / 2, height, 0.008f}}}, 10); }
 
 glm::mat4 placed(glm::vec3 at, float turn_degrees = 0) {
   return glm::rotate(glm::translate(glm::mat4(1), at), glm::radians(turn_degrees), {0, 1, 0});

@@ -7,8 +7,8 @@
 
 namespace lamina {
 
-// Nothing moves. Glass: "red_pane", "green_pane", "blue_pane", "ball", "bowl"; opaque: "table", "dark_stripes", "light_stripes",
-// "stone".
+// Nothing moves. Glass: "red_pane", "green_pane", "blue_pane", "ball", "bowl"; opaque: "table", "dark_stripes",
+// "light_stripes", "stone".
 Scene make_glass_stack();
 
 // What glass stands on and before, in scenes of glass: a table, and a wall of stripes 2.2 m wide at z = -1.1.

@@ -18,7 +18,9 @@ namespace {
 constexpr float distance_m = 2, fov_degrees = 30, height_px = 256;
 
 // From the origin, to the right.
-Mesh rod(float from, float to, float width) { return block_mesh({{{from, -width / 2, -width / 2}, {to, width / 2, width / 2}}}, 10); }
+Mesh rod(float from, float to, float width) {
+  return block_mesh({{{from, -width / 2, -width / 2}, {to, width / 2, width / 2}}}, 10);
+}
 
 }  // namespace
 
@@ -28,8 +30,7 @@ Scene make_thin_glass() {
   add_striped_room(scene);
   const auto add = [&](std::string name, Mesh mesh, glm::vec3 foot, float degrees, glm::vec3 color) {
     scene.objects.push_back(transparent_object(std::move(name), std::move(mesh), {color, 0.6, 0.6, 60, 0}));
-    scene.objects.back().world_from_object =
-        glm::rotate(glm::translate(glm::mat4(1), foot), glm::radians(degrees), {0, 0, 1});
+    scene.objects.back().world_from_object = glm::rotate(glm::translate(glm::mat4(1), foot), glm::radians(degrees), {0, 0, 1});
   };
   constexpr float degrees[] = {0, 5.7f, 11.3f, 18.4f, 26.6f, 35, 45, 55, 63.4f, 71.6f, 78.7f, 84.3f, 90};
   for (int i = 0; i < 13; ++i) {
