@@ -73,7 +73,7 @@ class Frame {
   Mask coverage(std::string_view effect);
 
  private:
-  // A counting build's bookkeeping for one counted stage of one draw.
+  // A counting build's bookkeeping for one counted stage of draws that share their counters.
   struct Counted {
     Stage stage;
     uint32_t first_word;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/graph/frame_builder.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <bit>
 
@@ -328,21 +330,31 @@ PipelineId FrameBuilder::pipeline(const Repetition& repetition, const GraphDraw&
   desc.depth = pass.pass->depth;
   desc.depth_test = pass.pass->depth_test;
   desc.cull = pass.pass->cull;
-  const bool counting = frame_.build_ == Build::counting;
-  if (counting) count(repetition, draw, desc, command);
+  if (frame_.build_ == Build::counting) {
+    uint32_t binding = first_counter_binding;
+    for (const BindingSlot& slot : desc.bindings) binding = std::max(binding, slot.binding + 1);
+    desc.bindings.push_back({binding, BindingKind::storage_buffer});
+    command.buffers.push_back({binding, {}, BindingKind::storage_buffer});
+    // Its counters are built in, and they count by format and filter: draws and repetitions that are alike in these share both.
+    for (const ResolvedRead& read : draw.reads)
+      key += fmt::format("|{}", fmt::join(words_of(repetition.pass, draw, read), ","));
+    if (!pipelines_.contains(key)) count(repetition, draw, binding, desc);
+  }
   std::sort(desc.bindings.begin(), desc.bindings.end());
   desc.bindings.erase(std::unique(desc.bindings.begin(), desc.bindings.end()), desc.bindings.end());
-  // A counting pipeline has the counters of its draw built in, so it is never shared.
-  if (!counting && pipelines_.contains(key)) return pipelines_.at(key);
+  if (pipelines_.contains(key)) return pipelines_.at(key);
   const PipelineId id = backend_.create_pipeline(desc);
   frame_.pipelines_.push_back(id);
   pipelines_[key] = id;
   return id;
 }
 
-void FrameBuilder::count(const Repetition& repetition, const GraphDraw& draw, PipelineDesc& desc, Draw& command) {
-  uint32_t binding = first_counter_binding;
-  for (const BindingSlot& slot : desc.bindings) binding = std::max(binding, slot.binding + 1);
+std::array<std::string, 3> FrameBuilder::words_of(const GraphPass& pass, const GraphDraw& draw, const ResolvedRead& read) {
+  return {read.sampler, std::string(name_of(format_of(pass, draw, read.source))),
+          std::string(name_of(read.source.sampler.filter))};
+}
+
+void FrameBuilder::count(const Repetition& repetition, const GraphDraw& draw, uint32_t binding, PipelineDesc& desc) {
   Frame::Step& step = repetition.step;
   for (size_t i = 0; i < draw.stages.size(); ++i) {
     const CompiledShader& shader = *draw.stages[i];
@@ -353,14 +365,13 @@ void FrameBuilder::count(const Repetition& repetition, const GraphDraw& draw, Pi
     next_word_ += counting.words();
     for (const uint32_t texture : counting.textures)
       for (const ResolvedRead& read : draw.reads)
-        if (read.binding == texture)
-          counted.textures.push_back({read.sampler, std::string(name_of(format_of(repetition.pass, draw, read.source))),
-                                      std::string(name_of(read.source.sampler.filter)), 0});
+        if (read.binding == texture) {
+          const auto [sampler, format, filter] = words_of(repetition.pass, draw, read);
+          counted.textures.push_back({sampler, format, filter, 0});
+        }
     counted.classes = std::move(counting.classes);
     desc.stages[i].spirv = std::move(counting.spirv);
   }
-  desc.bindings.push_back({binding, BindingKind::storage_buffer});
-  command.buffers.push_back({binding, {}, BindingKind::storage_buffer});
 }
 
 std::string FrameBuilder::label_of(const GraphPass& pass, const GraphDraw& draw, bool with_object) const {

@@ -8,6 +8,7 @@
 // first.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -44,7 +45,9 @@ class FrameBuilder {
   void bind(const Repetition& repetition, const GraphDraw& draw, Draw& command);
   void bind_block(const Repetition& repetition, const GraphDraw& draw, const ShaderResource& block, Draw& command);
   PipelineId pipeline(const Repetition& repetition, const GraphDraw& draw, const Pass& into, Draw& command);
-  void count(const Repetition& repetition, const GraphDraw& draw, PipelineDesc& desc, Draw& command);
+  // The draw's sampler, and the format and filter of what it reads there.
+  std::array<std::string, 3> words_of(const GraphPass& pass, const GraphDraw& draw, const ResolvedRead& read);
+  void count(const Repetition& repetition, const GraphDraw& draw, uint32_t binding, PipelineDesc& desc);
   uint32_t repetitions(const GraphPass& pass);
   void give_counters(Frame::Step& step, size_t first_pass, Frame::Sequence& sequence);
   std::string label_of(const GraphPass& pass, const GraphDraw& draw, bool with_object) const;

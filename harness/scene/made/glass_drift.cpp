@@ -37,7 +37,8 @@ Scene make_glass_drift(float time_s) {
         glm::rotate(at({0.24f, 0.68f, 0}), turn, {0, 0, 1}), {{0.72f, 0.30f, 0.06f}, 0.5, 0.5, 60, 0});
   }
   add("ball", sphere_mesh(), glm::scale(at({0.24f, 0.24f, 0}), glm::vec3(0.18f)), {{0.60f, 0.72f, 0.30f}, 0.12, 3});
-  scene.views = {{"front", {0, 0.46f, distance_m}, {0, 0.46f, 0}, {0, 1, 0}, fov_degrees}};
+  scene.views = {{"front", {0, 0.46f, distance_m}, {0, 0.46f, 0}, {0, 1, 0}, fov_degrees},
+                 {"turned", {0.9f, 0.6f, 2.0f}, {0, 0.46f, 0}, {0, 1, 0}, fov_degrees}};
   const BoundingSphere bounds = bounding_sphere(scene.objects);
   for (View& view : scene.views) fit_depth(view, bounds);
   scene.mesh_moves = true;

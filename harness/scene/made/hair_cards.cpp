@@ -83,7 +83,7 @@ void add_card(Mesh& mesh, const CardCourse& course, float width_m, uint32_t clum
     }
     if (segment == card_segments) break;
     const uint32_t at = first + 2 * segment;
-    for (const uint32_t corner : {0u, 2u, 1u, 1u, 2u, 3u}) mesh.indices.push_back(at + corner);
+    for (const uint32_t corner : {0u, 1u, 2u, 2u, 1u, 3u}) mesh.indices.push_back(at + corner);
   }
 }
 
