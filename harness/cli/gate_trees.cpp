@@ -25,7 +25,7 @@ std::map<Api, Identity> identities(Tree& tree, const VariantManifest& variant, C
   const Configuration configuration = configuration_with(tree.plan, variant);
   for (auto& [api, shaders] : tree.shaders) {
     std::optional<Graph> truth;
-    if (has_truth_passes(variant)) truth = make_graph(tree.plan, configuration, scene, shaders, Purpose::truth);
+    if (has_truth_passes(variant)) truth = make_graph(tree.plan, configuration, scene, shaders, &variant);
     all[api] =
         identity_of(variant, make_graph(tree.plan, configuration, scene, shaders), truth ? &*truth : nullptr, api, hashes);
   }

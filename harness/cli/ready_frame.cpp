@@ -5,7 +5,7 @@ namespace lamina {
 
 ReadyFrame::ReadyFrame(SceneResources& resources, const Plan& plan, const VariantManifest& variant, ShaderCache& shaders,
                        const Parameters& parameters, Timing timing)
-    : graph(make_graph(plan, configuration_with(plan, variant), resources.scene(), shaders, Purpose::frame, parameters)),
+    : graph(make_graph(plan, configuration_with(plan, variant), resources.scene(), shaders, nullptr, parameters)),
       frame(resources, graph, Build::timed),
       view(resources.scene().views.front().name) {
   wall_ms = frame.run_once(Timing::off).wall_ms;

@@ -244,14 +244,14 @@ Resource target_of(const VariantManifest& variant, const std::string& name, cons
 }
 
 Graph make_graph(const Plan& plan, const Configuration& configuration, const Scene& scene, ShaderCache& shaders,
-                 Purpose purpose, const Parameters& parameters) {
+                 const VariantManifest* told, const Parameters& parameters) {
   Graph graph;
   graph.library = plan.library;
   graph.parameters = parameters;
   Maker maker(plan, scene, shaders, graph.parameters);
   for (const VariantManifest* variant : configuration) {
     const EffectPlan& effect = *plan.of(variant->effect);
-    const bool truth = purpose == Purpose::truth && has_truth_passes(*variant);
+    const bool truth = variant == told && has_truth_passes(*variant);
     if (variant->closed) require_closed(effect, *variant, scene);
     for (const PassManifest& manifest : variant->passes) {
       if ((manifest.when == Frequency::truth) != truth && manifest.when != Frequency::frame_and_truth) continue;

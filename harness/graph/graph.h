@@ -51,17 +51,13 @@ struct Graph {
   std::set<std::string> shader_hashes() const;
 };
 
-// What the passes are for.
-enum class Purpose : uint8_t {
-  frame,  // pictures and times
-  truth,  // a variant that has passes for the truth runs those, and those for both, in place of its others
-};
-
-// Throws Error(bad_input) for a shader that does not compile or names something unknown, for a target that is read before
-// anything wrote it, for a view of a light where no light casts. Throws Error(failed) for an object that cannot be drawn as a
-// pass needs it (unwrapped without a unique unwrap), or whose mesh is open where the variant needs closed ones.
+// `told`: the variant of the configuration that a truth is told of; its passes for the truth, and those for both, run in place
+// of its others, and all other variants draw what they draw in frames. Null: a frame, for pictures and times. Throws
+// Error(bad_input) for a shader that does not compile or names something unknown, for a target that is read before anything
+// wrote it, for a view of a light where no light casts. Throws Error(failed) for an object that cannot be drawn as a pass needs
+// it (unwrapped without a unique unwrap), or whose mesh is open where the variant needs closed ones.
 Graph make_graph(const Plan& plan, const Configuration& configuration, const Scene& scene, ShaderCache& shaders,
-                 Purpose purpose = Purpose::frame, const Parameters& parameters = {});
+                 const VariantManifest* told = nullptr, const Parameters& parameters = {});
 
 // Whether the variant has passes for the truth.
 bool has_truth_passes(const VariantManifest& variant);

@@ -35,7 +35,7 @@ class ApertureScenes : public EachBackend {
     SceneResources resources(*backend_, scene, library(), size, size, &bakes);
     const Configuration configuration = configuration_with(plan, variant(name));
     const Graph graph = make_graph(plan, configuration, scene, shaders),
-                truth = make_graph(plan, configuration, scene, shaders, Purpose::truth);
+                truth = make_graph(plan, configuration, scene, shaders, &variant(name));
     Frame frame(resources, graph, Build::timed), told(resources, truth, Build::timed);
     frame.run(0, Timing::off);
     told.run(0, Timing::off);

@@ -35,7 +35,7 @@ Image true_picture(Backend& backend, const Library& library, const VariantManife
   ShaderCache shaders(backend.info().api, library.shaders);
   Bakes bakes(scene, *library.code, DiskCache(""));
   SceneResources resources(backend, scene, library, width, height, &bakes);
-  const Graph graph = make_graph(plan, configuration_with(plan, told), scene, shaders, Purpose::truth);
+  const Graph graph = make_graph(plan, configuration_with(plan, told), scene, shaders, &told);
   Frame frame(resources, graph, Build::timed);
   frame.run_once(Timing::off);
   frame.run(0, Timing::off);

@@ -97,7 +97,7 @@ class FogOnEachBackend : public EachBackend {
     Bakes bakes(scene, *library().code, DiskCache(""));
     SceneResources resources(*backend_, scene, library(), size, size, &bakes);
     const VariantManifest& drawn = variant(name);
-    const Graph graph = make_graph(plan, configuration_with(plan, drawn), scene, shaders, Purpose::truth, parameters);
+    const Graph graph = make_graph(plan, configuration_with(plan, drawn), scene, shaders, &drawn, parameters);
     Frame frame(resources, graph, Build::timed);
     frame.run_once(Timing::off);
     std::vector<Thickness> all;

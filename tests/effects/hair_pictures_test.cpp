@@ -19,7 +19,7 @@ class HairPictures : public EachBackend {
     ShaderCache shaders(backend_->info().api, library().shaders);
     Bakes bakes(scene, *library().code, DiskCache(""));
     SceneResources resources(*backend_, scene, library(), size, size, &bakes);
-    const Graph graph = make_graph(plan, configuration_with(plan, variant(name)), scene, shaders, Purpose::frame, parameters);
+    const Graph graph = make_graph(plan, configuration_with(plan, variant(name)), scene, shaders, nullptr, parameters);
     Frame frame(resources, graph, Build::timed);
     frame.run_once(Timing::off);
     frame.run(0, Timing::off);

@@ -66,7 +66,7 @@ class MadeEffects : public EachBackend {
   };
   // The baselines' frame of the scene's first view, but for `variant`.
   std::unique_ptr<Drawn> drawn(const Library& library, const Scene& scene, const Parameters& parameters = {},
-                               Build build = Build::timed, uint32_t size = 16, Purpose purpose = Purpose::frame) {
+                               Build build = Build::timed, uint32_t size = 16, const VariantManifest* told = nullptr) {
     auto made = std::make_unique<Drawn>();
     made->plan = make_plan(library, scene);
     made->shaders = std::make_unique<ShaderCache>(backend_->info().api, library.shaders);
@@ -75,7 +75,7 @@ class MadeEffects : public EachBackend {
     Configuration all;
     for (const EffectPlan& entry : made->plan.effects)
       if (entry.called_for) all.push_back(&entry.effect->baseline());
-    made->graph = make_graph(made->plan, all, scene, *made->shaders, purpose, parameters);
+    made->graph = make_graph(made->plan, all, scene, *made->shaders, told, parameters);
     made->frame = std::make_unique<Frame>(*made->resources, made->graph, build);
     made->frame->run_once(Timing::off);
     made->frame->run(0, Timing::off);

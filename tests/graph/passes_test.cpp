@@ -43,9 +43,26 @@ TEST_P(Passes, TargetsOfTwoVariantsWithOneNameAreTwo) {
   }
   const Library library = made();
   const Scene scene = squares({square("a", 0, {"one"}), square("b", 0, {"two"})});
-  const auto told = drawn(library, scene, {}, Build::timed, 16, Purpose::truth);
-  EXPECT_EQ(told->frame->target(library.effect("one").baseline(), "seen").rgba[0], 1);
-  EXPECT_EQ(told->frame->target(library.effect("two").baseline(), "seen").rgba[0], 2);
+  for (const auto& [name, seen] : {std::pair("one", 1.0f), std::pair("two", 2.0f)}) {
+    const VariantManifest& baseline = library.effect(name).baseline();
+    EXPECT_EQ(drawn(library, scene, {}, Build::timed, 16, &baseline)->frame->target(baseline, "seen").rgba[0], seen);
+  }
+}
+
+// Fog's truth needs the picture that the effects before it draw, whether or not these have truths of their own.
+TEST_P(Passes, OfATruthTheOtherEffectsDrawTheirFrames) {
+  for (const char* name : {"before", "mist"}) {
+    write_effect(name, "key = \"" + std::string(name) + "\"");
+    write_variant(name, std::string(name) + "_full",
+                  "[targets.seen]\nformat = \"rgba32_float\"\n" +
+                      fullscreen_pass("tell", "tell.frag", "seen", "when = \"truth\"\n") +
+                      fullscreen_pass("draw_" + std::string(name), "tell.frag", "frame"));
+    write(std::string(name) + "/tell.frag", "layout(location = 0) out vec4 value;\nvoid main() { value = vec4(0.25); }\n");
+  }
+  const Library library = made();
+  const Scene scene = squares({square("a", 0, {"before"}), square("b", 0, {"mist"})});
+  const auto told = drawn(library, scene, {}, Build::timed, 16, &library.effect("mist").baseline());
+  EXPECT_EQ(told->frame->frame_names(), (std::vector<std::string>{"draw_before", "tell"}));
 }
 
 // What a pass for both wrote is what a pass for the truth reads; a pass of the frame alone is not run for the truth.
@@ -65,7 +82,7 @@ TEST_P(Passes, APassForTheFrameAndTheTruthServesBoth) {
   const auto shown = drawn(library, scene);
   EXPECT_EQ(shown->frame->frame_names(), (std::vector<std::string>{"fill", "show"}));
   EXPECT_EQ(pixel(shown->picture(), 3, 8).r, 0.625f);
-  const auto told = drawn(library, scene, {}, Build::timed, 16, Purpose::truth);
+  const auto told = drawn(library, scene, {}, Build::timed, 16, &library.effect("one").baseline());
   EXPECT_EQ(told->frame->frame_names(), (std::vector<std::string>{"fill", "tell"}));
   EXPECT_EQ(told->frame->target(library.effect("one").baseline(), "seen").rgba[0], 0.625f);
 }
