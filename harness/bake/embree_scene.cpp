@@ -2,11 +2,29 @@
 #include "harness/bake/embree_scene.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 
 namespace lamina {
+namespace {
+
+struct TrianglesContext {
+  RTCIntersectContext embree;  // first: Embree hands back its address
+  std::vector<EmbreeScene::TriangleId>* triangles;
+};
+
+// Keeps the triangle and lets the ray go on.
+void keep_triangle(const RTCFilterFunctionNArguments* arguments) {
+  if (arguments->valid[0] != -1) return;
+  auto* context = reinterpret_cast<TrianglesContext*>(arguments->context);
+  context->triangles->push_back(
+      {RTCHitN_geomID(arguments->hit, arguments->N, 0), RTCHitN_primID(arguments->hit, arguments->N, 0)});
+  arguments->valid[0] = 0;
+}
+
+}  // namespace
 
 EmbreeScene::EmbreeScene(const char* named, RTCSceneFlags flags) : device(rtcNewDevice(nullptr)), stage(named) {
   if (!device) throw Error(ErrorKind::failed, stage, "Embree", "cannot be started");
@@ -52,6 +70,40 @@ void EmbreeScene::commit() {
   if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
     throw Error(ErrorKind::failed, stage, "Embree",
                 fmt::format("cannot build its hierarchy (error {})", static_cast<int>(error)));
+}
+
+RTCRayHit EmbreeScene::ray_from(glm::dvec3 origin, glm::dvec3 direction) {
+  RTCRayHit ray{};
+  ray.ray.org_x = static_cast<float>(origin.x), ray.ray.org_y = static_cast<float>(origin.y);
+  ray.ray.org_z = static_cast<float>(origin.z);
+  ray.ray.dir_x = static_cast<float>(direction.x), ray.ray.dir_y = static_cast<float>(direction.y);
+  ray.ray.dir_z = static_cast<float>(direction.z);
+  ray.ray.tfar = std::numeric_limits<float>::infinity();
+  ray.ray.mask = ~0u;
+  ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  return ray;
+}
+
+RTCRayHit EmbreeScene::first_hit(glm::dvec3 origin, glm::dvec3 direction, RTCFilterFunctionN filter) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.filter = filter;
+  RTCRayHit ray = ray_from(origin, direction);
+  rtcIntersect1(scene, &context, &ray);
+  return ray;
+}
+
+std::vector<EmbreeScene::TriangleId> EmbreeScene::triangles_along(glm::dvec3 origin, glm::dvec3 direction) const {
+  std::vector<TriangleId> triangles;
+  TrianglesContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.embree.filter = keep_triangle;
+  context.triangles = &triangles;
+  RTCRayHit ray = ray_from(origin, direction);
+  rtcIntersect1(scene, &context.embree, &ray);
+  std::ranges::sort(triangles);
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
 }
 
 }  // namespace lamina

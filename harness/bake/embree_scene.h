@@ -4,9 +4,11 @@
 
 #include <embree3/rtcore.h>
 
+#include <compare>
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "harness/scene/scene.h"
 
@@ -32,6 +34,19 @@ struct EmbreeScene {
   Triangles attach(const Object& object);
   // Before the first ray. Throws Error(failed) where the hierarchy cannot be built.
   void commit();
+
+  // A ray without end. The direction is unit where distances are to be metres.
+  static RTCRayHit ray_from(glm::dvec3 origin, glm::dvec3 direction);
+  // The first triangle that the ray meets; its geometry is RTC_INVALID_GEOMETRY_ID where it meets none. `filter`, for which the
+  // scene needs RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION, may let the ray go on.
+  RTCRayHit first_hit(glm::dvec3 origin, glm::dvec3 direction, RTCFilterFunctionN filter = nullptr) const;
+  struct TriangleId {
+    unsigned geometry, triangle;
+    auto operator<=>(const TriangleId&) const = default;
+  };
+  // Every triangle that the ray meets, once, in ascending order; beside an edge also one that it only just misses. Needs
+  // RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION.
+  std::vector<TriangleId> triangles_along(glm::dvec3 origin, glm::dvec3 direction) const;
 
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;

@@ -5,52 +5,9 @@
 #include <limits>
 
 #include "harness/bake/embree_scene.h"
+#include "harness/truth/plane_hit.h"
 
 namespace lamina {
-namespace {
-
-struct CardContext {
-  RTCIntersectContext embree;                             // first: Embree hands back its address
-  std::vector<std::pair<unsigned, unsigned>>* triangles;  // geometry, triangle
-};
-
-void keep_card(const RTCFilterFunctionNArguments* arguments) {
-  if (arguments->valid[0] != -1) return;
-  auto* context = reinterpret_cast<CardContext*>(arguments->context);
-  context->triangles->emplace_back(RTCHitN_geomID(arguments->hit, arguments->N, 0),
-                                   RTCHitN_primID(arguments->hit, arguments->N, 0));
-  arguments->valid[0] = 0;
-}
-
-RTCRayHit ray_from(glm::dvec3 eye, glm::dvec3 direction) {
-  RTCRayHit ray{};
-  ray.ray = {float(eye.x),
-             float(eye.y),
-             float(eye.z),
-             0,
-             float(direction.x),
-             float(direction.y),
-             float(direction.z),
-             0,
-             std::numeric_limits<float>::infinity(),
-             ~0u,
-             0,
-             0};
-  ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  return ray;
-}
-
-// Weights of b and c where the ray meets the triangle's plane, and the distance.
-struct PlaneHit {
-  double b, c, distance_m;
-};
-PlaneHit plane_hit(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 eye, glm::dvec3 direction) {
-  const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(direction, ac), from = eye - a, q = glm::cross(from, ab);
-  const double scale = 1 / glm::dot(ab, p);
-  return {glm::dot(from, p) * scale, glm::dot(direction, q) * scale, glm::dot(ac, q) * scale};
-}
-
-}  // namespace
 
 struct CardRays::Cards : EmbreeScene {
   std::vector<size_t> objects;  // by Embree's geometry
@@ -74,20 +31,9 @@ CardRays::CardRays(const Scene& scene)
 CardRays::~CardRays() = default;
 
 std::vector<CardHit> CardRays::hits(glm::dvec3 eye, glm::dvec3 direction, glm::dvec3 right, glm::dvec3 down) const {
-  std::vector<std::pair<unsigned, unsigned>> triangles;
-  CardContext context;
-  rtcInitIntersectContext(&context.embree);
-  context.embree.filter = keep_card;
-  context.triangles = &triangles;
-  RTCRayHit through = ray_from(eye, direction);
-  rtcIntersect1(cards_->scene, &context.embree, &through);
+  const std::vector<EmbreeScene::TriangleId> triangles = cards_->triangles_along(eye, direction);
   if (triangles.empty()) return {};
-  std::sort(triangles.begin(), triangles.end());
-  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-  RTCIntersectContext plain;
-  rtcInitIntersectContext(&plain);
-  RTCRayHit first = ray_from(eye, direction);
-  rtcIntersect1(opaque_->scene, &plain, &first);
+  const RTCRayHit first = opaque_->first_hit(eye, direction);
   const double end = first.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::numeric_limits<double>::infinity() : first.ray.tfar;
   std::vector<CardHit> found;
   for (const auto& [geometry, triangle] : triangles) {

@@ -45,24 +45,7 @@ SceneBehind::SceneBehind(const Scene& scene)
 SceneBehind::~SceneBehind() = default;
 
 std::optional<SurfaceHit> SceneBehind::nearest(const Faces& faces, glm::dvec3 from, glm::dvec3 direction) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.filter = keep_fronts;
-  RTCRayHit ray{};
-  ray.ray = {float(from.x),
-             float(from.y),
-             float(from.z),
-             0,
-             float(direction.x),
-             float(direction.y),
-             float(direction.z),
-             0,
-             std::numeric_limits<float>::infinity(),
-             ~0u,
-             0,
-             0};
-  ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(faces.scene, &context, &ray);
+  const RTCRayHit ray = faces.first_hit(from, direction, keep_fronts);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const size_t index = faces.objects[ray.hit.geomID];
   const Object& object = scene_.objects[index];

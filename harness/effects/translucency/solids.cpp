@@ -36,18 +36,6 @@ void collect(const RTCFilterFunctionNArguments* arguments) {
   arguments->valid[0] = 0;  // and on it goes
 }
 
-RTCRayHit ray_from(glm::dvec3 origin, glm::dvec3 direction, double most) {
-  RTCRayHit ray{};
-  ray.ray.org_x = static_cast<float>(origin.x), ray.ray.org_y = static_cast<float>(origin.y);
-  ray.ray.org_z = static_cast<float>(origin.z);
-  ray.ray.dir_x = static_cast<float>(direction.x), ray.ray.dir_y = static_cast<float>(direction.y);
-  ray.ray.dir_z = static_cast<float>(direction.z);
-  ray.ray.tfar = static_cast<float>(std::min(most, 1e30));
-  ray.ray.mask = ~0u;
-  ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  return ray;
-}
-
 }  // namespace
 
 Solids::Solids(const Scene& scene) : scene_(scene), embree_("truth", RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION) {
@@ -85,7 +73,8 @@ std::vector<SurfaceCrossing> Solids::crossings(glm::dvec3 origin, glm::dvec3 dir
   rtcInitIntersectContext(&all.context);
   all.context.filter = collect;
   all.hits = &hits;
-  RTCRayHit ray = ray_from(origin, direction, most);
+  RTCRayHit ray = EmbreeScene::ray_from(origin, direction);
+  ray.ray.tfar = static_cast<float>(std::min(most, 1e30));
   rtcIntersect1(embree_.scene, &all.context, &ray);
   std::vector<SurfaceCrossing> found;
   for (const RTCRayHit& hit : hits) found.push_back(crossing(hit));
@@ -99,7 +88,7 @@ std::vector<SurfaceCrossing> Solids::crossings(glm::dvec3 origin, glm::dvec3 dir
 }
 
 std::optional<SurfaceCrossing> Solids::way_out(glm::dvec3 origin, glm::dvec3 direction, size_t object) const {
-  RTCRayHit ray = ray_from(origin, direction, 1e30);
+  RTCRayHit ray = EmbreeScene::ray_from(origin, direction);
   for (int tries = 0; tries < 8; ++tries) {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -109,7 +98,7 @@ std::optional<SurfaceCrossing> Solids::way_out(glm::dvec3 origin, glm::dvec3 dir
     if (found.object == object && !found.entering) return found;
     // Grazing the surface that it starts from, or another object: on from there.
     const double from = found.distance;
-    ray = ray_from(origin, direction, 1e30);
+    ray = EmbreeScene::ray_from(origin, direction);
     ray.ray.tnear = std::nextafter(static_cast<float>(from), std::numeric_limits<float>::max());
   }
   return std::nullopt;

@@ -2,30 +2,12 @@
 #include "harness/effects/transparency/layer_rays.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "harness/bake/embree_scene.h"
+#include "harness/truth/plane_hit.h"
 
 namespace lamina {
 namespace {
-
-struct LayerTriangle {
-  unsigned geometry, triangle;
-  auto operator<=>(const LayerTriangle&) const = default;
-};
-struct LayerContext {
-  RTCIntersectContext embree;  // first: Embree hands back its address
-  std::vector<LayerTriangle>* triangles;
-};
-
-// Keeps the triangle and lets the ray go on.
-void keep_layer(const RTCFilterFunctionNArguments* arguments) {
-  if (arguments->valid[0] != -1) return;
-  auto* context = reinterpret_cast<LayerContext*>(arguments->context);
-  context->triangles->push_back(
-      {RTCHitN_geomID(arguments->hit, arguments->N, 0), RTCHitN_primID(arguments->hit, arguments->N, 0)});
-  arguments->valid[0] = 0;
-}
 
 constexpr double edge_tolerance = 1e-7;  // of barycentric coordinates: Embree's single precision may say less
 constexpr double same_distance = 1e-9;   // of the distance
@@ -53,9 +35,8 @@ struct LayerRays::Scenery : EmbreeScene {
     return Known{index, true, whole};
   }
 
-  // The ray against one triangle, in doubles: Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal
-  // of Graphics Tools 2(1), 1997.
-  std::optional<LayerHit> hit(const LayerTriangle& which, glm::dvec3 origin, glm::dvec3 direction) const {
+  // The ray against one triangle.
+  std::optional<LayerHit> hit(const TriangleId& which, glm::dvec3 origin, glm::dvec3 direction) const {
     const Known& object = objects[which.geometry];
     const Mesh& mesh = of->objects[object.object].mesh;
     const glm::dmat4& place = world_from_object[which.geometry];
@@ -65,15 +46,11 @@ struct LayerRays::Scenery : EmbreeScene {
       corners[i] = &mesh.vertices[mesh.indices[3 * which.triangle + i]];
       at[i] = glm::dvec3(place * glm::dvec4(glm::dvec3(corners[i]->position), 1));
     }
-    const glm::dvec3 along = at[1] - at[0], across = at[2] - at[0], turned = glm::cross(direction, across);
-    const double volume = glm::dot(along, turned);  // above 0 where the front faces the origin
-    if (volume == 0 || (!object.transparent && volume < 0)) return std::nullopt;
-    const glm::dvec3 from = origin - at[0], beside = glm::cross(from, along);
-    const double u = glm::dot(from, turned) / volume, v = glm::dot(direction, beside) / volume;
-    if (u < -edge_tolerance || v < -edge_tolerance || u + v > 1 + edge_tolerance) return std::nullopt;
+    const auto [u, v, distance_m, facing] = plane_hit(at[0], at[1], at[2], origin, direction);
+    if (facing == 0 || (!object.transparent && facing < 0)) return std::nullopt;
+    if (u < -edge_tolerance || v < -edge_tolerance || u + v > 1 + edge_tolerance || !(distance_m > 0)) return std::nullopt;
     LayerHit found;
-    found.distance_m = glm::dot(across, beside) / volume;
-    if (!(found.distance_m > 0)) return std::nullopt;
+    found.distance_m = distance_m;
     found.object = object.object, found.transparent = object.transparent;
     found.position = origin + found.distance_m * direction;
     const double weights[] = {1 - u - v, u, v};
@@ -105,30 +82,8 @@ LayerRays::LayerRays(const Scene& scene) {
 }
 
 std::vector<LayerHit> LayerRays::hits(glm::dvec3 origin, glm::dvec3 direction) const {
-  std::vector<LayerTriangle> triangles;
-  LayerContext context;
-  rtcInitIntersectContext(&context.embree);
-  context.embree.filter = keep_layer;
-  context.triangles = &triangles;
-  RTCRayHit ray{};
-  ray.ray = {float(origin.x),
-             float(origin.y),
-             float(origin.z),
-             0,
-             float(direction.x),
-             float(direction.y),
-             float(direction.z),
-             0,
-             std::numeric_limits<float>::infinity(),
-             ~0u,
-             0,
-             0};
-  ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scenery_->scene, &context.embree, &ray);
-  std::ranges::sort(triangles);
-  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   std::vector<LayerHit> found;
-  for (const LayerTriangle& triangle : triangles)
+  for (const EmbreeScene::TriangleId& triangle : scenery_->triangles_along(origin, direction))
     if (const auto hit = scenery_->hit(triangle, origin, direction)) found.push_back(*hit);
   std::ranges::stable_sort(found, {}, &LayerHit::distance_m);
   std::vector<LayerHit> kept;

@@ -19,19 +19,6 @@ struct Crossing {
   int side;  // +1 where the ray leaves the hull, -1 where it enters
 };
 
-struct GatheringContext {
-  RTCIntersectContext embree;  // first: Embree hands back its address
-  std::vector<unsigned>* triangles;
-};
-
-// Keeps the triangle and lets the ray go on.
-void gather(const RTCFilterFunctionNArguments* arguments) {
-  if (arguments->valid[0] != -1) return;
-  auto* context = reinterpret_cast<GatheringContext*>(arguments->context);
-  context->triangles->push_back(RTCHitN_primID(arguments->hit, arguments->N, 0));
-  arguments->valid[0] = 0;
-}
-
 int side_sum(const std::vector<Crossing>& crossings) {
   int sum = 0;
   for (const Crossing& crossing : crossings) sum += crossing.side;
@@ -60,30 +47,8 @@ struct HullRays::Scenery : EmbreeScene {
   // All crossings of the ray from its origin on. Embree finds the triangles; where they are crossed is computed anew in
   // doubles. `at_edge` becomes true where the ray runs through an edge, and crossings are not to be trusted.
   std::vector<Crossing> crossings(const FogRay& ray, bool& at_edge) const {
-    std::vector<unsigned> triangles;
-    GatheringContext context;
-    rtcInitIntersectContext(&context.embree);
-    context.embree.filter = gather;
-    context.triangles = &triangles;
-    RTCRayHit hit{};
-    hit.ray = {float(ray.origin.x),
-               float(ray.origin.y),
-               float(ray.origin.z),
-               0,
-               float(ray.direction.x),
-               float(ray.direction.y),
-               float(ray.direction.z),
-               0,
-               std::numeric_limits<float>::infinity(),
-               ~0u,
-               0,
-               0};
-    hit.hit.geomID = hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene, &context.embree, &hit);
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     std::vector<Crossing> found;
-    for (const unsigned triangle : triangles) {
+    for (const auto& [geometry, triangle] : triangles_along(ray.origin, ray.direction)) {
       const glm::dvec3 a = corners[3 * triangle], b = corners[3 * triangle + 1], c = corners[3 * triangle + 2];
       // Embree's triangles may be those beside an edge too.
       const double beside[] = {left_m(ray, a, b), left_m(ray, b, c), left_m(ray, c, a)};
