@@ -198,10 +198,11 @@ std::shared_ptr<const TextureImage> constant_texture(std::string name, glm::vec4
   return make_texture(std::move(name), Texels{1, 1, {linear}}, meaning);
 }
 
-Texels base_texels(const TextureImage& texture) {
+Texels level_texels(const TextureImage& texture, size_t level) {
   const std::array<float, 256> linear_of_code = decoded_srgb_codes();
-  const std::vector<std::byte>& codes = texture.levels.at(0);
-  Texels texels{texture.width, texture.height, std::vector<glm::vec4>(codes.size() / 4)};
+  const std::vector<std::byte>& codes = texture.levels.at(level);
+  Texels texels{std::max(texture.width >> level, 1u), std::max(texture.height >> level, 1u),
+                std::vector<glm::vec4>(codes.size() / 4)};
   for (size_t i = 0; i < codes.size(); ++i) {
     const auto code = std::to_integer<uint8_t>(codes[i]);
     const bool colour = texture.format == Format::rgba8_srgb && i % 4 != 3;
@@ -209,6 +210,8 @@ Texels base_texels(const TextureImage& texture) {
   }
   return texels;
 }
+
+Texels base_texels(const TextureImage& texture) { return level_texels(texture, 0); }
 
 Texels resized(const Texels& source, uint32_t width, uint32_t height) {
   if (source.width == width && source.height == height) return source;

@@ -41,8 +41,9 @@ std::shared_ptr<const TextureImage> make_texture(std::string name, const Texels&
 // One-texel textures for materials that have only a factor.
 std::shared_ptr<const TextureImage> constant_texture(std::string name, glm::vec4 linear, TexelMeaning meaning);
 
-// A texture's base level as texels again: colours decoded to linear, other values as stored, 0 to 1.
-Texels base_texels(const TextureImage& texture);
+// A level of a texture as texels again: colours decoded to linear, other values as stored, 0 to 1.
+Texels level_texels(const TextureImage& texture, size_t level);
+Texels base_texels(const TextureImage& texture);  // level 0
 
 // The same picture at another size: bilinear between texel centres, edges held. Meant for enlarging; it does not filter.
 Texels resized(const Texels& source, uint32_t width, uint32_t height);

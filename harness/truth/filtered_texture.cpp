@@ -7,33 +7,23 @@
 namespace lamina {
 namespace {
 
-float decoded_srgb(float encoded) {
-  return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+int wrapped(int at, uint32_t size) {
+  const int count = static_cast<int>(size);
+  return ((at % count) + count) % count;
 }
-
-int wrapped(int at, int size) { return ((at % size) + size) % size; }
 
 }  // namespace
 
 FilteredTexture::FilteredTexture(const TextureImage& texture) {
-  int width = static_cast<int>(texture.width), height = static_cast<int>(texture.height);
-  for (const std::vector<std::byte>& bytes : texture.levels) {
-    Level& level = levels_.emplace_back(Level{width, height, std::vector<glm::vec4>(bytes.size() / 4)});
-    for (size_t i = 0; i < bytes.size(); ++i) {
-      const float value = static_cast<float>(std::to_integer<int>(bytes[i])) / 255;
-      level.texels[i / 4][static_cast<int>(i % 4)] =
-          texture.format == Format::rgba8_srgb && i % 4 < 3 ? decoded_srgb(value) : value;
-    }
-    width = std::max(width / 2, 1), height = std::max(height / 2, 1);
-  }
+  for (size_t level = 0; level < texture.levels.size(); ++level) levels_.push_back(level_texels(texture, level));
 }
 
-glm::dvec4 FilteredTexture::bilinear(const Level& level, glm::dvec2 uv) {
+glm::dvec4 FilteredTexture::bilinear(const Texels& level, glm::dvec2 uv) {
   const double x = uv.x * level.width - 0.5, y = uv.y * level.height - 0.5, left = std::floor(x), top = std::floor(y);
   const auto texel = [&](int dx, int dy) {
     const int column = wrapped(static_cast<int>(left) + dx, level.width),
               row = wrapped(static_cast<int>(top) + dy, level.height);
-    return glm::dvec4(level.texels[size_t(row) * size_t(level.width) + size_t(column)]);
+    return glm::dvec4(level.rgba[size_t(row) * level.width + size_t(column)]);
   };
   return glm::mix(glm::mix(texel(0, 0), texel(1, 0), x - left), glm::mix(texel(0, 1), texel(1, 1), x - left), y - top);
 }

@@ -5,25 +5,22 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "harness/core/image.h"
+#include "harness/scene/textures.h"
 
 namespace lamina {
 
 class FilteredTexture {
  public:
-  // rgba8_unorm or rgba8_srgb.
   explicit FilteredTexture(const TextureImage& texture);
   // `right`, `down`: the texture coordinates of the neighbouring pixels. The level is that of Khronos, Vulkan specification,
   // "Scale Factor Operation, Level-of-Detail Operation", with one sample a footprint.
   glm::dvec4 at(glm::dvec2 uv, glm::dvec2 right, glm::dvec2 down) const;
+  // In the base level.
+  glm::dvec4 base(glm::dvec2 uv) const { return bilinear(levels_.front(), uv); }
 
  private:
-  struct Level {
-    int width, height;
-    std::vector<glm::vec4> texels;
-  };
-  static glm::dvec4 bilinear(const Level& level, glm::dvec2 uv);
-  std::vector<Level> levels_;
+  static glm::dvec4 bilinear(const Texels& level, glm::dvec2 uv);
+  std::vector<Texels> levels_;
 };
 
 }  // namespace lamina

@@ -9,23 +9,6 @@ namespace {
 
 constexpr double greatest_way = 20;  // of a sheet's thickness, where it is seen along its surface
 
-// Between the centres of texels, repeated.
-glm::dvec4 interpolated(const Texels& texels, glm::dvec2 uv) {
-  const glm::dvec2 at = uv * glm::dvec2(texels.width, texels.height) - 0.5, corner = glm::floor(at), part = at - corner;
-  const auto wrapped = [](double index, uint32_t size) {
-    const double turns = std::floor(index / size);
-    return std::min(static_cast<uint32_t>(index - turns * size), size - 1);
-  };
-  glm::dvec4 sum(0);
-  for (int i = 0; i < 4; ++i) {
-    const double x = i & 1, y = i >> 1;
-    const uint32_t column = wrapped(corner.x + x, texels.width), row = wrapped(corner.y + y, texels.height);
-    const double weight = (x > 0 ? part.x : 1 - part.x) * (y > 0 ? part.y : 1 - part.y);
-    sum += weight * glm::dvec4(texels.rgba[size_t(row) * texels.width + column]);
-  }
-  return sum;
-}
-
 const char* const own_effect = "transparency";
 const char* const plain_effect = "surface";
 
@@ -37,13 +20,13 @@ LayerShading::LayerShading(const Scene& scene) : scene_(scene) {
       const auto values = scene.objects[i].effects.find(effect);
       if (values == scene.objects[i].effects.end()) continue;
       if (const auto found = values->second.textures.find(texture); found != values->second.textures.end())
-        textures_[{i, effect}] = base_texels(*found->second);
+        textures_.emplace(std::pair(i, effect), *found->second);
     }
 }
 
 LayerShading::Layer LayerShading::layer(const LayerHit& hit, glm::dvec3 eye) const {
   const auto& numbers = scene_.objects[hit.object].effects.at(own_effect).numbers;
-  const glm::dvec4 texel = interpolated(textures_.at({hit.object, own_effect}), hit.uv);
+  const glm::dvec4 texel = textures_.at({hit.object, own_effect}).base(hit.uv);
   const double straight = std::clamp(numbers.at("opacity") * texel.a, 0.0, 1.0), slant = numbers.at("slant");
   const double longer = 1 + slant * (std::min(1 / hit.cosine, greatest_way) - 1);
   const MetLight met = met_light(hit.position, hit.normal, eye, numbers.at("gloss"));
@@ -54,7 +37,7 @@ std::optional<glm::dvec3> LayerShading::opaque(const LayerHit& hit, glm::dvec3 e
   const auto& effects = scene_.objects[hit.object].effects;
   if (effects.contains(own_effect)) return layer(hit, eye).color;
   if (effects.size() != 1 || !effects.contains(plain_effect)) return std::nullopt;
-  return glm::dvec3(interpolated(textures_.at({hit.object, plain_effect}), hit.uv)) *
+  return glm::dvec3(textures_.at({hit.object, plain_effect}).base(hit.uv)) *
          met_light(hit.position, hit.normal, eye, 1).diffuse;
 }
 

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "harness/effects/transparency/layer_rays.h"
-#include "harness/scene/textures.h"
+#include "harness/truth/filtered_texture.h"
 
 namespace lamina {
 
@@ -32,7 +32,7 @@ class LayerShading {
   MetLight met_light(glm::dvec3 position, glm::dvec3 normal, glm::dvec3 eye, double gloss) const;
 
   const Scene& scene_;
-  std::map<std::pair<size_t, std::string>, Texels> textures_;  // by object and effect
+  std::map<std::pair<size_t, std::string>, FilteredTexture> textures_;  // by object and effect
 };
 
 }  // namespace lamina
