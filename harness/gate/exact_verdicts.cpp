@@ -208,10 +208,11 @@ std::vector<VerdictRow> judge_cells(const CellPair& pair, const Limits& limits) 
   }
   if (all_new) judge_presence(subject, pair);
   judge_staleness(subject, pair, changed);
-  if (std::ranges::none_of(pair.after, [](const std::optional<CellRow>& cell) { return cell && counts_operations(*cell); }))
-    changed.insert("operations");  // there is nothing to say of them
+  std::vector<const char*> kinds = {"fetches", "errors", "nonfinite", "blank"};
+  if (std::ranges::any_of(pair.after, [](const std::optional<CellRow>& cell) { return cell && counts_operations(*cell); }))
+    kinds.push_back("operations");
   if (compared > 0)
-    for (const char* what : {"fetches", "operations", "errors", "nonfinite", "blank"})
+    for (const char* what : kinds)
       if (!changed.contains(what))
         subject.add(what, Verdict::same, fmt::format("{}: {} as before in {} views", subject.name(), what, compared));
   return rows;

@@ -11,7 +11,7 @@
 namespace lamina {
 
 const std::string& CodeHashes::of(const CompiledShader& shader, Api api) {
-  std::string& hash = known_[&shader];
+  std::string& hash = known_[fmt::format("{} {}", static_cast<int>(api), hash_hex(bytes_of(shader.spirv)))];
   if (hash.empty()) hash = hash_hex(bytes_of(executable_form(shader.spirv, api)));
   return hash;
 }

@@ -18,13 +18,13 @@ struct Identity {
   bool operator==(const Identity&) const = default;
 };
 
-// Hashes over the executable form of shaders, each made once. The shaders must outlive it.
+// Hashes over the executable form of shaders. Two trees have most modules in common, so each module's is made once.
 class CodeHashes {
  public:
   const std::string& of(const CompiledShader& shader, Api api);
 
  private:
-  std::map<const CompiledShader*, std::string> known_;
+  std::map<std::string, std::string> known_;  // by API and a hash over the module
 };
 
 // `truth` is the variant's graph of that purpose, or null where it has none.

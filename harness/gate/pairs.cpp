@@ -6,6 +6,7 @@
 #include <map>
 
 #include "harness/gate/time_verdicts.h"
+#include "harness/gate/verdict_rows.h"
 #include "harness/measure/statistics.h"
 
 namespace lamina {
@@ -81,9 +82,8 @@ void judge_frame_ms(std::vector<VerdictRow>& rows, const std::map<ViewKey, std::
         row.pass.empty() || by_cell.at({row.backend, row.effect, row.variant, row.view}).front()->passes.size() == 1;
     if (!bound || !is_frame || *row.after <= *bound) continue;
     VerdictRow& longer = too_long.emplace_back(row);
-    longer.what = "frame_ms", longer.verdict = Verdict::failed, longer.limit = bound, longer.ratio.reset();
-    longer.sentence = fmt::format("{} on {}: the frame takes {:.4g} ms, the gate file allows {:.4g}", row.variant, row.backend,
-                                  *row.after, *bound);
+    longer.ratio.reset();
+    fail_frame_ms(longer, *row.after, *bound);
   }
   rows.insert(rows.end(), too_long.begin(), too_long.end());
 }

@@ -8,6 +8,7 @@
 
 #include "harness/core/error.h"
 #include "harness/gate/exact_verdicts.h"
+#include "harness/gate/verdict_rows.h"
 #include "harness/record/record.h"
 
 namespace lamina {
@@ -119,10 +120,7 @@ struct Judge {
     if (!max_ms) return;
     const double ms = median(frame_samples_ms(cell.passes));
     if (ms <= *max_ms) return;
-    VerdictRow& row = add(cell, "frame_ms", "");
-    row.verdict = Verdict::failed, row.after = ms, row.limit = max_ms;
-    row.sentence =
-        fmt::format("{} on {}: the frame takes {:.4g} ms, the gate file allows {:.4g}", row.variant, row.backend, ms, *max_ms);
+    fail_frame_ms(add(cell, "frame_ms", ""), ms, *max_ms);
   }
 
   void ratio(const CellRow& before, const CellRow& after, double margin) {

@@ -9,6 +9,9 @@ namespace lamina {
 namespace {
 
 bool is_good(Verdict verdict) { return verdict == Verdict::same || verdict == Verdict::better; }
+bool is_count(const VerdictRow& row) {
+  return row.what == "fetches" || row.what == "operations" || row.what == "fragments" || row.what == "vertices";
+}
 bool is_bad(Verdict verdict) { return verdict == Verdict::worse || verdict == Verdict::failed; }
 
 // What the exact rows of a variant on a backend say.
@@ -37,7 +40,9 @@ void let_counts_decide(std::vector<VerdictRow>& rows, const LimitsFile& limits) 
     if (row.what == "fetches") counted.fetches = counted.fetches || is_good(row.verdict);
     if (row.what == "operations") counted.operations = counted.operations || is_good(row.verdict);
     const bool counts_disagree = row.what == "operations" && row.verdict == Verdict::not_compared;
-    counted.against = counted.against || is_bad(row.verdict) || counts_disagree;
+    // Of a pass, a row is there because its count changed: one that is good enough and not better is more, and allowed.
+    const bool more = is_count(row) && row.verdict == Verdict::same && !row.pass.empty();
+    counted.against = counted.against || is_bad(row.verdict) || counts_disagree || more;
   }
   const auto may_stay_open = [&](const VerdictRow& row) {
     return !limits.of(row.effect, row.variant, row.backend).times_must_decide;

@@ -11,6 +11,13 @@
 
 namespace lamina {
 
+// A row that names its cell becomes that of a frame that takes longer than its bound.
+inline void fail_frame_ms(VerdictRow& row, double ms, double bound) {
+  row.what = "frame_ms", row.verdict = Verdict::failed, row.after = ms, row.limit = bound;
+  row.sentence =
+      fmt::format("{} on {}: the frame takes {:.4g} ms, the gate file allows {:.4g}", row.variant, row.backend, ms, bound);
+}
+
 struct VerdictSubject {
   const Limits& limits;
   VerdictRow blank;  // names the variant and backend

@@ -48,6 +48,14 @@ TEST(CountsDecide, MoreOfAnythingOrAnotherPictureLeavesTimesAmbiguous) {
     EXPECT_EQ(time_after({same_fetches, same_operations, against, unsure}), Verdict::ambiguous) << against.what;
 }
 
+TEST(CountsDecide, MoreThatIsAllowedIsMore) {
+  for (const char* what : {"fetches", "operations", "vertices", "fragments"}) {
+    VerdictRow allowed = row(what, Verdict::same);
+    allowed.pass = "composite", allowed.before = 100, allowed.after = 101;
+    EXPECT_EQ(time_after({same_fetches, same_operations, allowed, unsure}), Verdict::ambiguous) << what;
+  }
+}
+
 TEST(CountsDecide, WhatWasNotCountedDecidesNothing) {
   EXPECT_EQ(time_after({unsure}), Verdict::ambiguous);
   EXPECT_EQ(time_after({same_fetches, unsure}), Verdict::ambiguous);
