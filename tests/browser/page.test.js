@@ -16,7 +16,7 @@ test('a gate\'s answer, what regressed and every check are on the page, with and
     const page = await open(browser, 'compare', {script});
     assert.match(await page.locator('.verdict').innerText(), /^Gate FAILED: 2 checks: 1 regressed, 1 the same/);
     assert.match(
-        await page.locator('details.verdicts[open]').innerText(), /slower \(time\) the composite pass takes 10% longer/);
+        await page.locator('details.verdicts[open]').innerText(), /slower \(time, interval\) the composite pass takes 10% longer/);
     assert.equal(await page.locator('details.printed[open] tr.bad').count(), 1);
     await page.context().close();
   }
