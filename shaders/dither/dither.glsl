@@ -21,7 +21,8 @@ float lattice_4x4(ivec2 pixel, uint card, float within) {
 // Jimenez, "Next Generation Post Processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014: interleaved gradient noise.
 float gradient_noise(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))); }
 
-// Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020: pcg3d, its first output.
+// After pcg3d (Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020): its first output, with the first of its two
+// rounds on all three words at once.
 float white_noise(uvec3 v) {
   v = v * 1664525u + 1013904223u;
   v += v.yzx * v.zxy;
