@@ -31,20 +31,13 @@ constexpr double half_ulp = 1.0 / 1024;
 // What the variant's picture should be, from the truth's own passes on the device.
 Image true_picture(Backend& backend, const Library& library, const VariantManifest& told, const Scene& scene, uint32_t width,
                    uint32_t height) {
-  const Plan plan = make_plan(library, scene);
-  ShaderCache shaders(backend.info().api, library.shaders);
-  Bakes bakes(scene, *library.code, DiskCache(""));
-  SceneResources resources(backend, scene, library, width, height, &bakes);
-  const Graph graph = make_graph(plan, configuration_with(plan, told), scene, shaders, &told);
-  Frame frame(resources, graph, Build::timed);
-  frame.run_once(Timing::off);
-  frame.run(0, Timing::off);
+  DrawnFrame drawn(backend, library, scene, {.variant = &told, .width = width, .height = height, .told = &told});
   DiskCache cache{""};
-  const auto targets = frame.targets_of(told);
+  const auto targets = drawn.frame.targets_of(told);
   const TruthAnswer answer =
-      single_scattering_truth({scene, bakes.occluders(), cache})->answer({targets, scene.views[0], {}}, [](double) {});
+      single_scattering_truth({scene, drawn.bakes.occluders(), cache})->answer({targets, scene.views[0], {}}, [](double) {});
   EXPECT_EQ(answer.pixels.size(), size_t{width} * height);
-  Image image = frame.picture();
+  Image image = drawn.picture();
   for (size_t i = 0; i < answer.pixels.size(); ++i)
     for (int c = 0; c < 3; ++c) image.rgba[4 * answer.pixels[i] + size_t(c)] = answer.steps.back().light[i][c];
   return image;

@@ -9,7 +9,7 @@
 
 #include "harness/effects/cap_intersection/cap_area.h"
 #include "harness/effects/cap_intersection/cap_table.h"
-#include "tests/effects/caps.h"
+#include "tests/effects/family_shaders.h"
 
 namespace lamina {
 namespace {
@@ -22,24 +22,18 @@ Points moved_apart(Points points) {
   return points;
 }
 
-class CapShaders : public ::testing::TestWithParam<std::string_view> {
+class CapShaders : public FamilyShaders {
  protected:
-  void SetUp() override {
-    try {
-      backend_ = open_backend(GetParam());
-    } catch (const Error& error) {
-      GTEST_SKIP() << error.what();
-    }
-  }
+  CapShaders() : FamilyShaders(inputs_per_set) {}
+
   // Errors by set of one variant.
   std::map<std::string, FunctionErrors> errors(const std::string& variant) {
     std::map<std::string, FunctionErrors> all;
     FunctionRunner runner(*backend_, shaders_folder(), caps(), variant);
-    for (const PointSet& set : make_sets(caps(), inputs_per_set, 5))
+    for (const PointSet& set : make_sets(caps(), inputs_, 5))
       all[set.name] = judge(set.points, runner.values(set.points), truth_of_caps(set));
     return all;
   }
-  std::unique_ptr<Backend> backend_;
 };
 
 TEST_P(CapShaders, EveryFunctionKeepsTheBoundsThatItClaims) {
@@ -244,8 +238,7 @@ TEST(CapFamily, SeedsMeanTheSamePoints) {
   EXPECT_EQ(make_sets(caps(), 1000, 1)[1].points[999][0], make_sets(caps(), 2000, 1)[1].points[999][0]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, CapShaders, ::testing::ValuesIn(backend_names().begin(), backend_names().end()),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(Backends, CapShaders, backend_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

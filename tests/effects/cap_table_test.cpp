@@ -12,7 +12,7 @@
 #include "harness/core/error.h"
 #include "harness/effects/cap_intersection/cap_area.h"
 #include "harness/effects/cap_intersection/cap_oracle.h"
-#include "tests/effects/caps.h"
+#include "tests/effects/family_shaders.h"
 
 namespace lamina {
 namespace {
@@ -88,18 +88,14 @@ TEST(CapTable, RefusesToBeOneTexel) {
   EXPECT_THROW(make_cap_table(0), Error);
 }
 
-class LutCap : public ::testing::TestWithParam<std::string_view> {
+class LutCap : public FamilyShaders {
  protected:
+  LutCap() : FamilyShaders(0) {}  // its tests choose their points
+
   void SetUp() override {
-    try {
-      backend_ = open_backend(GetParam());
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::no_device) throw;
-      GTEST_SKIP() << error.what();
-    }
-    runner_ = std::make_unique<FunctionRunner>(*backend_, shaders_folder(), caps(), "lut_cap");
+    FamilyShaders::SetUp();
+    if (backend_) runner_ = std::make_unique<FunctionRunner>(*backend_, shaders_folder(), caps(), "lut_cap");
   }
-  std::unique_ptr<Backend> backend_;
   std::unique_ptr<FunctionRunner> runner_;
 };
 
@@ -160,8 +156,7 @@ TEST_P(LutCap, DoesNotDependOnTheOrderOfTheCaps) {
         << there[i][0] << " " << there[i][1] << " " << there[i][2];
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, LutCap, ::testing::ValuesIn(backend_names().begin(), backend_names().end()),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(Backends, LutCap, backend_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

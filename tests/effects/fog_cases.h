@@ -92,18 +92,13 @@ class FogOnEachBackend : public EachBackend {
   // Of every view.
   std::vector<Thickness> thickness(const Scene& scene, std::string_view name, uint32_t size = 33,
                                    const Parameters& parameters = {}) {
-    const Plan plan = make_plan(library(), scene);
-    ShaderCache shaders(backend_->info().api, library().shaders);
-    Bakes bakes(scene, *library().code, DiskCache(""));
-    SceneResources resources(*backend_, scene, library(), size, size, &bakes);
-    const VariantManifest& drawn = variant(name);
-    const Graph graph = make_graph(plan, configuration_with(plan, drawn), scene, shaders, &drawn, parameters);
-    Frame frame(resources, graph, Build::timed);
-    frame.run_once(Timing::off);
+    const VariantManifest& told = variant(name);
+    DrawnFrame drawn(*backend_, library(), scene,
+                     {.variant = &told, .width = size, .height = size, .parameters = parameters, .told = &told});
     std::vector<Thickness> all;
     for (size_t view = 0; view < scene.views.size(); ++view) {
-      frame.run(view, Timing::off);
-      const Image depths = frame.target(drawn, "seen_depths");
+      drawn.frame.run(view, Timing::off);
+      const Image depths = drawn.frame.target(told, "seen_depths");
       Thickness& made = all.emplace_back(Thickness{size, {}, {}});
       const double slope = std::tan(glm::radians(double(scene.views[view].fov_y_degrees)) / 2);
       for (size_t pixel = 0; pixel < size_t(size) * size; ++pixel) {

@@ -50,37 +50,21 @@ inline std::vector<Sheet> four_sheets() {
 
 class GlassOnEachBackend : public EachBackend {
  protected:
-  struct Drawing {
-    Plan plan;
-    std::unique_ptr<ShaderCache> shaders;
-    std::unique_ptr<Bakes> bakes;
-    std::unique_ptr<SceneResources> resources;
-    Graph graph;
-    std::unique_ptr<Frame> frame;
-  };
-  std::unique_ptr<Drawing> drawing(const Scene& scene, std::string_view name, uint32_t size, const Parameters& parameters = {},
-                                   const VariantManifest* told = nullptr) {
-    auto made = std::make_unique<Drawing>();
-    made->plan = make_plan(library(), scene);
-    made->shaders = std::make_unique<ShaderCache>(backend_->info().api, library().shaders);
-    made->bakes = std::make_unique<Bakes>(scene, *library().code, DiskCache(""));
-    made->resources = std::make_unique<SceneResources>(*backend_, scene, library(), size, size, made->bakes.get());
-    made->graph =
-        make_graph(made->plan, configuration_with(made->plan, variant(name)), scene, *made->shaders, told, parameters);
-    made->frame = std::make_unique<Frame>(*made->resources, made->graph, Build::timed);
-    made->frame->run_once(Timing::off);
-    made->frame->run(0, Timing::off);
-    return made;
+  std::unique_ptr<DrawnFrame> drawing(const Scene& scene, std::string_view name, uint32_t size,
+                                      const Parameters& parameters = {}, const VariantManifest* told = nullptr) {
+    return std::make_unique<DrawnFrame>(
+        *backend_, library(), scene,
+        DrawnFrame::Choice{.variant = &variant(name), .width = size, .height = size, .parameters = parameters, .told = told});
   }
   Image glass(const Scene& scene, std::string_view name, uint32_t size = 16, const Parameters& parameters = {}) {
-    return drawing(scene, name, size, parameters)->frame->picture();
+    return drawing(scene, name, size, parameters)->frame.picture();
   }
   // The truth's steps for the picture of a variant.
   TruthAnswer truth_of(const Scene& scene, std::string_view name, uint32_t size, size_t rays) {
     const auto made = drawing(scene, name, size, {}, &variant(name));
-    const auto targets = made->frame->targets_of(variant(name));
+    const auto targets = made->frame.targets_of(variant(name));
     DiskCache cache{""};
-    return transparent_layers_truth({scene, made->bakes->occluders(), cache, rays})
+    return transparent_layers_truth({scene, made->bakes.occluders(), cache, rays})
         ->answer({targets, scene.views[0], {}}, [](double) {});
   }
 };

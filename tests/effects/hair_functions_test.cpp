@@ -4,10 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
-#include "tests/effects/caps.h"
+#include "tests/effects/family_shaders.h"
 
 namespace lamina {
 namespace {
@@ -15,32 +14,17 @@ namespace {
 constexpr size_t hair_inputs = 400;
 const char* const hair_folders[] = {"kajiya_kay", "ward_reflection", "karis_reflection", "ordered_dither", "gradient_noise"};
 
-Family hair_family(const std::string& folder) { return load_family(shaders_folder() / folder / "family.toml", effect_code()); }
-
 glm::dvec3 at_angles(double polar_degrees, double azimuth_degrees) {
   const double t = polar_degrees * std::numbers::pi / 180, p = azimuth_degrees * std::numbers::pi / 180;
   return {std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t)};
 }
 
-class HairFunctions : public ::testing::TestWithParam<std::string_view> {
+class HairFunctions : public FamilyShaders {
  protected:
-  void SetUp() override {
-    try {
-      backend_ = open_backend(GetParam());
-    } catch (const Error& error) {
-      GTEST_SKIP() << error.what();
-    }
-  }
-  FunctionErrors errors(const Family& family, const std::string& function, const std::string& set) {
-    FunctionRunner runner(*backend_, shaders_folder(), family, function);
-    const PointSet points{set, "", family.oracle->points(set, hair_inputs, 5)};
-    return judge(points.points, runner.values(points.points), truth_of(*family.oracle, points));
-  }
+  HairFunctions() : FamilyShaders(hair_inputs) {}
+
   double one(const std::string& folder, const std::string& function, const std::vector<float>& point) {
-    FunctionRunner runner(*backend_, shaders_folder(), hair_family(folder), function);
-    Points points(point.size());
-    points.add(point);
-    return double(runner.values(points).at(0));
+    return double(values(family_in(folder), function, {point}).at(0));
   }
   // The reflectance itself.
   double reflectance(const std::string& model, glm::dvec3 l, glm::dvec3 v, double ax, double ay) {
@@ -65,38 +49,22 @@ class HairFunctions : public ::testing::TestWithParam<std::string_view> {
           {static_cast<float>(l.x), static_cast<float>(l.y), to.x, to.y, static_cast<float>(ax), static_cast<float>(ay)});
       weights.push_back(1 / (std::numbers::pi * density * side * side));
     }
-    FunctionRunner runner(*backend_, shaders_folder(), hair_family("ward_reflection"), model);
-    const std::vector<float> values = runner.values(points);
+    FunctionRunner runner(*backend_, shaders_folder(), family_in("ward_reflection"), model);
+    const std::vector<float> shares = runner.values(points);
     double sum = 0;
-    for (size_t i = 0; i < values.size(); ++i) sum += weights[i] * double(values[i]);
+    for (size_t i = 0; i < shares.size(); ++i) sum += weights[i] * double(shares[i]);
     return sum;
   }
-  std::unique_ptr<Backend> backend_;
 };
 
 TEST_P(HairFunctions, EveryFunctionKeepsTheBoundsThatItClaims) {
-  size_t claimed = 0;
-  for (const char* folder : hair_folders) {
-    const Family family = hair_family(folder);
-    for (const FamilyFunction& function : family.functions)
-      for (const FamilySet& set : family.sets) {
-        const FamilyClaim* bounds = function.claim(set.name);
-        if (!bounds) continue;
-        SCOPED_TRACE(function.name + " " + set.name);
-        ++claimed;
-        const FunctionErrors found = errors(family, function.name, set.name);
-        EXPECT_LE(found.max_over, bounds->over);
-        EXPECT_GE(found.max_under, bounds->under);
-        EXPECT_LE(found.most_eps_kappa, bounds->eps_kappa.value_or(std::numeric_limits<double>::infinity()));
-        EXPECT_FALSE(found.first_fault);
-      }
-  }
-  EXPECT_GE(claimed, 15u);
+  const std::vector<Judged> judged = judge_claims(hair_folders);
+  for (const Judged& claim : judged) EXPECT_FALSE(claim.errors.first_fault) << claim.function;
+  EXPECT_GE(judged.size(), 15u);
 }
 
 TEST_P(HairFunctions, NaiveFormsFailWhereStableOnesDoNot) {
-  const Family karis = hair_family("karis_reflection"), dither = hair_family("ordered_dither"),
-               cone = hair_family("kajiya_kay");
+  const Family karis = family_in("karis_reflection"), dither = family_in("ordered_dither"), cone = family_in("kajiya_kay");
   EXPECT_EQ(errors(karis, "plain_lobe", "opposite").nonfinite, hair_inputs);
   EXPECT_EQ(errors(karis, "multiplied_through", "opposite").nonfinite, 0u);
   EXPECT_LT(errors(karis, "clamped_width", "opposite").max_under, -0.05) << "a width that is clamped loses the peak";
@@ -172,8 +140,7 @@ TEST_P(HairFunctions, KarisFirstReflectionHasALimitBehindTheStrand) {
   EXPECT_TRUE(std::isnan(one("karis_reflection", "plain_lobe", {0, 0, 0, .04f})));
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, HairFunctions, ::testing::ValuesIn(backend_names()),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(Backends, HairFunctions, backend_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

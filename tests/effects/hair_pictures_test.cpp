@@ -15,15 +15,9 @@ namespace {
 class HairPictures : public EachBackend {
  protected:
   Image with(const Scene& scene, const std::string& name, const Parameters& parameters, uint32_t size = 32) {
-    const Plan plan = make_plan(library(), scene);
-    ShaderCache shaders(backend_->info().api, library().shaders);
-    Bakes bakes(scene, *library().code, DiskCache(""));
-    SceneResources resources(*backend_, scene, library(), size, size, &bakes);
-    const Graph graph = make_graph(plan, configuration_with(plan, variant(name)), scene, shaders, nullptr, parameters);
-    Frame frame(resources, graph, Build::timed);
-    frame.run_once(Timing::off);
-    frame.run(0, Timing::off);
-    return frame.picture();
+    return DrawnFrame(*backend_, library(), scene,
+                      {.variant = &variant(name), .width = size, .height = size, .parameters = parameters})
+        .picture();
   }
 };
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "tests/effects/caps.h"
+#include "tests/effects/family_shaders.h"
 
 namespace lamina {
 namespace {
@@ -17,54 +17,18 @@ const char* const scattering_folders[] = {"henyey_greenstein",  "cornette_shanks
                                           "mean_transmittance", "slab_in_scatter", "fresnel",        "refraction",
                                           "wrap_lighting",      "back_light",      "thickness_ramp", "depth_bias"};
 
-Family scattering_family(const std::string& folder) {
-  return load_family(shaders_folder() / folder / "family.toml", effect_code());
-}
 double oracle_value(const Family& family, std::vector<double> point) { return family.oracle->value(point); }
 
-class ScatteringShaders : public ::testing::TestWithParam<std::string_view> {
+class ScatteringShaders : public FamilyShaders {
  protected:
-  void SetUp() override {
-    try {
-      backend_ = open_backend(GetParam());
-    } catch (const Error& error) {
-      GTEST_SKIP() << error.what();
-    }
-  }
-  FunctionErrors errors(const Family& family, const std::string& function, const std::string& set) {
-    FunctionRunner runner(*backend_, shaders_folder(), family, function);
-    const PointSet points{set, "", family.oracle->points(set, scattering_inputs, 5)};
-    return judge(points.points, runner.values(points.points), truth_of(*family.oracle, points));
-  }
-  std::unique_ptr<Backend> backend_;
+  ScatteringShaders() : FamilyShaders(scattering_inputs) {}
 };
 
-TEST_P(ScatteringShaders, EveryFunctionKeepsTheBoundsThatItClaims) {
-  size_t claimed = 0;
-  for (const char* folder : scattering_folders) {
-    const Family family = scattering_family(folder);
-    for (const FamilyFunction& function : family.functions)
-      for (const FamilySet& set : family.sets) {
-        const FamilyClaim* bounds = function.claim(set.name);
-        // Beyond what binary32 can hold nothing is claimed.
-        EXPECT_TRUE(bounds || !function.baseline || set.name == "beyond") << folder << " " << function.name << " " << set.name;
-        if (!bounds) continue;
-        SCOPED_TRACE(function.name + " " + set.name);
-        ++claimed;
-        const FunctionErrors found = errors(family, function.name, set.name);
-        EXPECT_LE(found.max_over, bounds->over);
-        EXPECT_GE(found.max_under, bounds->under);
-        EXPECT_LE(found.most_eps_kappa, bounds->eps_kappa.value_or(std::numeric_limits<double>::infinity()));
-        EXPECT_EQ(found.nonfinite, 0u);
-        EXPECT_FALSE(function.baseline && found.first_fault) << "below 0, or not 0 where that is right";
-      }
-  }
-  EXPECT_GT(claimed, 100u);
-}
+TEST_P(ScatteringShaders, EveryFunctionKeepsTheBoundsThatItClaims) { EXPECT_GT(judge_claims(scattering_folders).size(), 100u); }
 
 TEST_P(ScatteringShaders, NaiveFormsFailWhereStableOnesDoNot) {
-  const Family hg = scattering_family("henyey_greenstein"), mean = scattering_family("mean_transmittance"),
-               slab = scattering_family("slab_in_scatter"), fresnel = scattering_family("fresnel");
+  const Family hg = family_in("henyey_greenstein"), mean = family_in("mean_transmittance"), slab = family_in("slab_in_scatter"),
+               fresnel = family_in("fresnel");
   EXPECT_GT(errors(hg, "naive_hg", "forward").most_eps, 1e5);
   EXPECT_GT(errors(hg, "naive_hg", "peak").nonfinite, 0u);
   EXPECT_GT(errors(mean, "naive_mean", "thin").max_over - errors(mean, "naive_mean", "thin").max_under, 0.9);
@@ -76,7 +40,7 @@ TEST_P(ScatteringShaders, NaiveFormsFailWhereStableOnesDoNot) {
 
 // Over all directions: 1 within 1e-6, whatever g. Nodes are even in the logarithm of the base's root, where the peak is flat.
 TEST_P(ScatteringShaders, HenyeyAndGreensteinSumToOneOverAllDirections) {
-  const Family hg = scattering_family("henyey_greenstein");
+  const Family hg = family_in("henyey_greenstein");
   using Rule = boost::math::quadrature::gauss<double, 60>;
   Points points(2);
   std::vector<double> weights;
@@ -110,7 +74,7 @@ TEST_P(ScatteringShaders, HenyeyAndGreensteinSumToOneOverAllDirections) {
 
 TEST(ScatteringOracles, GiveTheFiguresThatAreKnown) {
   const auto near = [](double value, double figure) { EXPECT_NEAR(value, figure, 1e-5 * figure); };
-  const Family hg = scattering_family("henyey_greenstein");
+  const Family hg = family_in("henyey_greenstein");
   for (const auto& [g, at_0, at_90, at_180] : {std::tuple{.5, .477465, .0427058, .0176839},
                                                {.8, 3.58099, .0136404, .00491219},
                                                {.99, 1583.59, .000568346, .000200948}}) {
@@ -118,8 +82,8 @@ TEST(ScatteringOracles, GiveTheFiguresThatAreKnown) {
     near(oracle_value(hg, {g, 0}), at_90);
     near(oracle_value(hg, {g, -1}), at_180);
   }
-  near(oracle_value(scattering_family("rayleigh"), {0}), .0596831);
-  const Family slab = scattering_family("slab_in_scatter");
+  near(oracle_value(family_in("rayleigh"), {0}), .0596831);
+  const Family slab = family_in("slab_in_scatter");
   for (const auto& [view, sun, light] : {std::tuple{1., 1., .136343006},
                                          {1., .2, .100703706},
                                          {.5, .5, .232367692},
@@ -127,7 +91,7 @@ TEST(ScatteringOracles, GiveTheFiguresThatAreKnown) {
                                          {.1, .2, .494864892},
                                          {.01, .5, .740968290}})
     near(oracle_value(slab, {.16 / sun, .16 / view}), light);
-  const Family fresnel = scattering_family("fresnel");
+  const Family fresnel = family_in("fresnel");
   const double degrees[] = {0, 45, 60, 75, 85};
   for (const auto& [eta, passed] : {std::pair{1.3, std::vector{.982987, .976183, .946600, .798664, .426004}},
                                     {1.4, {.972222, .963421, .928023, .768717, .401678}},
@@ -138,7 +102,7 @@ TEST(ScatteringOracles, GiveTheFiguresThatAreKnown) {
 
 // The mean cosine of Cornette and Shanks's function is not g: .843636 at g = .8. Its integral is 1.
 TEST(ScatteringOracles, CornetteAndShanksHaveTheMeanCosineThatIsKnown) {
-  const Family family = scattering_family("cornette_shanks");
+  const Family family = family_in("cornette_shanks");
   double sum = 0, mean = 0;
   constexpr int steps = 20000;
   for (int i = 0; i < steps; ++i) {
@@ -151,7 +115,7 @@ TEST(ScatteringOracles, CornetteAndShanksHaveTheMeanCosineThatIsKnown) {
 }
 
 TEST(ScatteringOracles, ConditionsAreThoseOfTheFormulas) {
-  const Family transmittance = scattering_family("transmittance"), hg = scattering_family("henyey_greenstein");
+  const Family transmittance = family_in("transmittance"), hg = family_in("henyey_greenstein");
   for (const double x : {0.1, 1.0, 30.0})
     EXPECT_NEAR(transmittance.oracle->condition(std::vector{x}, std::exp(-x)), x, 1e-9 * x);
   // By hand: c dp/dc / p = 3 g c / base.
@@ -161,13 +125,13 @@ TEST(ScatteringOracles, ConditionsAreThoseOfTheFormulas) {
 }
 
 TEST(ScatteringOracles, RefuseWhatHasNoValue) {
-  const Family hg = scattering_family("henyey_greenstein"), mean = scattering_family("mean_transmittance");
+  const Family hg = family_in("henyey_greenstein"), mean = family_in("mean_transmittance");
   EXPECT_NE(hg.oracle->refusal(std::vector{1.0, 0.5}), "") << "g of 1: all light goes straight on";
   EXPECT_NE(hg.oracle->refusal(std::vector{0.5, 1.01}), "");
   EXPECT_NE(mean.oracle->refusal(std::vector{-1.0}), "");
   EXPECT_NE(mean.oracle->refusal(std::vector{std::nan("")}), "");
   for (const char* folder : scattering_folders) {
-    const Family family = scattering_family(folder);
+    const Family family = family_in(folder);
     for (const FamilySet& set : family.sets) {
       const Points points = family.oracle->points(set.name, 500, 3);
       for (size_t i = 0; i < points.size(); ++i)
@@ -177,8 +141,7 @@ TEST(ScatteringOracles, RefuseWhatHasNoValue) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, ScatteringShaders, ::testing::ValuesIn(backend_names().begin(), backend_names().end()),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(Backends, ScatteringShaders, backend_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

@@ -3,61 +3,26 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
-#include "tests/effects/caps.h"
+#include "tests/effects/family_shaders.h"
 
 namespace lamina {
 namespace {
 
 constexpr size_t layer_inputs = 400;
 
-Family layer_family(const std::string& folder) { return load_family(shaders_folder() / folder / "family.toml", effect_code()); }
+constexpr const char* layer_folders[] = {"compositing", "moment_transmittance", "step_reconstruction"};
 
-class TransparencyShaders : public ::testing::TestWithParam<std::string_view> {
+class TransparencyShaders : public FamilyShaders {
  protected:
-  void SetUp() override {
-    try {
-      backend_ = open_backend(GetParam());
-    } catch (const Error& error) {
-      GTEST_SKIP() << error.what();
-    }
-  }
-  FunctionErrors errors(const Family& family, const std::string& function, const std::string& set) {
-    FunctionRunner runner(*backend_, shaders_folder(), family, function);
-    const PointSet points{set, "", family.oracle->points(set, layer_inputs, 5)};
-    return judge(points.points, runner.values(points.points), truth_of(*family.oracle, points));
-  }
-  std::vector<float> values(const Family& family, const std::string& function, const std::vector<std::vector<float>>& points) {
-    Points asked(points.at(0).size());
-    for (const std::vector<float>& point : points) asked.add(point);
-    return FunctionRunner(*backend_, shaders_folder(), family, function).values(asked);
-  }
-  std::unique_ptr<Backend> backend_;
+  TransparencyShaders() : FamilyShaders(layer_inputs) {}
 };
 
-TEST_P(TransparencyShaders, EveryFunctionKeepsTheBoundsThatItClaims) {
-  size_t claimed = 0;
-  for (const char* folder : {"compositing", "moment_transmittance", "step_reconstruction"}) {
-    const Family family = layer_family(folder);
-    for (const FamilyFunction& function : family.functions)
-      for (const FamilySet& set : family.sets) {
-        const FamilyClaim* bounds = function.claim(set.name);
-        if (!bounds) continue;
-        SCOPED_TRACE(function.name + " " + set.name);
-        ++claimed;
-        const FunctionErrors found = errors(family, function.name, set.name);
-        EXPECT_LE(found.max_over, bounds->over);
-        EXPECT_GE(found.max_under, bounds->under);
-        EXPECT_EQ(found.nonfinite, 0u);
-      }
-  }
-  EXPECT_GT(claimed, 10u);
-}
+TEST_P(TransparencyShaders, EveryFunctionKeepsTheBoundsThatItClaims) { EXPECT_GT(judge_claims(layer_folders).size(), 10u); }
 
 // Missing pixels beside a step: a quarter for the mean of four, nothing for pairs, whatever the phase.
 TEST_P(TransparencyShaders, StepsAreReconstructedAsWorkedOutByHand) {
-  const Family family = layer_family("step_reconstruction");
+  const Family family = family_in("step_reconstruction");
   std::vector<std::vector<float>> upright;
   for (const float phase : {0.0f, 0.125f, 0.25f, 0.5f, 0.75f})
     for (int pixel = -2; pixel <= 2; ++pixel) upright.push_back({0, float(pixel) + 0.5f + phase});
@@ -83,7 +48,7 @@ TEST_P(TransparencyShaders, StepsAreReconstructedAsWorkedOutByHand) {
 
 // Four moments of two layers say all of them; with one layer the system has rank 1, and only a bias keeps it solvable.
 TEST_P(TransparencyShaders, TheMomentSystemNeedsItsBias) {
-  const Family family = layer_family("moment_transmittance");
+  const Family family = family_in("moment_transmittance");
   const FunctionErrors safe = errors(family, "bias_5e_5", "one"), none = errors(family, "unbiased_moments", "one");
   EXPECT_EQ(safe.nonfinite, 0u);
   EXPECT_LT(safe.max_over - safe.max_under, 0.005);
@@ -92,7 +57,7 @@ TEST_P(TransparencyShaders, TheMomentSystemNeedsItsBias) {
 
 // An opaque layer in front: sorting shows nothing behind it, weights do.
 TEST_P(TransparencyShaders, WeightsLeakBehindAnOpaqueLayer) {
-  const Family family = layer_family("compositing");
+  const Family family = family_in("compositing");
   EXPECT_LT(errors(family, "four_moments", "opaque_front").max_over, 0.02);
   for (const char* name : {"weighted_7", "weighted_9", "weighted_average"}) {
     const FunctionErrors found = errors(family, name, "opaque_front");
@@ -111,13 +76,11 @@ TEST_P(TransparencyShaders, WeightsLeakBehindAnOpaqueLayer) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, TransparencyShaders,
-                         testing::ValuesIn(std::vector<std::string_view>(backend_names().begin(), backend_names().end())),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(Backends, TransparencyShaders, backend_parameters, backend_test_name);
 
 TEST(TransparencyOracles, GiveTheFiguresThatAreKnown) {
-  const Family layers = layer_family("compositing"), moments = layer_family("moment_transmittance"),
-               steps = layer_family("step_reconstruction");
+  const Family layers = family_in("compositing"), moments = family_in("moment_transmittance"),
+               steps = family_in("step_reconstruction");
   const std::vector<double> three = {0.5, 0, 1, 2, 2};
   EXPECT_NEAR(layers.oracle->value(three), 0.5 + 0.25 * 0 + 0.125, 1e-15);
   const std::vector<double> falling = {1, -0.5, 0.25, 2, 2};

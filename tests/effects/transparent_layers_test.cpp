@@ -147,14 +147,14 @@ TEST_P(TransparentLayers, WhatIsNotTransparentIsLeftOut) {
     const auto made = drawing(whole, each.name, 16);
     ASSERT_EQ(made->graph.passes.size(), 1u) << each.name;
     EXPECT_EQ(made->graph.passes[0].pass->name, "opaque");
-    EXPECT_EQ(pixel(made->frame->picture(), 8, 8), glm::vec3(1, 0, 0)) << each.name;
+    EXPECT_EQ(pixel(made->frame.picture(), 8, 8), glm::vec3(1, 0, 0)) << each.name;
   }
   // One is opaque, one is not: the opaque one is no layer.
   const Scene mixed = glass_sheets({{0.5, {1, 0, 0}, 2}, {1, {0, 1, 0}, 4}}, glm::vec3(0.2f));
   for (const VariantManifest& each : library().effect("transparency").variants) {
     const auto made = drawing(mixed, each.name, 16);
     EXPECT_EQ(made->graph.passes[0].pass->name, "opaque");
-    if (!each.name.starts_with("stochastic")) expect_near(made->frame->picture(), {0.5f, 0.5f, 0}, 2 * half_error, each.name);
+    if (!each.name.starts_with("stochastic")) expect_near(made->frame.picture(), {0.5f, 0.5f, 0}, 2 * half_error, each.name);
   }
 }
 
@@ -182,12 +182,12 @@ TEST_P(TransparentLayers, MoreLayersThanTheLimitAreSaid) {
   for (int i = 0; i < 20; ++i) sheets.push_back({0.05, {1, 1, 1}, 2 + 0.1f * float(i)});
   const Scene scene = glass_sheets(sheets, glm::vec3(0));
   const auto limited = drawing(scene, "depth_peeling", 16);
-  ASSERT_EQ(limited->frame->unfinished(0).size(), 1u);
-  EXPECT_EQ(limited->frame->unfinished(0)[0]->pass->name, "peel");
-  expect_near(limited->frame->picture(), glm::vec3(float(1 - std::pow(0.95, 16))), half_error, "the nearest 16");
+  ASSERT_EQ(limited->frame.unfinished(0).size(), 1u);
+  EXPECT_EQ(limited->frame.unfinished(0)[0]->pass->name, "peel");
+  expect_near(limited->frame.picture(), glm::vec3(float(1 - std::pow(0.95, 16))), half_error, "the nearest 16");
   const auto all = drawing(scene, "depth_peeling", 16, {{"depth_peeling.layers", 24}});
-  EXPECT_TRUE(all->frame->unfinished(0).empty());
-  expect_near(all->frame->picture(), glm::vec3(float(1 - std::pow(0.95, 20))), half_error, "all 20");
+  EXPECT_TRUE(all->frame.unfinished(0).empty());
+  expect_near(all->frame.picture(), glm::vec3(float(1 - std::pow(0.95, 20))), half_error, "all 20");
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, TransparentLayers, backend_parameters, backend_test_name);

@@ -89,9 +89,9 @@ TEST_P(ChosenObjects, RepetitionsThatWereTooFewAreTold) {
                             "fragment = \"until.frag\"\nwrite = [\"frame\"]\n"));
   const Scene scene = squares({amount("a", 0, 1)});
   const auto few = drawn(library, scene), enough = drawn(library, scene, {{"part_full.most", 5}});
-  ASSERT_EQ(few->frame->unfinished(0).size(), 1u);
-  EXPECT_EQ(few->frame->unfinished(0)[0]->pass->name, "layers");
-  EXPECT_TRUE(enough->frame->unfinished(0).empty());
+  ASSERT_EQ(few->frame.unfinished(0).size(), 1u);
+  EXPECT_EQ(few->frame.unfinished(0)[0]->pass->name, "layers");
+  EXPECT_TRUE(enough->frame.unfinished(0).empty());
 }
 
 // Nothing else draws: the frame is the background, and its depth is far away.

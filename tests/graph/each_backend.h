@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/graph/frame.h"
 #include "tests/builtin_library.h"
+#include "tests/graph/drawn_frame.h"
 
 namespace lamina {
 
@@ -33,15 +33,9 @@ class EachBackend : public testing::TestWithParam<std::string_view> {
   }
   // The picture of view 0 by a variant.
   Image picture(const Scene& scene, std::string_view name, uint32_t size = 64, Build build = Build::timed) {
-    const Plan plan = make_plan(library(), scene, 1);
-    ShaderCache shaders(backend_->info().api, library().shaders);
-    Bakes bakes(scene, *library().code, DiskCache(""));
-    SceneResources resources(*backend_, scene, library(), size, size, &bakes);
-    const Graph graph = make_graph(plan, configuration_with(plan, variant(name)), scene, shaders);
-    Frame frame(resources, graph, build);
-    frame.run_once(Timing::off);
-    frame.run(0, Timing::off);
-    return frame.picture();
+    return DrawnFrame(*backend_, library(), scene,
+                      {.variant = &variant(name), .width = size, .height = size, .build = build, .aspect = 1})
+        .picture();
   }
   static glm::vec3 pixel(const Image& image, int x, int y) {
     const size_t at = (size_t(y) * size_t(image.width) + size_t(x)) * 4;

@@ -54,32 +54,12 @@ class MadeEffects : public EachBackend {
     return scene;
   }
 
-  // Everything needed to draw, kept alive together.
-  struct Drawn {
-    Plan plan;
-    std::unique_ptr<ShaderCache> shaders;
-    std::unique_ptr<Bakes> bakes;
-    std::unique_ptr<SceneResources> resources;
-    Graph graph;
-    std::unique_ptr<Frame> frame;
-    Image picture() const { return frame->picture(); }
-  };
-  // The baselines' frame of the scene's first view, but for `variant`.
-  std::unique_ptr<Drawn> drawn(const Library& library, const Scene& scene, const Parameters& parameters = {},
-                               Build build = Build::timed, uint32_t size = 16, const VariantManifest* told = nullptr) {
-    auto made = std::make_unique<Drawn>();
-    made->plan = make_plan(library, scene);
-    made->shaders = std::make_unique<ShaderCache>(backend_->info().api, library.shaders);
-    made->bakes = std::make_unique<Bakes>(scene, *library.code, DiskCache(""));
-    made->resources = std::make_unique<SceneResources>(*backend_, scene, library, size, size, made->bakes.get());
-    Configuration all;
-    for (const EffectPlan& entry : made->plan.effects)
-      if (entry.called_for) all.push_back(&entry.effect->baseline());
-    made->graph = make_graph(made->plan, all, scene, *made->shaders, told, parameters);
-    made->frame = std::make_unique<Frame>(*made->resources, made->graph, build);
-    made->frame->run_once(Timing::off);
-    made->frame->run(0, Timing::off);
-    return made;
+  // The baselines' frame.
+  std::unique_ptr<DrawnFrame> drawn(const Library& library, const Scene& scene, const Parameters& parameters = {},
+                                    Build build = Build::timed, uint32_t size = 16, const VariantManifest* told = nullptr) {
+    return std::make_unique<DrawnFrame>(
+        *backend_, library, scene,
+        DrawnFrame::Choice{.width = size, .height = size, .parameters = parameters, .told = told, .build = build});
   }
 
   std::filesystem::path folder_;

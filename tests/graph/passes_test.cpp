@@ -45,7 +45,7 @@ TEST_P(Passes, TargetsOfTwoVariantsWithOneNameAreTwo) {
   const Scene scene = squares({square("a", 0, {"one"}), square("b", 0, {"two"})});
   for (const auto& [name, seen] : {std::pair("one", 1.0f), std::pair("two", 2.0f)}) {
     const VariantManifest& baseline = library.effect(name).baseline();
-    EXPECT_EQ(drawn(library, scene, {}, Build::timed, 16, &baseline)->frame->target(baseline, "seen").rgba[0], seen);
+    EXPECT_EQ(drawn(library, scene, {}, Build::timed, 16, &baseline)->frame.target(baseline, "seen").rgba[0], seen);
   }
 }
 
@@ -62,7 +62,7 @@ TEST_P(Passes, OfATruthTheOtherEffectsDrawTheirFrames) {
   const Library library = made();
   const Scene scene = squares({square("a", 0, {"before"}), square("b", 0, {"mist"})});
   const auto told = drawn(library, scene, {}, Build::timed, 16, &library.effect("mist").baseline());
-  EXPECT_EQ(told->frame->frame_names(), (std::vector<std::string>{"draw_before", "tell"}));
+  EXPECT_EQ(told->frame.frame_names(), (std::vector<std::string>{"draw_before", "tell"}));
 }
 
 // What a pass for both wrote is what a pass for the truth reads; a pass of the frame alone is not run for the truth.
@@ -80,11 +80,11 @@ TEST_P(Passes, APassForTheFrameAndTheTruthServesBoth) {
   const Library library = made();
   const Scene scene = squares({square("a", 0, {"one"})});
   const auto shown = drawn(library, scene);
-  EXPECT_EQ(shown->frame->frame_names(), (std::vector<std::string>{"fill", "show"}));
+  EXPECT_EQ(shown->frame.frame_names(), (std::vector<std::string>{"fill", "show"}));
   EXPECT_EQ(pixel(shown->picture(), 3, 8).r, 0.625f);
   const auto told = drawn(library, scene, {}, Build::timed, 16, &library.effect("one").baseline());
-  EXPECT_EQ(told->frame->frame_names(), (std::vector<std::string>{"fill", "tell"}));
-  EXPECT_EQ(told->frame->target(library.effect("one").baseline(), "seen").rgba[0], 0.625f);
+  EXPECT_EQ(told->frame.frame_names(), (std::vector<std::string>{"fill", "tell"}));
+  EXPECT_EQ(told->frame.target(library.effect("one").baseline(), "seen").rgba[0], 0.625f);
 }
 
 // A pass of all opaque objects in a scene that has none leaves its target as it clears it.
@@ -123,7 +123,7 @@ TEST_P(Passes, ASharedTargetIsDrawnOnce) {
   Scene scene = squares({square("a", 0, {"one"}), square("b", 0, {"two"})});
   for (Vertex& vertex : scene.objects[0].mesh.vertices) vertex.position.x = std::min(vertex.position.x, 0.0f);
   const auto both = drawn(library, scene);
-  EXPECT_EQ(both->frame->frame_names(), (std::vector<std::string>{"fill_one", "draw", "draw"}));
+  EXPECT_EQ(both->frame.frame_names(), (std::vector<std::string>{"fill_one", "draw", "draw"}));
   ASSERT_EQ(both->graph.dropped.size(), 1u);
   EXPECT_EQ(both->graph.dropped[0].reason, "left out: one has drawn the same");
   EXPECT_EQ(pixel(both->picture(), 3, 8).r, 0.625f);
@@ -227,7 +227,7 @@ TEST_P(Passes, PeelingAlternatesDepthAndEndsWhereNothingIsLeft) {
     const Scene scene = squares(objects);
     const auto made_frame = drawn(library, scene);
     EXPECT_EQ(pixel(made_frame->picture(), 8, 8).r, float(layers));
-    const size_t drawn_passes = made_frame->frame->slices(0, std::vector<uint32_t>(2, 1)).size();
+    const size_t drawn_passes = made_frame->frame.slices(0, std::vector<uint32_t>(2, 1)).size();
     // Clears the first buffer, then a repetition a layer, rounded up to two, and the picture.
     EXPECT_EQ(drawn_passes, 1 + (layers + 1) / 2 * 2 + 1) << layers;
   }
@@ -331,7 +331,7 @@ TEST_P(Passes, ParametersSetDefinitionsRepetitionsSizesAndFormats) {
             glm::vec3(15, 7, 0));
   const auto none = drawn(library, scene, {{"knobs_full.times", 0}});
   EXPECT_EQ(pixel(none->picture(), 8, 8), glm::vec3(0, 4, 0));
-  EXPECT_EQ(none->frame->frame_names(), (std::vector<std::string>{"base", "draw"})) << "left out";
+  EXPECT_EQ(none->frame.frame_names(), (std::vector<std::string>{"base", "draw"})) << "left out";
   EXPECT_EQ(pixel(drawn(library, scene, {{"knobs_full.kind", 1}})->picture(), 8, 8), glm::vec3(1, 4, 0)) << "8 bits end at 1";
 }
 
@@ -362,7 +362,7 @@ TEST_P(Passes, ComputeWritesImagesAndBuffersAndIsCounted) {
   const Scene scene = squares({square("a", 0, {"work"})});
   EXPECT_EQ(pixel(drawn(library, scene)->picture(), 8, 8), glm::vec3(5 + 100 * 3, 13 * 9, 0));
   const auto counted = drawn(library, scene, {}, Build::counting);
-  const PassCounts counts = counted->frame->frame_counts()[1];
+  const PassCounts counts = counted->frame.frame_counts()[1];
   EXPECT_EQ(counts.fragments, 16u * 16u) << "two by two groups of 64";
   EXPECT_EQ(counts.fetches(), 2u * 13u * 9u) << "threads beyond the image return first";
 }
@@ -374,7 +374,7 @@ TEST_P(Passes, OperationsOfAllObjectsAndStagesAddUp) {
   const Library library = made();
   const Scene scene = squares({square("a", 0, {"rooted"}), square("b", 0, {"rooted"})});
   const auto counted = drawn(library, scene, {}, Build::counting);
-  const PassCounts counts = counted->frame->frame_counts().at(0);
+  const PassCounts counts = counted->frame.frame_counts().at(0);
   EXPECT_EQ(counts.fragments, 2u * 16u * 16u);
   EXPECT_EQ(counts.operations.at("root"), 3 * counts.fragments);
   EXPECT_EQ(counts.operations.at("input"), (3u + 3u + 4u + 1u + 2u) * counts.vertices)
