@@ -24,7 +24,7 @@ class ApertureScenes : public EachBackend {
   static Scene small(const std::string& name) {
     Scene scene = load_scene(name, builtin_library());
     for (Object& object : scene.objects)
-      if (object.mesh.vertices.size() > 5000) apertures_of(object).numbers["rays"] = 64;
+      if (object.mesh.vertices.size() > 500) apertures_of(object).numbers["rays"] = 64;
     return scene;
   }
   // View 0 by a variant with passes for the truth; and by the models, over the covered pixels.
