@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each pass of a variant costs, over the views: time, shaded fragments, fetches by texture, format and filter, and
-// operations by class.
+// What each pass of a variant costs, over the views: time, shaded fragments, fetches by texture, format and filter, operations
+// by class, and the lines of source that cost the most.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,6 +23,23 @@ PassSummary::Share& share_of(PassSummary& pass, const TextureFetches& fetched) {
   if (known != pass.shares.end()) return *known;
   return pass.shares.emplace_back(
       PassSummary::Share{.texture = fetched.texture, .format = fetched.format, .filter = fetched.filter});
+}
+
+PassSummary::Line& line_of(PassSummary& pass, const LineRow& row) {
+  const auto known = std::ranges::find_if(
+      pass.lines, [&](const PassSummary::Line& line) { return line.line == row.line && line.file == row.file; });
+  return known != pass.lines.end() ? *known : pass.lines.emplace_back(PassSummary::Line{row.file, row.line, 0, 0});
+}
+
+// Of lines whose work is a sum over views, as that of the pass is.
+void keep_dearest_lines(PassSummary& pass, double fetches) {
+  constexpr size_t max_lines = 5;
+  const double operations = pass.operations_per_pixel();
+  const auto share = [](double part, double all) { return all > 0 ? part / all : 0; };
+  std::ranges::stable_sort(pass.lines, std::greater{}, [&](const PassSummary::Line& line) {
+    return share(line.fetches, fetches) + share(line.operations, operations);
+  });
+  pass.lines.resize(std::min(pass.lines.size(), max_lines));
 }
 
 }  // namespace
@@ -57,6 +74,11 @@ std::vector<PassSummary> summarize_passes(const Record& record) {
       sum.covered_pixels += static_cast<double>(cell.covered_pixels.value_or(0));
       for (const TextureFetches& fetched : row.by_texture) share_of(pass, fetched).fetches += fetched.fetches;
       for (const auto& [operation, times] : row.operations) pass.operations[operation] += static_cast<double>(times);
+      for (const LineRow& line : row.lines) {
+        PassSummary::Line& of = line_of(pass, line);
+        of.fetches += static_cast<double>(line.fetches);
+        of.operations += static_cast<double>(line.operations);
+      }
       if (!row.ms.empty() && cell.timed && times_shown(record, cell.backend)) {
         sum.ms += median(row.ms);
         sum.timed_fetches += fetches;
@@ -72,8 +94,11 @@ std::vector<PassSummary> summarize_passes(const Record& record) {
     if (sum.timed_fetches > 0) pass.ns_per_fetch = 1e6 * sum.ms / sum.timed_fetches;
     if (sum.covered_pixels == 0) {
       pass.operations.clear();
+      pass.lines.clear();
       continue;
     }
+    keep_dearest_lines(pass, sum.fetches);
+    for (PassSummary::Line& line : pass.lines) line.fetches /= sum.covered_pixels, line.operations /= sum.covered_pixels;
     for (auto& [operation, times] : pass.operations) times /= sum.covered_pixels;
     pass.fetches_per_pixel = sum.fetches / sum.covered_pixels;
     for (PassSummary::Share& share : pass.shares) share.per_pixel = static_cast<double>(share.fetches) / sum.covered_pixels;
@@ -113,28 +138,36 @@ std::string words_for_share(const PassSummary::Share& share) {
   return fmt::format("{} ({}, {}) {:.1f}/px", share.texture, share.format, share.filter, share.per_pixel);
 }
 
+std::string words_for_line(const PassSummary::Line& line) {
+  std::vector<std::string> words;
+  if (line.operations >= 0.05) words.push_back(fmt::format("{:.1f} operations/px", line.operations));
+  if (line.fetches >= 0.05) words.push_back(fmt::format("{:.1f} fetches/px", line.fetches));
+  return fmt::format("{}:{} {}", line.file, line.line, fmt::join(words, ", "));
+}
+
 Table passes_table(const std::vector<PassSummary>& passes) {
   Table table = {
       .caption =
           "Means over views; fetches and operations per pixel that the effect covers; ns per fetch: the pass's whole time over "
-          "its "
-          "fetches",
+          "its fetches; dearest lines: by the sum of their shares of the pass's operations and fetches",
       .columns = {words_column("variant"), words_column("backend"), words_column("pass"), words_column("done"),
                   figures_column("ms"), figures_column("fragments"), figures_column("fetches/px"), figures_column("ns/fetch"),
-                  words_column("by texture, format and filter"), figures_column("operations/px"), words_column("by class")},
+                  words_column("by texture, format and filter"), figures_column("operations/px"), words_column("by class"),
+                  words_column("dearest lines")},
       .html_class = "wide"};
-  constexpr size_t by_texture = 8;  // the column
+  constexpr size_t by_texture = 8, by_class = 10;  // columns
   const auto figure = [](const std::optional<double>& value, int digits) {
     return value ? fmt::format("{:.{}f}", *value, digits) : std::string("-");
   };
   for (const PassSummary& pass : passes) {
-    Row& row = table.rows.emplace_back(
-        row_of({pass.variant, pass.backend, pass.name, pass.once ? "once" : "each frame",
-                pass.ms ? words_for_ms(*pass.ms) : "-", words_for_fragments(pass), figure(pass.fetches_per_pixel, 1),
-                figure(pass.ns_per_fetch, 2), "", pass.operations.empty() ? "-" : figure(pass.operations_per_pixel(), 1), ""}));
+    Row& row = table.rows.emplace_back(row_of(
+        {pass.variant, pass.backend, pass.name, pass.once ? "once" : "each frame", pass.ms ? words_for_ms(*pass.ms) : "-",
+         words_for_fragments(pass), figure(pass.fetches_per_pixel, 1), figure(pass.ns_per_fetch, 2), "",
+         pass.operations.empty() ? "-" : figure(pass.operations_per_pixel(), 1), "", ""}));
     for (const PassSummary::Share& share : pass.shares) row.cells[by_texture].items.push_back(words_for_share(share));
     for (const auto& [operation, per_pixel] : pass.operations)
-      if (per_pixel >= 0.05) row.cells.back().items.push_back(fmt::format("{} {:.1f}", operation, per_pixel));
+      if (per_pixel >= 0.05) row.cells[by_class].items.push_back(fmt::format("{} {:.1f}", operation, per_pixel));
+    for (const PassSummary::Line& line : pass.lines) row.cells.back().items.push_back(words_for_line(line));
   }
   return table;
 }

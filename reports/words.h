@@ -69,6 +69,11 @@ struct PassSummary {
     uint64_t fetches = 0;  // over all views
     double per_pixel = 0;  // fetches / covered pixels
   };
+  struct Line {
+    std::string file;
+    uint64_t line = 0;
+    double fetches = 0, operations = 0;  // executed / covered pixels
+  };
   std::string effect, variant, backend, name;
   bool once = false;
   bool early_tests = true;  // false in some view: fragments hidden later are counted too
@@ -80,11 +85,13 @@ struct PassSummary {
   std::vector<Share> shares;
   std::map<std::string, double> operations;  // by class (harness/shader/operations.h): executed / covered pixels
   double operations_per_pixel() const;
+  std::vector<Line> lines;  // the five dearest, as in LineRow
 };
 std::vector<PassSummary> summarize_passes(const Record& record);
 Table passes_table(const std::vector<PassSummary>& passes);
 std::string words_for_fragments(const PassSummary& pass);      // "5210", or "5210, hidden ones too"
 std::string words_for_share(const PassSummary::Share& share);  // "light_map (rgba16_float, linear) 13.0/px"
+std::string words_for_line(const PassSummary::Line& line);     // "fog/sum.frag:12 8.0 operations/px, 1.0 fetches/px"
 // The kind of work that a class of operations belongs to, as charts group them: "add" is "add, multiply".
 std::string_view operation_group(std::string_view operation);
 

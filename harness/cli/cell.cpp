@@ -22,6 +22,21 @@ std::string file_name_of(std::string text) {
   return text;
 }
 
+std::vector<LineRow> dearest_lines(const PassCounts& counts) {
+  LineWork all;
+  for (const auto& [line, work] : counts.lines) all.add(work);
+  std::vector<LineRow> rows;
+  for (const auto& [line, work] : counts.lines) rows.push_back({line.file, line.line, work.fetches, work.operations});
+  const auto share = [](uint64_t part, uint64_t of) {
+    return of == 0 ? 0 : static_cast<double>(part) / static_cast<double>(of);
+  };
+  std::ranges::stable_sort(rows, std::greater{}, [&](const LineRow& row) {
+    return share(row.fetches, all.fetches) + share(row.operations, all.operations);
+  });
+  rows.resize(std::min(rows.size(), max_line_rows));
+  return rows;
+}
+
 std::vector<PassRow> count_rows(const Frame& counting, const std::vector<PassCounts>& once,
                                 const std::vector<PassCounts>& frame) {
   std::vector<PassRow> rows;
@@ -36,6 +51,7 @@ std::vector<PassRow> count_rows(const Frame& counting, const std::vector<PassCou
       row.fetches = counts[i].fetches();
       row.by_texture = counts[i].by_texture;
       row.operations = counts[i].operations;
+      row.lines = dearest_lines(counts[i]);
     }
   };
   add(counting.once_names(), once, true);

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/shader/block_work.h"
+
 namespace lamina {
 
 // Texture operations on one texture.
@@ -23,6 +25,7 @@ struct PassCounts {
   bool early_tests = true;  // false: some shader discards or writes depth, so fragments hidden later are counted too
   std::vector<TextureFetches> by_texture;
   std::map<std::string, uint64_t> operations;  // by the name of the class (shader/operations.h), of all stages
+  std::map<SourceLine, LineWork> lines;         // likewise; files are relative to the folder of shaders where they lie in it
 
   uint64_t fetches() const {
     uint64_t sum = 0;

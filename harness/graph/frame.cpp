@@ -164,22 +164,32 @@ std::vector<PassCounts> Frame::counts(Sequence& sequence) {
       std::memcpy(&value, bytes.data() + size_t{word} * 4, 8);
       return value;
     };
-    Operations operations;
+    ShaderWork work;  // of all stages
     for (const Counted& counted : step.counted) {
-      (counted.stage == Stage::vertex ? pass.vertices : pass.fragments) += counter(counted.first_word);
+      const uint64_t invocations = counter(counted.first_word);
+      (counted.stage == Stage::vertex ? pass.vertices : pass.fragments) += invocations;
       pass.early_tests = pass.early_tests && (counted.stage != Stage::fragment || counted.early_tests);
-      uint32_t word = counted.first_word;
-      for (TextureFetches row : counted.textures) {
-        row.fetches = counter(word += 2);
-        bool merged = false;
-        for (TextureFetches& other : pass.by_texture)
-          if (other.texture == row.texture && other.format == row.format && other.filter == row.filter)
-            other.fetches += row.fetches, merged = true;
-        if (!merged) pass.by_texture.push_back(row);
+      std::vector<uint64_t> counts(counted.work.counted_labels().size());
+      for (size_t i = 0; i < counts.size(); ++i) counts[i] = counter(counted.first_word + 2 + static_cast<uint32_t>(2 * i));
+      const ShaderWork done = counted.work.executed(invocations, counts);
+      for (const auto& [binding, fetches] : done.fetches) {
+        const auto texture = counted.textures.find(binding);
+        if (texture == counted.textures.end()) continue;
+        const auto same = std::ranges::find_if(pass.by_texture, [&](const TextureFetches& row) {
+          const TextureFetches& one = texture->second;
+          return row.texture == one.texture && row.format == one.format && row.filter == one.filter;
+        });
+        TextureFetches& row = same == pass.by_texture.end() ? pass.by_texture.emplace_back(texture->second) : *same;
+        row.fetches += fetches;
       }
-      for (const OperationClass operation : counted.classes) operations[operation] += counter(word += 2);
+      work.add(done, 1);
     }
-    pass.operations = operations.by_name();
+    pass.operations = work.operations.by_name();
+    for (const auto& [line, done] : work.lines) {
+      const std::filesystem::path file = std::filesystem::path(line.file).lexically_relative(resources_.library().shaders);
+      const bool within = !file.empty() && *file.begin() != "..";
+      pass.lines[{within ? file.generic_string() : line.file, line.line}].add(done);
+    }
   }
   return all;
 }

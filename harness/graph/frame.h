@@ -77,8 +77,8 @@ class Frame {
   struct Counted {
     Stage stage;
     uint32_t first_word;
-    std::vector<TextureFetches> textures;  // by slot, without a count
-    std::vector<OperationClass> classes;   // in the slots behind them
+    std::map<uint32_t, TextureFetches> textures;  // by binding, without a count
+    BlockWork work;
     bool early_tests;
   };
   struct Step {

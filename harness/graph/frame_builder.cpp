@@ -363,13 +363,11 @@ void FrameBuilder::count(const Repetition& repetition, const GraphDraw& draw, ui
     Frame::Counted& counted =
         step.counted.emplace_back(Frame::Counted{shader.stage, next_word_, {}, {}, counting.early_fragment_tests});
     next_word_ += counting.words();
-    for (const uint32_t texture : counting.textures)
-      for (const ResolvedRead& read : draw.reads)
-        if (read.binding == texture) {
-          const auto [sampler, format, filter] = words_of(repetition.pass, draw, read);
-          counted.textures.push_back({sampler, format, filter, 0});
-        }
-    counted.classes = std::move(counting.classes);
+    for (const ResolvedRead& read : draw.reads) {
+      const auto [sampler, format, filter] = words_of(repetition.pass, draw, read);
+      counted.textures[read.binding] = {sampler, format, filter, 0};
+    }
+    counted.work = std::move(counting.work);
     desc.stages[i].spirv = std::move(counting.spirv);
   }
 }

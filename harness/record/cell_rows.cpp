@@ -58,12 +58,19 @@ constexpr auto fields(const TextureFetches*) {
                     field("fetches", &Row::fetches));
 }
 
+constexpr auto fields(const LineRow*) {
+  using Row = LineRow;
+  return std::tuple(field("file", &Row::file), field("line", &Row::line), field("fetches", &Row::fetches),
+                    field("operations", &Row::operations));
+}
+
 constexpr auto fields(const PassRow*) {
   using Row = PassRow;
   return std::tuple(field("name", &Row::name), field("once", &Row::once), field("ms", &Row::ms),
                     field("median_ms", &Row::median_ms), field("fragments", &Row::fragments), field("vertices", &Row::vertices),
                     field("fetches", &Row::fetches), field("early_tests", &Row::early_tests),
-                    field("by_texture", &Row::by_texture), left_out("operations", &Row::operations));
+                    field("by_texture", &Row::by_texture), left_out("operations", &Row::operations),
+                    left_out("lines", &Row::lines));
 }
 
 constexpr auto fields(const ErrorFigures*) {

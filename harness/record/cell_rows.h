@@ -15,6 +15,13 @@
 
 namespace lamina {
 
+// What a line of a shader's source did, in all functions that it stands in.
+struct LineRow {
+  std::string file;  // relative to the folder of shaders where it lies in it
+  uint64_t line = 0, fetches = 0, operations = 0;
+};
+inline constexpr size_t max_line_rows = 12;  // of a pass
+
 struct PassRow {
   std::string name;
   bool once = false;                            // done once, apart from the frame: its time is not in the cell's median_ms
@@ -26,6 +33,7 @@ struct PassRow {
   bool early_tests = true;  // false: fragments hidden later are counted too, since the shader discards or writes depth
   std::vector<TextureFetches> by_texture;
   std::map<std::string, uint64_t> operations;  // by class (shader/operations.h); empty: a record of before has none
+  std::vector<LineRow> lines;                  // the dearest, by the sum of their shares of the pass's fetches and operations
 };
 
 // The frame's time of each round in ms: the sum over the passes that are not done once. Empty where nothing was timed. Throws

@@ -155,6 +155,9 @@ CompiledShader compile_shader(const ShaderRequest& request) {
   const glslang::TIntermediate& tree = *program.getIntermediate(language_of(request.stage));
   check_bindings_are_written(tree, file);
   glslang::GlslangToSpv(tree, compiled.spirv);
+  glslang::SpvOptions options;
+  options.generateDebugInfo = true;
+  glslang::GlslangToSpv(tree, compiled.spirv_with_lines, &options);
   check_interface(compiled.spirv, file);
   validate_spirv(compiled.spirv, request.api, ErrorKind::bad_input, file);
   compiled.reflection = reflect(compiled.spirv);

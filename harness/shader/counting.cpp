@@ -3,11 +3,10 @@
 // class.
 //
 // In: a module of compile_shader(). Out: the same module, all functions inlined into main. Each invocation counts in variables
-// of its own how often it runs each basic block. Where it ends (returns or is discarded) it multiplies these by what a block
-// does, which is exact through loops and branches, and adds the sums to the counters: one atomic a texture and a class, where
-// one a block or an operation takes several times as long to compile and to run. A block that follows another one without a
-// branch shares its variable. The invocation itself is counted at main's beginning. What is counted is what the source says:
-// an operation whose result nothing uses still counts, though a driver leaves it out of the timed build.
+// of its own how often it runs some of the basic blocks, as few as tell about all (block_flow.h). Where it ends (returns or is
+// discarded) it adds these to the counters. The invocation itself is counted at main's beginning. The host multiplies by what
+// a block does (block_work.h), which is exact through loops and branches. What is counted is what the source says: an
+// operation whose result nothing uses still counts, though a driver leaves it out of the timed build.
 #include <algorithm>
 #include <initializer_list>
 #include <map>
@@ -26,10 +25,6 @@ using Words = std::vector<uint32_t>;
 
 constexpr size_t bound_word = 3;  // of a module's header
 
-[[noreturn]] void refuse_to_count(std::string message) {
-  throw Error(ErrorKind::failed, "shader", "counting build", std::move(message));
-}
-
 void emit(Words& out, spv::Op op, std::initializer_list<uint32_t> operands) {
   out.push_back(static_cast<uint32_t>(operands.size() + 1) << spv::WordCountShift | static_cast<uint32_t>(op));
   out.insert(out.end(), operands);
@@ -42,44 +37,6 @@ Words inlined(const Words& spirv, Api api) {
   return rewrite(optimizer, spirv, "counting build");
 }
 
-bool is_texture_operation(spv::Op op) {
-  return (op >= spv::OpImageSampleImplicitLod && op <= spv::OpImageDrefGather) ||
-         (op >= spv::OpImageSparseSampleImplicitLod && op <= spv::OpImageSparseDrefGather);
-}
-
-// The binding of the texture that `operation` reads.
-uint32_t texture_binding(const SpirvModule& module, const SpirvInstruction& operation) {
-  constexpr size_t image_word = 3;  // of the operation, and of each instruction that it may reach its variable through
-  uint32_t id = operation.words[image_word];
-  for (;;) {
-    const SpirvInstruction& source = module.definition(id);
-    switch (source.op()) {
-      case spv::OpVariable: {
-        const auto binding = module.decoration(id, spv::DecorationBinding);
-        if (!binding) refuse_to_count(fmt::format("texture '{}' has no binding", module.name(id)));
-        return *binding;
-      }
-      case spv::OpLoad:
-      case spv::OpAccessChain:
-      case spv::OpInBoundsAccessChain:
-      case spv::OpCopyObject:
-      case spv::OpImage:
-      case spv::OpSampledImage:
-        id = source.words[image_word];
-        break;
-      default:
-        refuse_to_count(
-            fmt::format("cannot tell which texture '{}' is, in a function that cannot be inlined; sample it in the caller",
-                        module.name(id)));
-    }
-  }
-}
-
-struct Work {
-  std::map<uint32_t, uint64_t> fetches;  // by the texture's binding
-  Operations operations;
-};
-
 class Instrumenter {
  public:
   Instrumenter(std::span<const uint32_t> spirv, Stage stage, const CountingLayout& layout)
@@ -91,8 +48,7 @@ class Instrumenter {
     write();
     CountingShader result;
     result.spirv = std::move(out_);
-    for (const auto& [binding, slot] : textures_) result.textures.push_back(binding);
-    for (const auto& [operation, slot] : classes_) result.classes.push_back(operation);
+    result.work = std::move(work_);
     result.early_fragment_tests = early_;
     return result;
   }
@@ -103,53 +59,16 @@ class Instrumenter {
     for (const SpirvInstruction& i : module_.instructions()) {
       if (i.op() == spv::OpEntryPoint) main_ = i.words[2];
       if (i.op() == spv::OpDecorate && i.words[2] == spv::DecorationBinding && i.words[3] == layout_.binding)
-        refuse_to_count(fmt::format("binding {} is taken by '{}'; the counters need one of their own", layout_.binding,
-                                    module_.name(i.words[1])));
+        throw Error(ErrorKind::failed, "shader", "counting build",
+                    fmt::format("binding {} is taken by '{}'; the counters need one of their own", layout_.binding,
+                                module_.name(i.words[1])));
       if (i.op() == spv::OpDecorate && i.words[2] == spv::DecorationBuiltIn && i.words[3] == spv::BuiltInFragCoord)
         frag_coord_ = i.words[1];
     }
-    read_blocks();
+    work_ = BlockWork(module_, stage_);
+    for (const uint32_t label : work_.counted_labels()) counter_of_.emplace(label, static_cast<uint32_t>(counter_of_.size()));
     early_ = stage_ == Stage::fragment && (demands_early_tests(module_) || allows_early_tests(module_));
     maps_coverage_ = stage_ == Stage::fragment && layout_.coverage_word != 0;
-  }
-
-  // The blocks that have work, and those that share a counter.
-  void read_blocks() {
-    std::map<uint32_t, int> entries;       // by label: branches that lead to it
-    std::map<uint32_t, uint32_t> follows;  // label -> the block that goes on there, and nowhere else
-    uint32_t label = 0;
-    const auto enter = [&](uint32_t to) { ++entries[to]; };
-    for (const SpirvInstruction& i : module_.instructions()) {
-      if (i.op() == spv::OpLabel) label = i.result;
-      if (i.op() == spv::OpBranch) enter(i.words[1]), follows[i.words[1]] = label;
-      if (i.op() == spv::OpBranchConditional) enter(i.words[2]), enter(i.words[3]);
-      if (i.op() == spv::OpSwitch)
-        for (size_t word = 2; word < i.words.size(); word += 2) enter(i.words[word]);  // the default, then value and label
-    }
-    std::map<uint32_t, Work> work;  // by the label of the first block that shares the variable
-    bool in_function = false;
-    for (const SpirvInstruction& i : module_.instructions()) {
-      if (i.op() == spv::OpFunction) in_function = true;
-      if (i.op() == spv::OpLabel) {
-        label = i.result;
-        for (size_t steps = 0; steps < follows.size() && follows.contains(label) && entries[label] == 1; ++steps)
-          label = follows[label];
-      }
-      if (!in_function || i.op() == spv::OpFunction || i.op() == spv::OpFunctionParameter) continue;
-      if (is_texture_operation(i.op()))
-        work[label].fetches[texture_binding(module_, i)] += 1;
-      else if (const Operations done = operations_of(module_, i, stage_); done.sum() > 0)
-        work[label].operations.add(done);
-    }
-    for (auto& [first, done] : work) {
-      block_of_.emplace(first, static_cast<uint32_t>(blocks_.size()));
-      for (const auto& [binding, times] : done.fetches) textures_.emplace(binding, 0);
-      for (const OperationClass operation : done.operations.classes()) classes_.emplace(operation, 0);
-      blocks_.push_back(std::move(done));
-    }
-    uint32_t next = 0;
-    for (auto& [binding, slot] : textures_) slot = next++;
-    for (auto& [operation, slot] : classes_) slot = next++;
   }
 
   // The counter buffer, and the types and constants that counting needs.
@@ -180,11 +99,11 @@ class Instrumenter {
     emit(decorations_, spv::OpDecorate, {frag_coord_, spv::DecorationBuiltIn, spv::BuiltInFragCoord});
   }
 
-  // A private variable for every block: how often this invocation has run it so far.
+  // A private variable for every block that is counted: how often this invocation has run it so far.
   void declare_sums() {
-    if (blocks_.empty()) return;
+    if (counter_of_.empty()) return;
     const uint32_t pointer = type(spv::OpTypePointer, {spv::StorageClassPrivate, uint_});
-    while (sums_.size() < blocks_.size()) {
+    while (sums_.size() < counter_of_.size()) {
       sums_.push_back(new_id());
       emit(globals_, spv::OpVariable, {pointer, sums_.back(), spv::StorageClassPrivate, constant(0)});
     }
@@ -238,32 +157,15 @@ class Instrumenter {
     atomic_add(constant(word + 1), carry);
   }
 
-  void add_to_sum(uint32_t block) {
-    const uint32_t sum = value(spv::OpIAdd, uint_, {value(spv::OpLoad, uint_, {sums_[block]}), constant(1)});
-    emit(body_, spv::OpStore, {sums_[block], sum});
+  void add_to_sum(uint32_t counter) {
+    const uint32_t sum = value(spv::OpIAdd, uint_, {value(spv::OpLoad, uint_, {sums_[counter]}), constant(1)});
+    emit(body_, spv::OpStore, {sums_[counter], sum});
   }
 
-  // What an invocation has done, into the counters; before it ends.
+  // What an invocation has run, into the counters; before it ends.
   void count_sums() {
-    std::vector<uint32_t> times;  // by block
-    for (const uint32_t sum : sums_) times.push_back(value(spv::OpLoad, uint_, {sum}));
-    const auto count_slot = [&](uint32_t slot, const auto& of_block) {
-      uint32_t total = 0;  // an id
-      for (size_t block = 0; block < blocks_.size(); ++block) {
-        const auto amount = static_cast<uint32_t>(of_block(blocks_[block]));
-        if (amount == 0) continue;
-        const uint32_t part = amount == 1 ? times[block] : value(spv::OpIMul, uint_, {times[block], constant(amount)});
-        total = total == 0 ? part : value(spv::OpIAdd, uint_, {total, part});
-      }
-      count(layout_.first_word + 2 + 2 * slot, total);
-    };
-    for (const auto& [binding, slot] : textures_)
-      count_slot(slot, [id = binding](const Work& work) {
-        const auto found = work.fetches.find(id);
-        return found == work.fetches.end() ? 0 : found->second;
-      });
-    for (const auto& [operation, slot] : classes_)
-      count_slot(slot, [kind = operation](const Work& work) { return work.operations[kind]; });
+    for (uint32_t counter = 0; counter < sums_.size(); ++counter)
+      count(layout_.first_word + 2 + 2 * counter, value(spv::OpLoad, uint_, {sums_[counter]}));
   }
 
   void map_coverage() {
@@ -291,14 +193,14 @@ class Instrumenter {
 
   void write_functions(std::span<const SpirvInstruction> instructions) {
     bool in_main = false, begins = false;  // begins: main's first block has not begun
-    std::optional<uint32_t> entered;       // the block whose label was written, until it is counted
+    std::optional<uint32_t> entered;       // counter of the block whose label was written, until it is counted
     for (const SpirvInstruction& i : instructions) {
       const spv::Op op = i.op();
+      if (says_a_place(op)) continue;
       if (op == spv::OpFunction) in_main = begins = i.result == main_;
       if (op == spv::OpLabel) {
-        if (const auto block = block_of_.find(i.result); block != block_of_.end()) entered = block->second;
-      } else if (op != spv::OpPhi && op != spv::OpVariable && op != spv::OpLine && op != spv::OpNoLine &&
-                 op != spv::OpFunction && op != spv::OpFunctionParameter) {
+        if (const auto found = counter_of_.find(i.result); found != counter_of_.end()) entered = found->second;
+      } else if (op != spv::OpPhi && op != spv::OpVariable && op != spv::OpFunction && op != spv::OpFunctionParameter) {
         if (std::exchange(begins, false)) {
           count(layout_.first_word, constant(1));
           if (maps_coverage_) map_coverage();
@@ -314,8 +216,8 @@ class Instrumenter {
   void write_preamble(std::span<const SpirvInstruction> instructions) {
     bool decorated = false;
     for (const SpirvInstruction& i : instructions) {
-      if (!decorated && i.result != 0 && i.op() != spv::OpExtInstImport && i.op() != spv::OpString &&
-          i.op() != spv::OpDecorationGroup) {
+      if (says_a_place(i.op())) continue;
+      if (!decorated && i.result != 0 && i.op() != spv::OpExtInstImport && i.op() != spv::OpDecorationGroup) {
         append(out_, decorations_);
         decorated = true;
       }
@@ -337,17 +239,21 @@ class Instrumenter {
 
   static void append(Words& to, std::span<const uint32_t> words) { to.insert(to.end(), words.begin(), words.end()); }
 
+  // A device is not told where the source stands.
+  static bool says_a_place(spv::Op op) {
+    return op == spv::OpLine || op == spv::OpNoLine || op == spv::OpString || op == spv::OpSource ||
+           op == spv::OpSourceContinued || op == spv::OpModuleProcessed;
+  }
+
   const std::span<const uint32_t> header_;
   const SpirvModule module_;
   const Stage stage_;
   const CountingLayout& layout_;
   uint32_t bound_;
   uint32_t main_ = 0, frag_coord_ = 0;
-  std::map<uint32_t, uint32_t> textures_;       // binding -> slot
-  std::map<OperationClass, uint32_t> classes_;  // -> slot
-  std::vector<Work> blocks_;                    // what running each once does
-  std::map<uint32_t, uint32_t> block_of_;       // label -> index into blocks_
-  std::vector<uint32_t> sums_;                  // beside blocks_: the variable
+  BlockWork work_;
+  std::map<uint32_t, uint32_t> counter_of_;  // label -> counter
+  std::vector<uint32_t> sums_;               // beside the counters: the variable
   bool early_ = false, maps_coverage_ = false;
   uint32_t uint_ = 0, bool_ = 0, float_ = 0, float4_ = 0, uint_pointer_ = 0, counters_ = 0;
   std::map<uint32_t, uint32_t> constants_;  // value -> id
@@ -357,7 +263,7 @@ class Instrumenter {
 }  // namespace
 
 CountingShader add_counters(const CompiledShader& shader, Api api, const CountingLayout& layout) {
-  const Words spirv = inlined(shader.spirv, api);
+  const Words spirv = inlined(shader.spirv_with_lines, api);
   CountingShader result = Instrumenter(spirv, shader.stage, layout).instrument();
   validate_spirv(result.spirv, api, ErrorKind::failed, "counting build");
   return result;

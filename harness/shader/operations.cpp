@@ -366,8 +366,8 @@ class Reading {
 
 std::string_view name_of(OperationClass operation) { return class_names[static_cast<size_t>(operation)]; }
 
-void Operations::add(const Operations& other) {
-  for (size_t k = 0; k < counts_.size(); ++k) counts_[k] += other.counts_[k];
+void Operations::add(const Operations& other, uint64_t times) {
+  for (size_t k = 0; k < counts_.size(); ++k) counts_[k] += times * other.counts_[k];
 }
 
 uint64_t Operations::sum() const { return std::accumulate(counts_.begin(), counts_.end(), uint64_t{0}); }

@@ -60,7 +60,7 @@ class Operations {
  public:
   uint64_t& operator[](OperationClass operation) { return counts_[static_cast<size_t>(operation)]; }
   uint64_t operator[](OperationClass operation) const { return counts_[static_cast<size_t>(operation)]; }
-  void add(const Operations& other);
+  void add(const Operations& other, uint64_t times = 1);
   uint64_t sum() const;
   std::vector<OperationClass> classes() const;      // those that are above 0
   std::map<std::string, uint64_t> by_name() const;  // likewise

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "harness/backend/backend.h"
+#include "harness/shader/block_work.h"
 #include "harness/shader/operations.h"
 
 namespace lamina {
@@ -70,7 +71,8 @@ struct Reflection {
 
 struct CompiledShader {
   Stage stage = Stage::fragment;
-  std::vector<uint32_t> spirv;
+  std::vector<uint32_t> spirv;             // for a device: Mesa's OpenGL takes no module that says its lines
+  std::vector<uint32_t> spirv_with_lines;  // the same, for counting
   Reflection reflection;
   // 16 hex digits of the preprocessed source, the API and the stage; the files' places, comments and empty lines do not count.
   std::string hash;
@@ -93,7 +95,7 @@ Reflection reflect(const std::vector<uint32_t>& spirv);
 // Where the counts go: one storage buffer of 32-bit words at a binding of its own. Counters are 64 bits, low word first.
 //   word 0: width of the coverage map in pixels (written by the host), word 1: 0
 //   words 2,3: invocations of the stage's shader (helper invocations excluded)
-//   words 4+2k, 5+2k: slot k: what they did to a texture, then what they did of a class
+//   words 4+2k, 5+2k: how often they ran the block that has counter k
 //   from `coverage_word` on, where it is not 0: one word a pixel, times the fragment shader ran there
 struct CountingLayout {
   uint32_t binding = 0;        // of the counter buffer
@@ -102,23 +104,20 @@ struct CountingLayout {
 };
 struct CountingShader {
   std::vector<uint32_t> spirv;
-  // Slots: texture operations by the texture's binding, ascending (arrays: all elements together), then operations by class.
-  // Only what the code has somewhere has a slot.
-  std::vector<uint32_t> textures;
-  std::vector<OperationClass> classes;
+  BlockWork work;  // has the counters
   // Depth is tested before the shader, so hidden fragments are not counted: the shader says so, or it is forced because the
   // shader neither discards nor writes depth, its sample mask or memory. Otherwise hidden and discarded fragments are counted
   // too.
   bool early_fragment_tests = false;
 
-  uint32_t words() const {
-    return static_cast<uint32_t>(2 + 2 * (textures.size() + classes.size()));
-  }  // of counters, from first_word on
+  uint32_t counters() const { return static_cast<uint32_t>(work.counted_labels().size()); }
+  uint32_t words() const { return 2 + 2 * counters(); }  // from first_word on
 };
 // What the source says is counted, loops, branches and function calls included, whether or not a driver would leave it out:
-// texture operations (every sample, fetch and gather; size and level queries are none), and operations by class. Functions are
-// inlined first (SPIRV-Tools). Throws Error(failed) for a module it cannot rewrite, or when the layout's binding is taken. The
-// device needs stores and atomics in the stage. An invocation may do up to 2^32 - 1 operations of a class.
+// texture operations (every sample, fetch and gather; size and level queries are none), and operations by class, both by line
+// too. Functions are inlined first (SPIRV-Tools). Throws Error(failed) for a module it cannot rewrite, or when the layout's
+// binding is taken. The device needs stores and atomics in the stage; the module made says no lines. An invocation may run a
+// block up to 2^32 - 1 times.
 CountingShader add_counters(const CompiledShader& shader, Api api, const CountingLayout& layout);
 
 }  // namespace lamina

@@ -64,6 +64,8 @@ std::string SpirvModule::name(uint32_t id) const {
   return {};
 }
 
+std::string SpirvModule::text(uint32_t id) const { return literal_string(definition(id).words.subspan(2)); }
+
 void validate_spirv(std::span<const uint32_t> words, Api api, ErrorKind kind, std::string_view subject) {
   spvtools::SpirvTools tools(api == Api::vulkan ? SPV_ENV_VULKAN_1_0 : SPV_ENV_OPENGL_4_5);
   std::string complaint;

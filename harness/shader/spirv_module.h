@@ -38,6 +38,8 @@ class SpirvModule {
   std::optional<uint32_t> decoration(uint32_t id, spv::Decoration decoration) const;
   // Debug name of `id`, or "".
   std::string name(uint32_t id) const;
+  // What the OpString that makes `id` says: a file's name. Throws Error(failed) where none makes it.
+  std::string text(uint32_t id) const;
 
  private:
   std::vector<SpirvInstruction> instructions_;

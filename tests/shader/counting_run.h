@@ -34,6 +34,7 @@ struct Counts {
   uint64_t invocations = 0;
   std::map<uint32_t, uint64_t> fetches;        // by binding
   std::map<std::string, uint64_t> operations;  // by class
+  std::map<uint32_t, LineWork> lines;          // by line of the one file
   std::vector<uint32_t> coverage;              // a word a pixel
   bool early_fragment_tests = false;
   std::vector<float> picture;  // RGBA of the counting build
@@ -134,6 +135,13 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
     return words[word] | static_cast<uint64_t>(words[word + 1]) << 32;
   }
 
+  // What a stage did whose counters begin at `first_word`.
+  static ShaderWork work_of(const std::vector<uint32_t>& words, const CountingShader& counting, size_t first_word) {
+    std::vector<uint64_t> blocks(counting.counters());
+    for (size_t i = 0; i < blocks.size(); ++i) blocks[i] = counter_at(words, first_word + 2 + 2 * i);
+    return counting.work.executed(counter_at(words, first_word), blocks);
+  }
+
   static void bind_counters(PipelineDesc& desc, Draw& draw, BufferId buffer) {
     desc.bindings.push_back({counter_binding, BindingKind::storage_buffer});
     draw.buffers.push_back({counter_binding, buffer, BindingKind::storage_buffer});
@@ -187,11 +195,10 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
 
   static void take_counts(Counts& counts, const std::vector<uint32_t>& words, const CountingShader& counting) {
     counts.invocations = counter_at(words, 2);
-    size_t word = 2;
-    for (const uint32_t binding : counting.textures) counts.fetches[binding] = counter_at(words, word += 2);
-    for (const OperationClass operation : counting.classes)
-      if (const uint64_t times = counter_at(words, word += 2); times > 0)
-        counts.operations[std::string(name_of(operation))] = times;
+    const ShaderWork work = work_of(words, counting, 2);
+    counts.fetches = work.fetches;
+    counts.operations = work.operations.by_name();
+    for (const auto& [line, done] : work.lines) counts.lines[line.line].add(done);
     counts.early_fragment_tests = counting.early_fragment_tests;
   }
 

@@ -300,24 +300,59 @@ TEST_P(CountingRun, CountersCarryIntoTheirHighWord) {
   const Counts counts = run({.fragment = R"(
 layout(binding = 0) uniform sampler2D t;
 layout(location = 0) out vec4 o;
-void main() { o = texelFetch(t, ivec2(1), 0) + texelFetch(t, ivec2(2), 0); }
+void main() { o = vec4(0); if (gl_FragCoord.x > 0.0) o = texelFetch(t, ivec2(1), 0) + texelFetch(t, ivec2(2), 0); }
 )",
                              .preset = {0, 0, 0xfffffff0u, 0, 0xfffffff0u, 6}});
   EXPECT_EQ(counts.invocations, 0xfffffff0ull + all_pixels);
-  EXPECT_EQ(counts.fetches.at(0), (6ull << 32) + 0xfffffff0ull + 2 * all_pixels);
+  EXPECT_EQ(counts.fetches.at(0), 2 * ((6ull << 32) + 0xfffffff0ull + all_pixels));
+}
+
+// Work belongs to the line that says it, in a function that is called twice too.
+TEST_P(CountingRun, LinesHaveTheWorkThatTheySay) {
+  const Counts counts = run({.fragment = R"(layout(binding = 0) uniform sampler2D t;
+layout(location = 0) out vec4 o;
+vec4 twice(float x) {
+  vec4 a = texelFetch(t, ivec2(1), 0);
+  return a * x;
+}
+void main() {
+  o = twice(2.0);
+  if (gl_FragCoord.x < 32.0)
+    o += twice(3.0);
+  for (int i = 0; i < 5; ++i)
+    o -= texelFetch(t, ivec2(i), 0);
+}
+)"});
+  const auto of = [&](uint32_t line) {  // of the text above, before which compile() writes one more
+    const auto found = counts.lines.find(line + 1);
+    return found == counts.lines.end() ? LineWork{} : found->second;
+  };
+  EXPECT_EQ(of(4).fetches, all_pixels * 3 / 2);
+  EXPECT_EQ(of(4).operations, 0u);
+  EXPECT_EQ(of(5).operations, 4 * all_pixels * 3 / 2);
+  EXPECT_EQ(of(9).operations, 2 * all_pixels) << "a comparison and a branch";
+  EXPECT_EQ(of(10).operations, 4 * all_pixels / 2);
+  EXPECT_EQ(of(12).fetches, 5 * all_pixels);
+  EXPECT_EQ(of(12).operations, 4 * 5 * all_pixels);
+  uint64_t fetches = 0, operations = 0, all_operations = 0;
+  for (const auto& [line, work] : counts.lines) fetches += work.fetches, operations += work.operations;
+  for (const auto& [name, times] : counts.operations) all_operations += times;
+  EXPECT_EQ(fetches, counts.fetches.at(0));
+  EXPECT_EQ(operations, all_operations) << "all work has a line";
 }
 
 TEST_P(CountingRun, TwoStagesShareABuffer) {
   const CompiledShader vertex = compile(Stage::vertex, api(), R"(
 layout(binding = 0) uniform sampler2D t;
 void main() {
-  gl_Position = vec4(LAMINA_VERTEX_INDEX == 1 ? 3 : -1, LAMINA_VERTEX_INDEX == 2 ? 3 : -1, texelFetch(t, ivec2(0), 0).x * 0.001, 1);
+  gl_Position = vec4(LAMINA_VERTEX_INDEX == 1 ? 3 : -1, LAMINA_VERTEX_INDEX == 2 ? 3 : -1, 0, 1);
+  if (LAMINA_VERTEX_INDEX > 0) gl_Position += texelFetch(t, ivec2(0), 0).x * 0.001;
 }
 )");
   const CompiledShader fragment = compile(Stage::fragment, api(), R"(
 layout(binding = 1) uniform sampler2D t;
 layout(location = 0) out vec4 o;
-void main() { o = texelFetch(t, ivec2(1), 0) + texelFetch(t, ivec2(2), 0); }
+void main() { o = vec4(0); for (int i = 0; i < 2; ++i) o += texelFetch(t, ivec2(i), 0); }
 )");
   const CountingShader first = add_counters(vertex, api(), {.binding = counter_binding});
   const CountingShader second =
@@ -325,10 +360,10 @@ void main() { o = texelFetch(t, ivec2(1), 0) + texelFetch(t, ivec2(2), 0); }
   const BufferId buffer = make_counters(std::vector<uint32_t>(2 + first.words() + second.words()));
   draw({}, vertex, fragment, first.spirv, second.spirv, buffer);
   const std::vector<uint32_t> words = read_words(buffer);
+  EXPECT_EQ(work_of(words, first, 2).fetches.at(0), 2u);
   EXPECT_EQ(counter_at(words, 2), 3u);
-  EXPECT_EQ(counter_at(words, 4), 3u);
   EXPECT_EQ(counter_at(words, 2 + first.words()), all_pixels);
-  EXPECT_EQ(counter_at(words, 2 + first.words() + 2), 2 * all_pixels);
+  EXPECT_EQ(work_of(words, second, 2 + first.words()).fetches.at(1), 2 * all_pixels);
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, CountingRun, ::testing::ValuesIn(backend_names().begin(), backend_names().end()),

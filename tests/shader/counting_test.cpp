@@ -27,14 +27,38 @@ size_t count_of(const std::vector<uint32_t>& spirv, spv::Op op) {
 
 class Counting : public ShaderFiles {};
 
-TEST_F(Counting, SlotsAreTexturesByBindingThenClasses) {
+// The bindings of the textures that the shader reads somewhere.
+std::vector<uint32_t> textures_of(const CountingShader& counting) {
+  std::vector<uint32_t> bindings;
+  const std::vector<uint64_t> none(counting.counters());
+  for (const auto& [binding, fetches] : counting.work.executed(0, none).fetches) bindings.push_back(binding);
+  return bindings;
+}
+
+TEST_F(Counting, CodeWithoutBranchesNeedsNoCounterButTheInvocations) {
   for (const Api api : both_apis) {
     const CountingShader counting = add_counters(compile(Stage::fragment, api, three_taps), api, {.binding = 9});
-    EXPECT_EQ(counting.textures, (std::vector<uint32_t>{1, 4}));
-    EXPECT_EQ(counting.classes, std::vector<OperationClass>{OperationClass::add});
-    EXPECT_EQ(counting.words(), 8u);
-    EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u * (1 + 2 + 1))
-        << "two halves: of the invocation, of each texture and each class, however often it is read or done";
+    EXPECT_EQ(counting.words(), 2u);
+    EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u) << "two halves";
+    const ShaderWork work = counting.work.executed(10, {});
+    EXPECT_EQ(work.fetches, (std::map<uint32_t, uint64_t>{{1, 10}, {4, 20}}));
+    EXPECT_EQ(work.operations.by_name(), (std::map<std::string, uint64_t>{{"add", 80}}));
+  }
+}
+
+TEST_F(Counting, ABranchAndALoopNeedACounterEach) {
+  for (const Api api : both_apis) {
+    const CountingShader counting = add_counters(compile(Stage::fragment, api, R"(
+layout(binding = 4) uniform sampler2D a;
+layout(location = 0) out vec4 o;
+void main() {
+  o = texture(a, vec2(0));
+  if (o.x > 0.5) o += texture(a, vec2(1)); else o *= 2.0;
+  for (int i = 0; i < int(o.y * 8.0); ++i) o += texture(a, vec2(i));
+}
+)"),
+                                                 api, {.binding = 9});
+    EXPECT_EQ(counting.counters(), 2u);
   }
 }
 
@@ -122,14 +146,14 @@ void main() { gl_Position = texelFetch(heights, ivec2(LAMINA_VERTEX_INDEX, 0), 0
 )");
     const CountingShader counting = add_counters(shader, api, {.binding = 9, .coverage_word = 100});
     EXPECT_FALSE(counting.early_fragment_tests);
-    EXPECT_EQ(counting.textures, std::vector<uint32_t>{2});
+    EXPECT_EQ(textures_of(counting), std::vector<uint32_t>{2});
   }
 }
 
 TEST_F(Counting, AShaderWithoutTexturesCountsItsInvocationsOnly) {
   const auto shader = compile(Stage::compute, Api::opengl, "layout(local_size_x = 1) in; void main() {}\n");
   const CountingShader counting = add_counters(shader, Api::opengl, {.binding = 0});
-  EXPECT_TRUE(counting.textures.empty() && counting.classes.empty());
+  EXPECT_TRUE(textures_of(counting).empty());
   EXPECT_EQ(counting.words(), 2u);
 }
 
@@ -143,8 +167,7 @@ float at(sampler3D s, vec3 where) { return textureLod(s, where, 0.0).r; }
 void main() { o = texture(volume, vec3(0)) + at(volume, vec3(1)) + texelFetch(fetched, ivec3(0), 0); }
 )");
     const CountingShader counting = add_counters(shader, api, {.binding = 9});
-    EXPECT_EQ(counting.textures, (std::vector<uint32_t>{1, 3}));
-    EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u * (1 + 2 + 1));
+    EXPECT_EQ(textures_of(counting), (std::vector<uint32_t>{1, 3}));
   }
 }
 
@@ -155,7 +178,7 @@ layout(binding = 1, rgba8) uniform readonly image2D i;
 layout(location = 0) out vec4 o;
 void main() { o = vec4(textureSize(a, 0), textureQueryLevels(a), textureQueryLod(a, vec2(0)).x) + imageLoad(i, ivec2(0)); }
 )");
-  EXPECT_TRUE(add_counters(shader, Api::vulkan, {.binding = 9}).textures.empty());
+  EXPECT_TRUE(textures_of(add_counters(shader, Api::vulkan, {.binding = 9})).empty());
 }
 
 TEST_F(Counting, ATakenBindingIsRefusedByName) {
@@ -220,15 +243,15 @@ OpReturn
 OpFunctionEnd
 )";
   CompiledShader shader;
-  ASSERT_TRUE(spvtools::SpirvTools(SPV_ENV_VULKAN_1_0).Assemble(std::string(text), &shader.spirv));
+  ASSERT_TRUE(spvtools::SpirvTools(SPV_ENV_VULKAN_1_0).Assemble(std::string(text), &shader.spirv_with_lines));
   const CountingShader counting = add_counters(shader, Api::vulkan, {.binding = 9, .coverage_word = 6});
-  EXPECT_EQ(counting.textures, std::vector<uint32_t>{3});
-  EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u * (1 + 1 + 1) + 1) << "and one of the coverage map";
+  EXPECT_EQ(textures_of(counting), std::vector<uint32_t>{3});
+  EXPECT_EQ(count_of(counting.spirv, spv::OpAtomicIAdd), 2u + 1) << "and one of the coverage map";
 }
 
 TEST(CountingWords, RefusesWhatIsNoSpirv) {
   CompiledShader shader;
-  shader.spirv = {1, 2, 3};
+  shader.spirv_with_lines = {1, 2, 3};
   EXPECT_THROW(add_counters(shader, Api::vulkan, {}), Error);
 }
 

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/shader/block_work.h"
+
+#include <algorithm>
+
+#include "harness/shader/shader.h"
+#include "harness/shader/spirv_module.h"
+
+namespace lamina {
+namespace {
+
+[[noreturn]] void refuse_to_count(std::string message) {
+  throw Error(ErrorKind::failed, "shader", "counting build", std::move(message));
+}
+
+bool is_texture_operation(spv::Op op) {
+  return (op >= spv::OpImageSampleImplicitLod && op <= spv::OpImageDrefGather) ||
+         (op >= spv::OpImageSparseSampleImplicitLod && op <= spv::OpImageSparseDrefGather);
+}
+
+// The binding of the texture that `operation` reads.
+uint32_t texture_binding(const SpirvModule& module, const SpirvInstruction& operation) {
+  constexpr size_t image_word = 3;  // of the operation, and of each instruction that it may reach its variable through
+  uint32_t id = operation.words[image_word];
+  for (;;) {
+    const SpirvInstruction& source = module.definition(id);
+    switch (source.op()) {
+      case spv::OpVariable: {
+        const auto binding = module.decoration(id, spv::DecorationBinding);
+        if (!binding) refuse_to_count(fmt::format("texture '{}' has no binding", module.name(id)));
+        return *binding;
+      }
+      case spv::OpLoad:
+      case spv::OpAccessChain:
+      case spv::OpInBoundsAccessChain:
+      case spv::OpCopyObject:
+      case spv::OpImage:
+      case spv::OpSampledImage:
+        id = source.words[image_word];
+        break;
+      default:
+        refuse_to_count(
+            fmt::format("cannot tell which texture '{}' is, in a function that cannot be inlined; sample it in the caller",
+                        module.name(id)));
+    }
+  }
+}
+
+// Labels that may follow a block that ends so.
+std::vector<uint32_t> labels_behind(const SpirvInstruction& end) {
+  switch (end.op()) {
+    case spv::OpBranch:
+      return {end.words[1]};
+    case spv::OpBranchConditional:
+      return {end.words[2], end.words[3]};
+    case spv::OpSwitch: {
+      std::vector<uint32_t> labels;
+      for (size_t word = 2; word < end.words.size(); word += 2) labels.push_back(end.words[word]);  // default; value and label
+      return labels;
+    }
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+void ShaderWork::add(const ShaderWork& other, uint64_t times) {
+  for (const auto& [binding, count] : other.fetches) fetches[binding] += times * count;
+  operations.add(other.operations, times);
+  if (times > 0)
+    for (const auto& [line, work] : other.lines) lines[line].add(work, times);
+}
+
+BlockWork::BlockWork(const SpirvModule& module, Stage stage) {
+  std::map<uint32_t, uint32_t> block_of;  // by label
+  for (const SpirvInstruction& i : module.instructions())
+    if (i.op() == spv::OpLabel) block_of.emplace(i.result, static_cast<uint32_t>(block_of.size())), labels_.push_back(i.result);
+  work_.resize(labels_.size());
+  std::vector<FlowBlock> blocks(labels_.size());
+
+  bool calls = false, in_function = false;
+  uint32_t block = 0;
+  SourceLine line;                  // 0: the module does not say
+  std::vector<uint32_t> loop_ends;  // labels behind the loops that are open
+  for (const SpirvInstruction& i : module.instructions()) {
+    if (i.op() == spv::OpFunction) in_function = true;
+    if (!in_function || i.op() == spv::OpFunction || i.op() == spv::OpFunctionParameter) continue;
+    if (i.op() == spv::OpLine) line = {module.text(i.words[1]), i.words[2]};
+    if (i.op() == spv::OpNoLine) line.line = 0;
+    if (i.op() == spv::OpFunctionCall) calls = true;
+    if (i.op() == spv::OpLabel) {
+      block = block_of.at(i.result);
+      line.line = 0;
+      while (!loop_ends.empty() && loop_ends.back() == i.result) loop_ends.pop_back();
+      blocks[block].loops = static_cast<uint32_t>(loop_ends.size());
+    }
+    if (i.op() == spv::OpLoopMerge) loop_ends.push_back(i.words[1]), ++blocks[block].loops;
+    for (const uint32_t next : labels_behind(i)) blocks[block].next.push_back(block_of.at(next));
+    LineWork done;
+    if (is_texture_operation(i.op())) {
+      ++work_[block].fetches[texture_binding(module, i)];
+      done.fetches = 1;
+    } else {
+      const Operations operations = operations_of(module, i, stage);
+      work_[block].operations.add(operations);
+      done.operations = operations.sum();
+    }
+    if (done.fetches + done.operations == 0) continue;
+    blocks[block].asked = true;
+    if (line.line > 0) work_[block].lines[line].add(done);
+  }
+  // A function that is called may discard, and then what comes into the block of the call does not leave it.
+  if (calls)
+    for (block = 0; block < blocks.size(); ++block) blocks[block].next = {block};
+  flow_ = BlockFlow(blocks);
+}
+
+std::vector<uint32_t> BlockWork::counted_labels() const {
+  std::vector<uint32_t> labels;
+  for (const uint32_t block : flow_.counted()) labels.push_back(labels_[block]);
+  return labels;
+}
+
+ShaderWork BlockWork::executed(uint64_t invocations, std::span<const uint64_t> counts) const {
+  ShaderWork sum;
+  const std::vector<uint64_t> times = flow_.times(invocations, counts);
+  for (size_t block = 0; block < work_.size(); ++block) sum.add(work_[block], times[block]);
+  return sum;
+}
+
+}  // namespace lamina

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each basic block of a shader does when it runs once: texture operations by texture, operations by class, and both by the
+// line of source that says them. From how often few of the blocks ran comes what the shader did (block_flow.h).
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "harness/shader/block_flow.h"
+#include "harness/shader/operations.h"
+
+namespace lamina {
+
+struct SourceLine {
+  std::string file;  // as it was compiled
+  uint32_t line = 0;
+  auto operator<=>(const SourceLine&) const = default;
+};
+struct LineWork {
+  uint64_t fetches = 0, operations = 0;
+  void add(const LineWork& other, uint64_t times = 1) {
+    fetches += times * other.fetches;
+    operations += times * other.operations;
+  }
+};
+struct ShaderWork {
+  std::map<uint32_t, uint64_t> fetches;  // by the texture's binding (arrays: all elements together)
+  Operations operations;
+  std::map<SourceLine, LineWork> lines;
+  void add(const ShaderWork& other, uint64_t times);
+};
+
+class BlockWork {
+ public:
+  BlockWork() = default;
+  // All functions are inlined into main, or each block has a counter. Throws Error(failed) where a texture cannot be told.
+  BlockWork(const SpirvModule& module, Stage stage);
+
+  // The labels of the blocks that need a counter. main's first never does: it runs once an invocation.
+  std::vector<uint32_t> counted_labels() const;
+  // What the shader did; `counts`: beside counted_labels(). Textures that it has and did not read have 0.
+  ShaderWork executed(uint64_t invocations, std::span<const uint64_t> counts) const;
+
+ private:
+  BlockFlow flow_;
+  std::vector<uint32_t> labels_;  // by block
+  std::vector<ShaderWork> work_;  // by block
+};
+
+}  // namespace lamina
