@@ -41,6 +41,17 @@ struct DeviceInfo {
   std::string api_version;
   bool software = false;          // a rasterizer on the CPU
   uint32_t max_texture_size = 0;  // pixels on a side, textures and targets alike
+  // What shaders may use, and what can be measured.
+  bool vertex_storage = false, fragment_storage = false;  // they write storage buffers and images in these stages
+  bool half_floats = false;                               // they compute with 16-bit floats
+  bool doubles = false;                                   // with 64-bit floats
+  bool exact_sample_counts = false;                       // `until_empty` needs them
+  uint32_t timestamp_bits = 0;                            // of a timestamp, that count; 0: no pass can be timed
+};
+
+// A device that is there, but lacks what Lamina needs.
+struct RefusedDevice {
+  std::string device, reason;
 };
 
 struct TextureDesc {
@@ -213,7 +224,7 @@ class Backend {
 };
 
 struct BackendOptions {
-  std::string device;  // part of a device's name, or its index in list_devices(); empty: the default (docs/figures.md)
+  std::string device;  // part of one device's name, or its index in list_devices(); empty: the default (docs/figures.md)
   bool validation =
       false;  // Vulkan's validation layers / an OpenGL debug context. Error(no_device) where they are not installed.
 };
@@ -222,6 +233,8 @@ struct BackendOptions {
 std::unique_ptr<Backend> open_backend(std::string_view name, const BackendOptions& options = {});
 // Every device a backend could open, in its own order; empty where it has none.
 std::vector<DeviceInfo> list_devices(std::string_view backend);
+// The others, and why; empty where a driver tells nothing of them.
+std::vector<RefusedDevice> list_refused_devices(std::string_view backend);
 // The backends compiled in, in the order in which they run.
 std::span<const std::string_view> backend_names();
 

@@ -27,5 +27,9 @@ Command add_plan(CLI::App& program);
 Command add_list(CLI::App& program);
 Command add_report(CLI::App& program);
 Command add_history(CLI::App& program);
+Command add_schema(CLI::App& program);
+// These two look at all the others, once the command line is parsed.
+Command add_man(CLI::App& program);
+Command add_complete(CLI::App& program);
 
 }  // namespace lamina

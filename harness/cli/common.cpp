@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "harness/core/text.h"
 
@@ -13,11 +12,6 @@ namespace lamina {
 bool is_compared(const VariantManifest& variant, const CellOptions& options) {
   if (variant.baseline || options.variants.empty()) return true;
   return std::find(options.variants.begin(), options.variants.end(), variant.name) != options.variants.end();
-}
-
-std::filesystem::path home_folder() {
-  const char* home = std::getenv("LAMINA_HOME");
-  return home && *home ? home : LAMINA_SOURCE_DIR;
 }
 
 Library load_library_for(const SceneOptions& options) {

@@ -6,13 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "harness/cli/home.h"
 #include "harness/cli/options.h"
 #include "harness/plan/plan.h"
 
 namespace lamina {
 
-// The folder that holds variants/ and shaders/: LAMINA_HOME in the environment, else the source folder of this build.
-std::filesystem::path home_folder();
 Library load_library_for(const SceneOptions& options);
 // A scene that has objects and views, or Error(bad_input).
 Scene load_scene_for(const SceneOptions& options, const Library& library);

@@ -10,6 +10,7 @@
 #include "harness/cli/devices.h"
 #include "harness/cli/effect_run.h"
 #include "harness/cli/run_line.h"
+#include "harness/cli/watch.h"
 #include "harness/core/text.h"
 #include "harness/measure/timer_certificate.h"
 #include "reports/reports.h"
@@ -17,9 +18,9 @@
 namespace lamina {
 namespace {
 
-struct CompareOptions : CellOptions {
-  RoundOptions rounds;  // of a backend and effect
+struct CompareOptions : WatchOptions {  // the rounds are of a backend and effect
   bool quick = false;
+  bool watch = false;
 };
 
 // Bakes, or reads what was baked before, everything that variants of these effects want. What cannot be baked fails again, with
@@ -114,7 +115,7 @@ int run_compare(const CompareOptions& options) {
   std::filesystem::remove_all(options.out / "images", not_there);  // an earlier run's
   make_run_folder("compare", options.out);
   RecordWriter record(options.out / "record.jsonl");
-  record.append(run_line(options, options.rounds, options.quick, scene, devices));
+  record.append(run_line(options, options.rounds, options.quick, scene, backends));
   record.append(to_json(planned));
   for (const std::string& warning : scene.warnings) fmt::print(stderr, "lamina: note: {}\n", warning);
 
@@ -163,12 +164,25 @@ Command add_compare(CLI::App& program) {
   add_truth(command, *options);
   add_seed(command, options->rounds.seed);
   add_validation(command, *options);
+  CLI::Option* watch = command.add_flag(
+      "--watch", options->watch,
+      "Draw again what a changed shader, manifest or scene file touches, into a page that loads itself again; the first backend, "
+      "no truth unless --truth-rays says so; Ctrl-C ends with the record");
+  command.add_option("--view", options->views, "View that is watched; the first without (may be given again)")
+      ->type_name(placeholder::view)
+      ->needs(watch);
+  command.add_flag("--timed", options->timed, "Time what is watched, within 1 s unless --budget says otherwise")->needs(watch);
   return {&command, [=, &command](const std::string& typed) {
             options->command = typed;
             const auto quick_default = [&](const char* name) { return options->quick && command.count(name) == 0; };
             if (quick_default("--budget")) options->rounds.budget_s = 4;
             if (quick_default("--precision")) options->rounds.precision = 0.05;
             if (quick_default("--truth-rays")) options->truth_rays = 64;
+            if (options->watch) {
+              if (command.count("--truth-rays") == 0) options->truth_rays = 0;
+              if (command.count("--budget") == 0) options->rounds.budget_s = 1;
+              return run_watch(*options);
+            }
             return run_compare(*options);
           }};
 }

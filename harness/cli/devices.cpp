@@ -7,27 +7,29 @@
 #include <cstdlib>
 #include <thread>
 
-#include "harness/cli/run_line.h"
 #include "harness/gate/child.h"
+#include "harness/record/row_of.h"
+#include "harness/record/run_row.h"
 
 namespace lamina {
 namespace {
 
-DeviceInfo device_from_json(const nlohmann::json& line) {
-  DeviceInfo info;
-  info.backend = line["backend"], info.device = line["device"], info.driver = line["driver"];
-  info.api_version = line["api_version"], info.software = line["software"], info.max_texture_size = line["max_texture_size"];
-  return info;
-}
-
+// The child's lines: the device, or what is wrong with what was asked for.
 ProbedBackend probe(const std::string& name, const DeviceOptions& options) {
   if (std::ranges::find(backend_names(), name) == backend_names().end()) open_backend(name);  // throws: there is none
   const ChildResult child = run_in_child([&](const EmitLine& emit) {
-    emit(to_json(open_backend(name, {options.device, options.validation})->info()));
+    try {
+      emit(to_json(open_backend(name, {options.device, options.validation})->info()));
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::bad_input) throw;
+      emit({{"refused", error.subject()}, {"message", error.message()}});
+    }
   });
   if (!child.failure.empty())  // an error's words begin with the backend, those of a crash do not
     return {name, std::nullopt, child.failure.starts_with(name) ? child.failure : name + ": " + child.failure};
-  return {name, device_from_json(child.lines.front()), ""};
+  const nlohmann::json& line = child.lines.front();
+  if (line.contains("refused")) throw Error(ErrorKind::bad_input, name, line["refused"], line["message"]);
+  return {name, row_of<DeviceInfo>(line, name), ""};
 }
 
 }  // namespace
@@ -43,6 +45,12 @@ std::vector<DeviceInfo> devices_of(const std::vector<ProbedBackend>& backends) {
   for (const ProbedBackend& backend : backends)
     if (backend.device) devices.push_back(*backend.device);
   return devices;
+}
+
+std::vector<ProbedBackend> all_ran(const std::vector<DeviceInfo>& devices) {
+  std::vector<ProbedBackend> backends;
+  for (const DeviceInfo& device : devices) backends.push_back({device.backend, device, ""});
+  return backends;
 }
 
 void require_any(std::string_view stage, const std::vector<ProbedBackend>& backends) {

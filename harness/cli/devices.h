@@ -23,6 +23,8 @@ struct ProbedBackend {
 // Error(bad_input) for a name that is none.
 std::vector<ProbedBackend> probe_backends(const DeviceOptions& options);
 std::vector<DeviceInfo> devices_of(const std::vector<ProbedBackend>& backends);
+// Backends that all opened.
+std::vector<ProbedBackend> all_ran(const std::vector<DeviceInfo>& devices);
 // Says on standard error which do not open. Throws Error(no_device) where none does. `stage` is the command.
 void require_any(std::string_view stage, const std::vector<ProbedBackend>& backends);
 // Throws Error(bad_input) where the frame is larger than one of the devices can draw.

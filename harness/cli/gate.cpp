@@ -81,7 +81,7 @@ std::vector<DeviceInfo> probe_devices(const GateOptions& options) {
 nlohmann::ordered_json gate_run_line(const GateOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices) {
   RoundOptions rounds;
   rounds.seed = options.seed;
-  return run_line(options.compare, rounds, false, scene, devices);
+  return run_line(options.compare, rounds, false, scene, all_ran(devices));
 }
 
 void pin_threads_of(const Record& stored) {
@@ -141,17 +141,21 @@ Command add_gate(CLI::App& program) {
       "gate", "Compares two states of the code; fails where the newer one is slower, fetches more or is less accurate");
   add_scene(command, options->compare.scene);
   CLI::Option* against = command.add_option("--against", options->against,
-                                            "Tree of variants/ and shaders/ as they were before, measured in the same run");
+                                            "Tree of variants/ and shaders/ as they were before, measured in the same run")
+                             ->type_name(placeholder::directory);
   command.add_option("--baseline", options->baseline, "Record of the state before (record.jsonl or its folder)")
+      ->type_name(placeholder::record)
       ->excludes(against);
   command.add_flag("--update", options->update, "Replace the record that --baseline names, and say what changed");
-  command.add_option("--limits", options->limits, "Gate file (.toml): what is allowed, by effect, variant and backend");
+  command.add_option("--limits", options->limits, "Gate file (.toml): what is allowed, by effect, variant and backend")
+      ->type_name(placeholder::gate_file);
   add_out(command, options->compare.out);
   add_backends(command, options->compare);
   add_variant(command, options->compare.variants);
   add_size(command, options->compare);
   command.add_option("--budget", options->budget_s, "Seconds of wall time for everything")
       ->capture_default_str()
+      ->type_name("SECONDS")
       ->check(CLI::Range(1.0, 86400.0));
   command
       .add_option("--processes", options->processes,

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "harness/cli/commands.h"
+#include "harness/cli/placeholders.h"
 #include "harness/core/text.h"
 #include "harness/history/history_reports.h"
 
@@ -31,8 +32,8 @@ int run_history(const HistoryOptions& options) {
 Command add_history(CLI::App& program) {
   auto options = std::make_shared<HistoryOptions>();
   CLI::App& command = *program.add_subcommand("history", "How each cell's figures changed over records, and at which commit");
-  command.add_option("record", options->records, "Run folders or their record.jsonl, two or more")->required();
-  command.add_option("--csv", options->csv, "File for every point of every trend");
+  command.add_option("record", options->records, "Run folders or their record.jsonl, two or more")->required()->type_name(placeholder::record);
+  command.add_option("--csv", options->csv, "File for every point of every trend")->type_name(placeholder::file);
   return {&command, [=](const std::string&) { return run_history(*options); }};
 }
 

@@ -8,7 +8,9 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "commit.h"
 #include "harness/cli/commands.h"
+#include "harness/cli/exit_status.h"
 #include "harness/cli/run_line.h"
 #include "harness/core/error.h"
 
@@ -16,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace lamina;
-
-constexpr int usage_status = 2;
 
 // A shader cache of this process alone, so that the first frame's cost is the same in every run; gone with the process.
 class PrivateShaderCache {
@@ -44,10 +44,11 @@ int run(int argc, char** argv) {
       "Lamina: what accuracy costs. Measures real-time translucency techniques: time, texture fetches and errors of every "
       "variant.",
       "lamina");
-  app.set_version_flag("--version", LAMINA_VERSION);
+  app.set_version_flag("--version", fmt::format("lamina {} (commit {}, build {})", LAMINA_VERSION, LAMINA_COMMIT, LAMINA_BUILD_NAME));
   app.require_subcommand(1);
   const Command commands[] = {add_compare(app), add_gate(app), add_sweep(app),  add_merge(app),  add_stress(app),
-                              add_plan(app),    add_list(app), add_report(app), add_history(app)};
+                              add_plan(app),    add_list(app), add_report(app), add_history(app),
+                              add_schema(app),  add_man(app),  add_complete(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/cli/options.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 
+#include "harness/backend/backend.h"
+#include "harness/cli/placeholders.h"
 #include "harness/core/error.h"
 
 namespace lamina {
@@ -25,30 +27,34 @@ std::pair<uint32_t, uint32_t> parse_size(const std::string& text) {
 }  // namespace
 
 void add_scene_name(CLI::App& command, SceneOptions& options, const std::string& help) {
-  command.add_option("scene", options.scene, help)->capture_default_str();
+  command.add_option("scene", options.scene, help)->capture_default_str()->type_name(placeholder::scene);
 }
 
 void add_variants_dir(CLI::App& command, SceneOptions& options, const std::string& help) {
-  command.add_option("--variants-dir", options.variants_dirs, help);
+  command.add_option("--variants-dir", options.variants_dirs, help)->type_name(placeholder::directory);
 }
 
 void add_scene(CLI::App& command, SceneOptions& options) {
   add_scene_name(command, options);
-  command.add_option("--time", options.time_s, "Moment of the scene, in seconds");
+  command.add_option("--time", options.time_s, "Moment of the scene")->type_name("SECONDS");
   add_variants_dir(command, options);
 }
 
 void add_out(CLI::App& command, std::filesystem::path& out, const std::string& help) {
-  command.add_option("--out", out, help)->capture_default_str();
+  command.add_option("--out", out, help)->capture_default_str()->type_name(placeholder::directory);
 }
 
 void add_backends(CLI::App& command, DeviceOptions& options) {
-  command.add_option("--backend", options.backends, "vulkan, osmesa or egl (may be given again)")->capture_default_str();
-  command.add_option("--device", options.device, "Part of a device's name, or its number in 'lamina list'");
+  command
+      .add_option("--backend", options.backends, fmt::format("{} (may be given again)", fmt::join(backend_names(), ", ")))
+      ->capture_default_str()
+      ->type_name(placeholder::backend);
+  command.add_option("--device", options.device, "Part of a device's name, or its number in 'lamina list'")
+      ->type_name(placeholder::device);
 }
 
-void add_variant(CLI::App& command, std::vector<std::string>& variants, const std::string& help) {
-  command.add_option("--variant", variants, help);
+void add_variant(CLI::App& command, std::vector<std::string>& variants, const std::string& help, const char* value) {
+  command.add_option("--variant", variants, help)->type_name(value);
 }
 
 void add_size(CLI::App& command, FrameSize& size) {
@@ -56,12 +62,14 @@ void add_size(CLI::App& command, FrameSize& size) {
       .add_option_function<std::string>(
           "--size", [&size](const std::string& text) { std::tie(size.width_px, size.height_px) = parse_size(text); },
           "Size of the frame in pixels")
+      ->type_name(placeholder::size)
       ->default_str(fmt::format("{}x{}", size.width_px, size.height_px));
 }
 
 void add_rounds(CLI::App& command, RoundOptions& rounds, const std::string& timed) {
   command.add_option("--budget", rounds.budget_s, "Seconds of timed rounds " + timed)
       ->capture_default_str()
+      ->type_name("SECONDS")
       ->check(CLI::Range(0.0, 86400.0));
   command.add_option("--precision", rounds.precision, "Stop where each ratio's 95% interval has this half width, relative")
       ->capture_default_str()
@@ -72,7 +80,9 @@ void add_truth(CLI::App& command, CellOptions& options) {
   command.add_option("--truth-rays", options.truth_rays, "Rays a pixel and light for the truth; 0: no truth")
       ->capture_default_str()
       ->check(CLI::Range(0, 65536));
-  command.add_option("--cache", options.cache, "Folder that keeps bakes and truths; \"\": none")->capture_default_str();
+  command.add_option("--cache", options.cache, "Folder that keeps bakes and truths; \"\": none")
+      ->capture_default_str()
+      ->type_name(placeholder::directory);
 }
 
 void add_seed(CLI::App& command, uint64_t& seed, const std::string& help) {

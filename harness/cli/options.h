@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/cli/placeholders.h"
 #include "harness/core/disk_cache.h"
 #include "harness/measure/rounds.h"
 
@@ -56,7 +57,8 @@ void add_scene(CLI::App& command, SceneOptions& options);
 void add_out(CLI::App& command, std::filesystem::path& out, const std::string& help = "Folder for record, report and pictures");
 void add_backends(CLI::App& command, DeviceOptions& options);  // and --device
 void add_variant(CLI::App& command, std::vector<std::string>& variants,
-                 const std::string& help = "Only this variant and the baseline (may be given again)");
+                 const std::string& help = "Only this variant and the baseline (may be given again)",
+                 const char* value = placeholder::variant);
 // Throws Error(bad_input) while it is parsed.
 void add_size(CLI::App& command, FrameSize& size);
 // --budget and --precision; `timed`: what has a budget of its own.

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "harness/cli/commands.h"
+#include "harness/cli/placeholders.h"
 #include "harness/core/error.h"
 #include "harness/history/history_reports.h"
 #include "reports/gate/gate.h"
@@ -60,8 +61,9 @@ Command add_report(CLI::App& program) {
   auto options = std::make_shared<ReportCommand>();
   CLI::App& command =
       *program.add_subcommand("report", "Writes reports again from records; several records side by side with --out");
-  command.add_option("record", options->records, "Run folders or their record.jsonl")->required();
-  command.add_option("--out", options->out, "Folder for one report of all records (default: each beside its record)");
+  command.add_option("record", options->records, "Run folders or their record.jsonl")->required()->type_name(placeholder::record);
+  command.add_option("--out", options->out, "Folder for one report of all records (default: each beside its record)")
+      ->type_name(placeholder::directory);
   command.add_flag("--single-file", options->single_file, "Put the pictures into the page, so that one file is all");
   return {&command, [=](const std::string&) { return run_report(*options); }};
 }

@@ -12,12 +12,14 @@
 #include "harness/cli/cell.h"
 #include "harness/cli/common.h"
 #include "harness/graph/graph.h"
-#include "harness/record/record.h"
+#include "harness/record/run_row.h"
 
 namespace lamina {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+static_assert(LAMINA_VERSION_MAJOR == record_schema, "the version's first number is the record's schema: see CHANGELOG.md");
 
 const std::time_t started = std::time(nullptr);  // about when the program did: before main()
 
@@ -45,11 +47,6 @@ std::vector<PlanRow::Pass> planned(const std::vector<GraphPass>& passes, const S
 
 }  // namespace
 
-Json to_json(const DeviceInfo& device) {
-  return {{"backend", device.backend},         {"device", device.device},     {"driver", device.driver},
-          {"api_version", device.api_version}, {"software", device.software}, {"max_texture_size", device.max_texture_size}};
-}
-
 // Quoting by POSIX.1-2017, volume Shell & Utilities, section 2.2.2: inside single quotes nothing but their end is special.
 std::string command_line(std::span<const char* const> arguments) {
   constexpr std::string_view plain =
@@ -75,27 +72,22 @@ std::string cpu_model() {
   return "unknown";
 }
 
-Json run_line(const std::string& command, const std::vector<DeviceInfo>& devices) {
-  Json rows = Json::array();
-  for (const DeviceInfo& device : devices) rows.push_back(to_json(device));
-  return {{"kind", "run"},
-          {"schema", record_schema},
-          {"lamina", LAMINA_VERSION},
-          {"commit", LAMINA_COMMIT},
-          {"commit_date", *LAMINA_COMMIT_DATE ? Json(LAMINA_COMMIT_DATE) : Json(nullptr)},
-          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(started))},
-          {"build", LAMINA_BUILD_NAME},
-          {"command", command},
-          {"machine",
-           {{"cpu", cpu_model()},
-            {"threads", std::thread::hardware_concurrency()},
-            {"lp_num_threads", environment("LP_NUM_THREADS")}}},
-          {"devices", rows}};
+Json run_line(const std::string& command, const std::vector<ProbedBackend>& backends) {
+  RunRow row{.lamina = LAMINA_VERSION, .commit = LAMINA_COMMIT};
+  if (*LAMINA_COMMIT_DATE) row.commit_date = LAMINA_COMMIT_DATE;
+  row.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(started));
+  row.build = LAMINA_BUILD_NAME, row.command = command;
+  row.machine = {cpu_model(), std::thread::hardware_concurrency(), environment("LP_NUM_THREADS")};
+  for (const ProbedBackend& backend : backends)
+    row.backends.push_back(
+        {backend.name, backend.device.has_value(), backend.device ? backend.device->device : "", backend.failure});
+  row.devices = devices_of(backends);
+  return to_json(row);
 }
 
 Json run_line(const CellOptions& options, const RoundOptions& rounds, bool quick, const Scene& scene,
-              const std::vector<DeviceInfo>& devices) {
-  Json line = run_line(options.command, devices);
+              const std::vector<ProbedBackend>& backends) {
+  Json line = run_line(options.command, backends);
   line["settings"] = {
       {"width", options.width_px},        {"height", options.height_px},        {"quick", quick},
       {"budget_s", rounds.budget_s},      {"precision", rounds.precision},      {"seed", rounds.seed},

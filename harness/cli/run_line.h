@@ -6,23 +6,22 @@
 #include <span>
 #include <string>
 
+#include "harness/cli/devices.h"
 #include "harness/cli/options.h"
 #include "harness/graph/graph.h"
 #include "harness/record/plan_row.h"
 
 namespace lamina {
 
-// As run lines hold it.
-nlohmann::ordered_json to_json(const DeviceInfo& device);
 // "lamina" and the program's arguments, each quoted where a POSIX shell would not take it as it is.
 std::string command_line(std::span<const char* const> arguments);
 // As /proc/cpuinfo names it.
 std::string cpu_model();
-// What was run, and on what.
-nlohmann::ordered_json run_line(const std::string& command, const std::vector<DeviceInfo>& devices);
+// What was run, and on what: each backend that was asked for, and the devices that ran.
+nlohmann::ordered_json run_line(const std::string& command, const std::vector<ProbedBackend>& backends);
 // The same with the scene and the settings of a command that leaves cells.
 nlohmann::ordered_json run_line(const CellOptions& options, const RoundOptions& rounds, bool quick, const Scene& scene,
-                                const std::vector<DeviceInfo>& devices);
+                                const std::vector<ProbedBackend>& backends);
 // Each effect with called_for and why, its features, and the passes of every variant.
 PlanRow plan_row(const Plan& plan, const Scene& scene, ShaderCache& shaders);
 

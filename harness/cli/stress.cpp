@@ -185,14 +185,14 @@ void run_functions(Backend& backend, const std::filesystem::path& shaders, const
   run.times.insert(run.times.end(), timed.begin(), timed.end());
 }
 
-void write_record(const StressOptions& options, const std::vector<DeviceInfo>& devices, const FamilyRun& run) {
+void write_record(const StressOptions& options, const std::vector<ProbedBackend>& backends, const FamilyRun& run) {
   const std::string& function = run.family.function;
   std::vector<nlohmann::ordered_json> lines;
   for (const FunctionRow& row : run.errors) lines.push_back(to_json(row));
   for (const FunctionTimeRow& row : run.times) lines.push_back(to_json(row));
   for (const TimerRow& timer : run.timers) lines.push_back(to_json(FunctionTimerRow{timer, function}));
   for (const FunctionPictureRow& row : run.pictures) lines.push_back(to_json(row));
-  nlohmann::ordered_json line = run_line(options.command, devices);
+  nlohmann::ordered_json line = run_line(options.command, backends);
   line["settings"] = {{"count", options.count}, {"seed", options.seed}, {"validation", options.validation}};
   if (!options.points.empty()) line["settings"]["points"] = options.points.string();
   line["warnings"] = nlohmann::ordered_json::array();
@@ -272,7 +272,7 @@ int run_stress(const StressOptions& options) {
     print_run(run);
     tables.push_back(options.out / (options.family.empty() ? fmt::format("stress-{}.csv", run.family.name) : "stress.csv"));
     write_csv(tables.back(), run);
-    write_record(options, devices, run);
+    write_record(options, backends, run);
     uncertified = uncertified || std::ranges::any_of(run.times, [](const FunctionTimeRow& time) { return !time.ns_per_call; });
   }
   write_reports(options.out);
@@ -292,10 +292,12 @@ Command add_stress(CLI::App& program) {
       *program.add_subcommand("stress", "Runs the shaders' functions on hard inputs, and compares them with exact values");
   command.add_option(
       "family", options->family,
-      "A family of functions, such as caps (the area that two spherical caps share), or a family.toml; all without a name");
+      "A family of functions, such as caps (the area that two spherical caps share), or a family.toml; all without a name")
+      ->type_name(placeholder::family);
   CLI::Option* points =
       command.add_option("--points", options->points,
-                         "File of inputs and, if known, their right value (caps: r0,r1,d[,area]) instead of the sets");
+                         "File of inputs and, if known, their right value (caps: r0,r1,d[,area]) instead of the sets")
+          ->type_name(placeholder::file);
   CLI::Option* count =
       command.add_option("--count", options->count, "Inputs a set")->capture_default_str()->check(CLI::Range(1000, 4000000));
   command
@@ -304,7 +306,7 @@ Command add_stress(CLI::App& program) {
       ->check(CLI::PositiveNumber)
       ->excludes(points)
       ->excludes(count);
-  add_variant(command, options->variants, "Only this function (may be given again)");
+  add_variant(command, options->variants, "Only this function (may be given again)", placeholder::function);
   add_backends(command, *options);
   add_out(command, options->out, "Folder of a run, or a new one: functions are added to its record and report");
   add_seed(command, options->seed, "Seed of the inputs");

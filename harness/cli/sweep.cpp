@@ -6,12 +6,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <csignal>
 
 #include "harness/cli/commands.h"
 #include "harness/cli/devices.h"
 #include "harness/cli/effect_run.h"
 #include "harness/cli/run_line.h"
+#include "harness/cli/stop_signals.h"
 #include "harness/cli/sweep_end.h"
 #include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
@@ -32,28 +32,6 @@ struct SweepOptions {
   std::vector<std::string> limits = {"ssim=0.98"};  // METRIC=NUMBER
   Shard shard;
   Schedule time{0}, fetches{8}, pictures{8};  // which points get rounds, counts, pictures
-};
-
-// The signal that asked to stop; the cell that runs is finished first. A second one ends the program at once, which loses that
-// cell and nothing else.
-volatile std::sig_atomic_t stopped_by = 0;
-
-void ask_to_stop(int signal) {
-  stopped_by = signal;
-  std::signal(signal, SIG_DFL);
-  constexpr char said[] = "\nlamina: finishing the cell; a second Ctrl-C stops at once\n";
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, said, sizeof said - 1);
-}
-
-class StopSignals {
- public:
-  StopSignals() {
-    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, ask_to_stop);
-    std::signal(SIGXFSZ, SIG_IGN);  // a file that may grow no more is an error of the write, like a full disk
-  }
-  ~StopSignals() {
-    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
-  }
 };
 
 Scene scene_of(const SweepOptions& options, const Library& library) {
@@ -120,7 +98,7 @@ SweepRow sweep_row(const SweepOptions& options, const SweepPoints& points, const
 nlohmann::ordered_json sweep_run_line(const SweepOptions& options, const Scene& scene,
                                       const std::vector<const EffectManifest*>& effects, const std::vector<DeviceInfo>& devices,
                                       const std::string& inputs) {
-  nlohmann::ordered_json line = run_line(options.compare, options.rounds, false, scene, devices);
+  nlohmann::ordered_json line = run_line(options.compare, options.rounds, false, scene, all_ran(devices));
   nlohmann::ordered_json& settings = line["settings"];
   settings["backends"] = options.compare.backends;
   settings["effects"] = settings["variants"] = settings["views"] = nlohmann::ordered_json::array();
@@ -239,7 +217,7 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
         append_row(sweep.record, row);
         sweep.tally.add(row), ++cells;
         progress.show(sweep.tally.fraction(), sweep.tally.words(sweep.scenes.words(point)));
-        return stopped_by == 0;
+        return StopSignals::stopped_by() == 0;
       };
       go_on = run.score({.wanted = wanted, .done = done});
     }
@@ -258,7 +236,7 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
 }
 
 int run_sweep(const SweepOptions& options) {
-  const StopSignals signals;
+  const StopSignals signals("\nlamina: finishing the cell; a second Ctrl-C stops at once\n");  // which loses that cell alone
   pin_rasterizer_threads();
   const Library library = load_library_for(options.compare.scene);
   SweptScene scenes(scene_of(options, library), library, points_from(options));
@@ -298,7 +276,7 @@ int run_sweep(const SweepOptions& options) {
     if (!run_backend(backend, sweep, progress)) {
       fmt::print(stderr, "lamina: stopped; {} of {} cells are done and kept. Go on with the same command:\n  {}\n", tally.done,
                  tally.all, options.compare.command);
-      return 128 + stopped_by;
+      return 128 + StopSignals::stopped_by();
     }
   const bool failed = end_sweep(options.compare.out, record);
   return failed || tally.messages > 0 ? 1 : 0;
@@ -308,6 +286,7 @@ void add_schedule(CLI::App& command, const std::string& name, Schedule& schedule
   command
       .add_option_function<std::string>(
           name, [name, &schedule](const std::string& text) { schedule = parse_schedule(name, text); }, help)
+      ->type_name(placeholder::schedule)
       ->default_str(words_of(schedule));
 }
 
@@ -324,6 +303,7 @@ Command add_sweep(CLI::App& program) {
           "--set", options->sets,
           "PATH=FROM:TO:STEP, PATH=FROM:TO:xFACTOR or PATH=A,B,C (may be given again, for a grid); the moment of the scene "
           "is scene.time, in seconds; 'lamina list --parameters SCENE' names the paths")
+      ->type_name(placeholder::set)
       ->required();
   command.add_flag("--zip", options->zip, "Values of several --set in pairs, not as a grid");
   add_schedule(command, "--time", options->time, "Points whose cost is timed: none, all or every:N");
@@ -331,14 +311,17 @@ Command add_sweep(CLI::App& program) {
                "Points whose fetches are counted, besides timed ones: none, all or every:N");
   add_schedule(command, "--pictures", options->pictures, "Points whose pictures are kept: none, all or every:N");
   command.add_option("--limit", options->limits, "METRIC=NUMBER that is good enough (may be given again)")
+      ->type_name(placeholder::limit)
       ->capture_default_str();
-  command.add_option_function<std::string>(
-      "--shard", [options = options.get()](const std::string& text) { options->shard = parse_shard(text); },
-      "K/N: the K-th part of N, K from 1; 'lamina merge' joins them");
+  command
+      .add_option_function<std::string>(
+          "--shard", [options = options.get()](const std::string& text) { options->shard = parse_shard(text); },
+          "The K-th part of N, K from 1; 'lamina merge' joins them")
+      ->type_name(placeholder::shard);
   add_out(command, options->compare.out, "Folder for record, report and pictures; one that holds a part of this sweep");
   add_backends(command, options->compare);
   add_variant(command, options->compare.variants);
-  command.add_option("--view", options->views, "Only this view (may be given again)");
+  command.add_option("--view", options->views, "Only this view (may be given again)")->type_name(placeholder::view);
   add_variants_dir(command, options->compare.scene);
   add_size(command, options->compare);
   add_rounds(command, options->rounds, "a timed point");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A TOML table that remembers where it stands in its file and which keys it was asked for, so that every mistake is reported
-// once, with file and line, and an unknown key with the nearest known one.
+// A TOML table that knows where it stands in its file and what it may hold (toml_form.h), so that every mistake is reported once,
+// with file and line, and an unknown key with the nearest known one. Asking for a key that the form lacks, or for another kind of
+// value than it has there, is a programmer's mistake: std::logic_error.
 #pragma once
 
 #include <toml++/toml.h>
@@ -9,18 +10,20 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "harness/core/error.h"
+#include "harness/core/toml_form.h"
 
 namespace lamina {
 
 class TomlTable {
  public:
   // Throws Error(bad_input, stage, "FILE:LINE", ...) for text that is not TOML.
-  static TomlTable parse(const std::filesystem::path& file, std::string stage);
+  static TomlTable parse(const std::filesystem::path& file, std::string stage, TomlFormPtr form = form::anything());
+  // The same table by another form, where what it holds depends on a key of it.
+  TomlTable by(TomlFormPtr form) const { return {root_, table_, file_, stage_, std::move(form)}; }
 
   // "FILE:LINE" of a key, or of the table itself where the key is absent.
   std::string where(std::string_view key = {}) const;
@@ -33,11 +36,13 @@ class TomlTable {
   bool is_list(std::string_view key) const;
   bool is_list_of_strings(std::string_view key) const;  // an empty list is none
   std::vector<std::string> keys() const;
-  // Present and of the right type, or an Error; the optional forms allow absence. Numbers are finite and within [low, high].
+  // Present and as the form says, or an Error; the optional ones allow absence. Numbers are finite and within the form's range.
   std::string string(std::string_view key) const;
+  double number(std::string_view key) const;
+  glm::vec3 vec3(std::string_view key) const;
   std::optional<std::string> optional_string(std::string_view key) const;
   std::optional<bool> optional_bool(std::string_view key) const;
-  std::optional<double> optional_number(std::string_view key, double low, double high) const;
+  std::optional<double> optional_number(std::string_view key) const;
   std::optional<glm::vec3> optional_vec3(std::string_view key) const;
   std::optional<std::vector<double>> optional_numbers(std::string_view key) const;
   std::optional<std::vector<std::string>> optional_strings(std::string_view key) const;
@@ -53,18 +58,23 @@ class TomlTable {
   // The table's keys and values as JSON, keys in alphabetical order: comments, layout and order do not show.
   std::string content() const;
 
-  // Throws for the first key that nobody asked for.
-  void refuse_unknown_keys() const;
+  // Throws for the first key that the form does not have, and for one that it requires and is not there.
+  void check_keys() const;
+  // What the form says of a value of this kind under the key.
+  const TomlValue& form_of(std::string_view key, TomlValue::Kind kind) const;
 
  private:
-  TomlTable(std::shared_ptr<const toml::table> root, const toml::table* table, std::string file, std::string stage)
-      : root_(std::move(root)), table_(table), file_(std::move(file)), stage_(std::move(stage)) {}
+  TomlTable(std::shared_ptr<const toml::table> root, const toml::table* table, std::string file, std::string stage,
+            TomlFormPtr form)
+      : root_(std::move(root)), table_(table), file_(std::move(file)), stage_(std::move(stage)), form_(std::move(form)) {}
   const toml::node* find(std::string_view key) const;
+  Error missing(std::string_view key) const;
+  void check_word(std::string_view key, const TomlValue& form, const std::string& word) const;
 
   std::shared_ptr<const toml::table> root_;
   const toml::table* table_;
   std::string file_, stage_;
-  mutable std::set<std::string, std::less<>> asked_;
+  TomlFormPtr form_;
 };
 
 }  // namespace lamina

@@ -13,11 +13,11 @@ namespace {
 
 constexpr double largest_psnr_db = 1000, largest_linear = 65504, max_pixels = 1e9, max_count = 1e15;
 
-enum class Form : uint8_t { number, share, flag, times };  // share: "3%", or 0.03
+enum class LimitKind : uint8_t { number, share, flag, times };  // share: "3%", or 0.03
 
 struct LimitKey {
   const char* name;
-  Form form;
+  LimitKind kind;
   double low, high;
   std::function<void(Limits&, double)> set;
 };
@@ -32,36 +32,36 @@ std::function<void(Limits&, double)> in(double ErrorTolerance::*member) {
 
 const std::vector<LimitKey>& known_keys() {
   static const std::vector<LimitKey> keys = {
-      {"max_slowdown", Form::share, 1e-4, 10, [](Limits& l, double v) { l.max_slowdown = v; }},
-      {"min_pass_share", Form::share, 0, 1, [](Limits& l, double v) { l.min_pass_share = v; }},
-      {"max_drift", Form::share, 1e-4, 10, [](Limits& l, double v) { l.max_drift = v; }},
-      {"max_ratio_drift", Form::share, 1e-4, 10, [](Limits& l, double v) { l.max_ratio_drift = v; }},
-      {"max_extra_fetches", Form::share, 0, 1000, [](Limits& l, double v) { l.max_extra_fetches = v; }},
-      {"max_extra_operations", Form::share, 0, 1000, [](Limits& l, double v) { l.max_extra_operations = v; }},
-      {"max_frame_ms", Form::number, 0, max_count, [](Limits& l, double v) { l.max_frame_ms = v; }},
-      {"max_frame_fetches", Form::number, 0, max_count, [](Limits& l, double v) { l.max_frame_fetches = v; }},
-      {"max_frame_operations", Form::number, 0, max_count, [](Limits& l, double v) { l.max_frame_operations = v; }},
-      {"max_target_bytes", Form::number, 0, max_count, [](Limits& l, double v) { l.max_target_bytes = v; }},
-      {"times", Form::times, 0, 1, [](Limits& l, double v) { l.times_must_decide = v != 0; }},
-      {"max_picture_change", Form::number, 0, largest_linear, [](Limits& l, double v) { l.max_picture_change = v; }},
-      {"max_nonfinite_pixels", Form::number, 0, max_pixels,
+      {"max_slowdown", LimitKind::share, 1e-4, 10, [](Limits& l, double v) { l.max_slowdown = v; }},
+      {"min_pass_share", LimitKind::share, 0, 1, [](Limits& l, double v) { l.min_pass_share = v; }},
+      {"max_drift", LimitKind::share, 1e-4, 10, [](Limits& l, double v) { l.max_drift = v; }},
+      {"max_ratio_drift", LimitKind::share, 1e-4, 10, [](Limits& l, double v) { l.max_ratio_drift = v; }},
+      {"max_extra_fetches", LimitKind::share, 0, 1000, [](Limits& l, double v) { l.max_extra_fetches = v; }},
+      {"max_extra_operations", LimitKind::share, 0, 1000, [](Limits& l, double v) { l.max_extra_operations = v; }},
+      {"max_frame_ms", LimitKind::number, 0, max_count, [](Limits& l, double v) { l.max_frame_ms = v; }},
+      {"max_frame_fetches", LimitKind::number, 0, max_count, [](Limits& l, double v) { l.max_frame_fetches = v; }},
+      {"max_frame_operations", LimitKind::number, 0, max_count, [](Limits& l, double v) { l.max_frame_operations = v; }},
+      {"max_target_bytes", LimitKind::number, 0, max_count, [](Limits& l, double v) { l.max_target_bytes = v; }},
+      {"times", LimitKind::times, 0, 1, [](Limits& l, double v) { l.times_must_decide = v != 0; }},
+      {"max_picture_change", LimitKind::number, 0, largest_linear, [](Limits& l, double v) { l.max_picture_change = v; }},
+      {"max_nonfinite_pixels", LimitKind::number, 0, max_pixels,
        [](Limits& l, double v) { l.max_nonfinite_pixels = static_cast<uint64_t>(v); }},
-      {"same_image", Form::flag, 0, 1, [](Limits& l, double v) { l.same_image = v != 0; }},
-      {"min_psnr_db", Form::number, 0, largest_psnr_db, in(&Limits::baseline, &ErrorLimits::min_psnr_db)},
-      {"min_ssim", Form::number, -1, 1, in(&Limits::baseline, &ErrorLimits::min_ssim)},
-      {"max_flip", Form::number, 0, 1, in(&Limits::baseline, &ErrorLimits::max_flip)},
-      {"max_rmse_linear", Form::number, 0, largest_linear, in(&Limits::baseline, &ErrorLimits::max_rmse_linear)},
-      {"max_max_linear", Form::number, 0, largest_linear, in(&Limits::baseline, &ErrorLimits::max_max_linear)},
-      {"min_psnr_db_to_truth", Form::number, 0, largest_psnr_db, in(&Limits::truth, &ErrorLimits::min_psnr_db)},
-      {"min_ssim_to_truth", Form::number, -1, 1, in(&Limits::truth, &ErrorLimits::min_ssim)},
-      {"max_flip_to_truth", Form::number, 0, 1, in(&Limits::truth, &ErrorLimits::max_flip)},
-      {"max_rmse_linear_to_truth", Form::number, 0, largest_linear, in(&Limits::truth, &ErrorLimits::max_rmse_linear)},
-      {"max_max_linear_to_truth", Form::number, 0, largest_linear, in(&Limits::truth, &ErrorLimits::max_max_linear)},
-      {"psnr_db_tolerance", Form::number, 0, largest_psnr_db, in(&ErrorTolerance::psnr_db)},
-      {"ssim_tolerance", Form::number, 0, 1, in(&ErrorTolerance::ssim)},
-      {"flip_tolerance", Form::number, 0, 1, in(&ErrorTolerance::flip)},
-      {"rmse_linear_tolerance", Form::number, 0, largest_linear, in(&ErrorTolerance::rmse_linear)},
-      {"max_linear_tolerance", Form::number, 0, largest_linear, in(&ErrorTolerance::max_linear)},
+      {"same_image", LimitKind::flag, 0, 1, [](Limits& l, double v) { l.same_image = v != 0; }},
+      {"min_psnr_db", LimitKind::number, 0, largest_psnr_db, in(&Limits::baseline, &ErrorLimits::min_psnr_db)},
+      {"min_ssim", LimitKind::number, -1, 1, in(&Limits::baseline, &ErrorLimits::min_ssim)},
+      {"max_flip", LimitKind::number, 0, 1, in(&Limits::baseline, &ErrorLimits::max_flip)},
+      {"max_rmse_linear", LimitKind::number, 0, largest_linear, in(&Limits::baseline, &ErrorLimits::max_rmse_linear)},
+      {"max_max_linear", LimitKind::number, 0, largest_linear, in(&Limits::baseline, &ErrorLimits::max_max_linear)},
+      {"min_psnr_db_to_truth", LimitKind::number, 0, largest_psnr_db, in(&Limits::truth, &ErrorLimits::min_psnr_db)},
+      {"min_ssim_to_truth", LimitKind::number, -1, 1, in(&Limits::truth, &ErrorLimits::min_ssim)},
+      {"max_flip_to_truth", LimitKind::number, 0, 1, in(&Limits::truth, &ErrorLimits::max_flip)},
+      {"max_rmse_linear_to_truth", LimitKind::number, 0, largest_linear, in(&Limits::truth, &ErrorLimits::max_rmse_linear)},
+      {"max_max_linear_to_truth", LimitKind::number, 0, largest_linear, in(&Limits::truth, &ErrorLimits::max_max_linear)},
+      {"psnr_db_tolerance", LimitKind::number, 0, largest_psnr_db, in(&ErrorTolerance::psnr_db)},
+      {"ssim_tolerance", LimitKind::number, 0, 1, in(&ErrorTolerance::ssim)},
+      {"flip_tolerance", LimitKind::number, 0, 1, in(&ErrorTolerance::flip)},
+      {"rmse_linear_tolerance", LimitKind::number, 0, largest_linear, in(&ErrorTolerance::rmse_linear)},
+      {"max_linear_tolerance", LimitKind::number, 0, largest_linear, in(&ErrorTolerance::max_linear)},
   };
   return keys;
 }
@@ -83,41 +83,51 @@ double read_share(const TomlTable& table, const LimitKey& key) {
 }
 
 double read_times(const TomlTable& table, const LimitKey& key) {
-  const std::string text = table.string(key.name);
-  if (text != "must_decide" && text != "may_stay_open")
-    throw table.error(key.name, fmt::format("'{}' must be \"must_decide\" or \"may_stay_open\"", text));
-  return text == "must_decide" ? 1 : 0;
+  return table.string(key.name) == "must_decide" ? 1 : 0;
 }
 
 std::optional<double> read_value(const TomlTable& table, const LimitKey& key) {
   if (!table.has(key.name)) return std::nullopt;
-  if (key.form == Form::times) return read_times(table, key);
-  if (key.form == Form::flag) return *table.optional_bool(key.name) ? 1 : 0;
-  if (key.form == Form::share && table.is_string(key.name)) return read_share(table, key);
-  return table.optional_number(key.name, key.low, key.high);
+  if (key.kind == LimitKind::times) return read_times(table, key);
+  if (key.kind == LimitKind::flag) return *table.optional_bool(key.name) ? 1 : 0;
+  if (key.kind == LimitKind::share && table.is_string(key.name)) return read_share(table, key);
+  return table.optional_number(key.name);
 }
 
-std::string read_name(const TomlTable& table, const char* what, const std::vector<std::string>& known) {
-  const auto name = table.optional_string(what);
-  if (!name) return "";
-  if (std::find(known.begin(), known.end(), *name) == known.end()) throw table.error(what, unknown_name(what, *name, known));
-  return *name;
+TomlKey limit_key(const LimitKey& key) {
+  if (key.kind == LimitKind::times)
+    return {key.name, "whether times of a variant with equal counts must decide", {form::word({"must_decide", "may_stay_open"})}};
+  if (key.kind == LimitKind::flag) return {key.name, "", {form::flag()}};
+  if (key.kind == LimitKind::share)
+    return {key.name, "a percentage such as \"3%\", or a share", {form::number(key.low, key.high), form::text("^[0-9.]+%$")}};
+  return {key.name, "", {form::number(key.low, key.high)}};
 }
 
 }  // namespace
 
+TomlFormPtr limits_form(const GateNames& names) {
+  std::vector<TomlKey> keys;
+  for (const LimitKey& key : known_keys()) keys.push_back(limit_key(key));
+  const TomlFormPtr everywhere = form::make(keys);
+  keys.push_back({"effect", "cells of this effect", {form::word(names.effects)}});
+  keys.push_back({"variant", "cells of this variant", {form::word(names.variants)}});
+  keys.push_back({"backend", "cells of this backend", {form::word(names.backends)}});
+  return form::make({{"default", "limits of every cell", {form::table(everywhere)}},
+                     {"limit", "limits of some cells; a later one wins", {form::tables(form::make(keys))}}});
+}
+
 LimitsFile::LimitsFile(const std::filesystem::path& file, const GateNames& names) {
-  const TomlTable root = TomlTable::parse(file, "gate");
+  const TomlTable root = TomlTable::parse(file, "gate", limits_form(names));
   const auto read = [&](const TomlTable& table, bool selects) {
     Entry entry;
     if (selects) {
-      entry.effect = read_name(table, "effect", names.effects);
-      entry.variant = read_name(table, "variant", names.variants);
-      entry.backend = read_name(table, "backend", names.backends);
+      entry.effect = table.optional_string("effect").value_or("");
+      entry.variant = table.optional_string("variant").value_or("");
+      entry.backend = table.optional_string("backend").value_or("");
     }
     for (const LimitKey& key : known_keys())
       if (const auto value = read_value(table, key)) entry.values.emplace_back(key.name, *value);
-    table.refuse_unknown_keys();
+    table.check_keys();
     for (const auto& [name, value] : entry.values)
       for (const Entry& other : entries_)
         for (const auto& [other_name, other_value] : other.values)
@@ -133,7 +143,7 @@ LimitsFile::LimitsFile(const std::filesystem::path& file, const GateNames& names
   };
   read(root.table("default"), false);
   for (const TomlTable& limit : root.array_of_tables("limit")) read(limit, true);
-  root.refuse_unknown_keys();
+  root.check_keys();
 }
 
 Limits LimitsFile::of(std::string_view effect, std::string_view variant, std::string_view backend) const {

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/core/toml_form.h"
+
 namespace lamina {
 
 // Least or greatest values of one kind of error: worst view, pixels that the effect covers. Absent: no bound of its own.
@@ -48,6 +50,9 @@ struct Limits {
 struct GateNames {
   std::vector<std::string> effects, variants, backends;
 };
+
+// What a gate file may hold.
+TomlFormPtr limits_form(const GateNames& names);
 
 class LimitsFile {
  public:

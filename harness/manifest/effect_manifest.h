@@ -127,6 +127,8 @@ struct EffectManifest {
   bool of_objects() const { return !key.empty() || otherwise; }
 };
 
+// What an effect.toml may hold.
+TomlFormPtr effect_form(const EffectCode& code);
 // Reads an effect.toml, without variants. Names of C++ are held against `code`. Throws Error(bad_input, "variants",
 // "FILE:LINE", ...).
 EffectManifest read_effect(const std::filesystem::path& file, const EffectCode& code);

@@ -76,7 +76,7 @@ void check_keys(const Library& library) {
     for (const WordManifest& word : effect.object.words) claimed.push_back(word.key);
     for (const TextureManifest& texture : effect.object.textures) claimed.insert(claimed.end(), {texture.rgb, texture.alpha});
     for (const std::string& key : claimed) {
-      if (std::find(placement_keys.begin(), placement_keys.end(), key) != placement_keys.end())
+      if (std::any_of(placement_keys.begin(), placement_keys.end(), [&](const TomlKey& own) { return own.name == key; }))
         throw Error(ErrorKind::bad_input, "variants", effect.file.string(),
                     fmt::format("the key '{}' says where an object is: choose another", key));
       keys.claim(effect, key);

@@ -11,7 +11,10 @@
 namespace lamina {
 
 // The keys of an object that say where it is; no effect may claim one.
-inline const std::vector<std::string> placement_keys = {"position", "rotation_degrees", "scale"};
+inline const std::vector<TomlKey> placement_keys = {
+    {"position", "metres, [x, y, z]", {form::numbers(-1e9, 1e9, {3})}},
+    {"rotation_degrees", "turned about x, then y, then z", {form::numbers(-1e9, 1e9, {3})}},
+    {"scale", "one number or [x, y, z], above 0", {form::number(1e-6, 1e6), form::numbers(0, 1e9, {3})}}};
 
 struct Library {
   std::vector<EffectManifest> effects;  // in drawing order: those that do not read the frame, then those that do

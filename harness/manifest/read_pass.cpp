@@ -39,9 +39,9 @@ std::map<std::string, ReadManifest> read_reads(const TomlTable& pass) {
     if (table.is_table(sampler)) {
       const TomlTable entry = table.table(sampler);
       read.source = entry.optional_string("from").value_or(sampler);
-      if (entry.has("filter")) read.filter = choice(entry, "filter", filter_names, Filter::linear);
-      if (entry.has("wrap")) read.wrap = choice(entry, "wrap", wrap_names, Wrap::clamp);
-      entry.refuse_unknown_keys();
+      if (entry.has("filter")) read.filter = choice(entry, "filter", Filter::linear);
+      if (entry.has("wrap")) read.wrap = choice(entry, "wrap", Wrap::clamp);
+      entry.check_keys();
     } else {
       read.source = table.string(sampler);
     }
@@ -51,7 +51,7 @@ std::map<std::string, ReadManifest> read_reads(const TomlTable& pass) {
 }
 
 void read_repeat(const TomlTable& table, const VariantManifest& variant, PassManifest& pass) {
-  pass.levels = choice(table, "levels", {"none", "down", "up"}, LevelWalk::none);
+  pass.levels = choice(table, "levels", LevelWalk::none);
   pass.needs_light = table.optional_bool("needs_light").value_or(true);
   pass.until_empty = table.optional_bool("until_empty").value_or(false);
   if (!table.has("repeat")) return;
@@ -66,28 +66,25 @@ void read_repeat(const TomlTable& table, const VariantManifest& variant, PassMan
   }
   if (table.is_string("repeat") && !table.string("repeat").starts_with("$"))
     throw table.error("repeat", "'repeat' must be a number, \"$PARAMETER\" or \"log2(TARGET)\"");
-  pass.repeat = *read_setting(table, "repeat", variant, 0, 1000);
+  pass.repeat = *read_setting(table, "repeat", variant);
 }
 
 void read_blend(const TomlTable& table, PassManifest& pass) {
   if (!table.is_list("blend")) {
-    pass.blend.assign(pass.writes.size(), choice(table, "blend", blend_names, Blend::none));
+    pass.blend.assign(pass.writes.size(), choice(table, "blend", Blend::none));
     return;
   }
   const std::vector<std::string> names = *table.optional_strings("blend");
   if (names.size() != pass.writes.size())
     throw table.error("blend", fmt::format("'blend' lists {} ways for {} targets", names.size(), pass.writes.size()));
-  for (const std::string& name : names) {
-    const auto found = std::find(blend_names.begin(), blend_names.end(), name);
-    if (found == blend_names.end()) throw table.error("blend", unknown_name("blend", name, blend_names));
-    pass.blend.push_back(static_cast<Blend>(found - blend_names.begin()));
-  }
+  for (const std::string& name : names)
+    pass.blend.push_back(static_cast<Blend>(std::find(blend_names.begin(), blend_names.end(), name) - blend_names.begin()));
 }
 
 void read_depth(const TomlTable& table, const VariantManifest& variant, PassManifest& pass) {
-  pass.depth = choice(table, "depth", {"none", "read", "read_write"}, Depth::none);
-  pass.depth_test = choice(table, "depth_test", {"less_equal", "equal", "greater"}, DepthTest::less_equal);
-  pass.clear_depth = static_cast<float>(table.optional_number("clear_depth", 0, 1).value_or(1));
+  pass.depth = choice(table, "depth", Depth::none);
+  pass.depth_test = choice(table, "depth_test", DepthTest::less_equal);
+  pass.clear_depth = static_cast<float>(table.optional_number("clear_depth").value_or(1));
   pass.clear_depth_again = table.optional_bool("clear_depth_again").value_or(false);
   pass.depth_target = table.optional_string("depth_target").value_or("");
   if (pass.depth_target.empty()) return;
@@ -106,15 +103,13 @@ void check_clear_depth_again(const TomlTable& table, const PassManifest& pass) {
 
 void read_compute(const TomlTable& table, const VariantManifest& variant, PassManifest& pass) {
   if (const auto groups = table.optional_numbers("groups")) {
-    if (groups->size() != 3) throw table.error("groups", "'groups' must be a list of three counts");
-    for (size_t i = 0; i < 3; ++i) pass.groups[i] = static_cast<uint32_t>(std::clamp((*groups)[i], 1.0, 65535.0));
+    for (size_t i = 0; i < 3; ++i) pass.groups[i] = static_cast<uint32_t>((*groups)[i]);
   }
   pass.threads_over = table.optional_string("threads_over").value_or("");
   if (!pass.threads_over.empty() && !variant.target(pass.threads_over))
     throw table.error("threads_over", fmt::format("'{}' is not a target of this variant", pass.threads_over));
   if (const auto local = table.optional_numbers("local_size")) {
-    if (local->size() != 2) throw table.error("local_size", "'local_size' must be a list of two counts");
-    for (size_t i = 0; i < 2; ++i) pass.local_size[i] = static_cast<uint32_t>(std::clamp((*local)[i], 1.0, 1024.0));
+    for (size_t i = 0; i < 2; ++i) pass.local_size[i] = static_cast<uint32_t>((*local)[i]);
   }
 }
 
@@ -182,31 +177,26 @@ const ParameterManifest& parameter_named(const TomlTable& table, std::string_vie
   throw table.error(key, unknown_name("parameter", name, names));
 }
 
-std::optional<Setting> read_setting(const TomlTable& table, std::string_view key, const VariantManifest& variant, double min,
-                                    double max) {
+std::optional<Setting> read_setting(const TomlTable& table, std::string_view key, const VariantManifest& variant) {
+  const TomlValue& range = table.form_of(key, TomlValue::Kind::number);
   if (table.is_string(key)) {
     const std::string text = table.string(key);
     if (!text.starts_with('$')) throw table.error(key, fmt::format("'{}' must be a number or \"$PARAMETER\"", key));
-    return setting_of(table, key, variant, text, min, max);
+    return setting_of(table, key, variant, text, range.min, range.max);
   }
-  const auto number = table.optional_number(key, min, max);
+  const auto number = table.optional_number(key);
   return number ? std::optional(Setting{*number, {}}) : std::nullopt;
 }
 
-std::vector<Setting> read_settings(const TomlTable& table, std::string_view key, const VariantManifest& variant, double min,
-                                   double max) {
+std::vector<Setting> read_settings(const TomlTable& table, std::string_view key, const VariantManifest& variant) {
+  const TomlValue& range = table.form_of(key, TomlValue::Kind::numbers);
   std::vector<Setting> settings;
   if (table.is_list_of_strings(key)) {
     const std::vector<std::string> texts = table.optional_strings(key).value();
-    for (const std::string& text : texts) settings.push_back(setting_of(table, key, variant, text, min, max));
+    for (const std::string& text : texts) settings.push_back(setting_of(table, key, variant, text, range.min, range.max));
     return settings;
   }
-  const std::vector<double> numbers = table.optional_numbers(key).value_or(std::vector<double>{});
-  for (const double number : numbers) {
-    if (!(number >= min && number <= max))
-      throw table.error(key, fmt::format("'{}' must hold numbers from {} to {}", key, min, max));
-    settings.push_back({number, {}});
-  }
+  for (const double number : table.optional_numbers(key).value_or(std::vector<double>{})) settings.push_back({number, {}});
   return settings;
 }
 
@@ -221,16 +211,57 @@ ReadManifest PassManifest::read_of(const std::string& sampler) const {
   return declared != reads.end() ? declared->second : ReadManifest{sampler, {}, {}};
 }
 
+TomlFormPtr pass_form() {
+  const TomlFormPtr read = form::make({{"from", "the target or texture that the sampler reads", {form::text()}}, filter_key, wrap_key});
+  const std::vector<TomlValue> scalars = {form::text(), form::number(), form::flag()};
+  const double most = largest_number;
+  static const TomlFormPtr all = form::make(
+      {{"name", "the pass's name in records and reports", {form::text()}, true},
+       {"draw", "what is drawn", {form::word({"objects", "unwrapped", "fullscreen", "compute", "mips"})}, true},
+       {"of", "which objects", {form::word({"own", "all", "opaque"})}},
+       {"with", "only objects that have this feature", {form::text()}},
+       {"without", "only objects that lack this feature", {form::text()}},
+       {"view", "from where", {form::word({"eye", "light", "mirror"})}},
+       {"when", "how often", {form::word({"frame", "mesh_or_lights_move", "once", "truth", "frame_and_truth"})}},
+       {"levels", "one repetition for each mip level", {form::word({"none", "down", "up"})}},
+       {"repeat",
+        "how often, or \"log2(TARGET)\"",
+        {form::number(0, 1000), form::text("^(\\$.+|log2\\(.+\\))$")}},
+       {"until_empty", "leaves out the first repetition that draws nothing, and all after it", {form::flag()}},
+       {"needs_light", "false: left out where no light casts", {form::flag()}},
+       {"vertex", "shader", {form::text()}},
+       {"fragment", "shader", {form::text()}},
+       {"compute", "shader", {form::text()}},
+       {"define", "definitions", {form::table(form::make({}, TomlKey{"NAME", "its text, or \"$PARAMETER\"", scalars}))}},
+       {"constants", "specialization constants", {form::table(form::make({}, TomlKey{"NAME", "its value", scalars}))}},
+       {"read",
+        "other sources of samplers",
+        {form::table(form::make({}, TomlKey{"SAMPLER", "what it reads", {form::text(), form::table(read)}}))}},
+       {"groups", "work groups", {form::numbers(1, 65535, {3})}},
+       {"threads_over", "one thread for each texel of this target", {form::text()}},
+       {"local_size", "the group's size as the shader declares it", {form::numbers(1, 1024, {2})}},
+       {"write", "targets, in the order of the shader's outputs", {form::texts()}},
+       {"clear", "[r, g, b, a] before the pass", {form::numbers(-most, most, {4})}},
+       {"blend", "how what is drawn meets what is there", {form::word(blend_names), form::texts(blend_names)}},
+       {"cull", "the faces that are left out", {form::word({"none", "back", "front"})}},
+       {"depth", "whether it is tested and written", {form::word({"none", "read", "read_write"})}},
+       {"depth_test", "what is drawn against what is there", {form::word({"less_equal", "equal", "greater"})}},
+       {"depth_target", "a target of format d32_float in place of the frame's depth", {form::text()}},
+       {"clear_depth", "what the depth is cleared to", {form::number(0, 1)}},
+       {"clear_depth_again", "before every repetition", {form::flag()}}});
+  return all;
+}
+
 PassManifest read_pass(const TomlTable& table, const VariantManifest& variant, const fs::path& shaders) {
   PassManifest pass;
   const fs::path folder = variant.file.parent_path();
   pass.name = table.string("name");
   pass.where = table.where();
   table.string("draw");
-  pass.draw = choice(table, "draw", {"objects", "unwrapped", "fullscreen", "compute", "mips"}, DrawKind::objects);
-  pass.of = choice(table, "of", {"own", "all", "opaque"}, DrawnObjects::own);
-  pass.view = choice(table, "view", {"eye", "light", "mirror"}, PassView::eye);
-  pass.when = choice(table, "when", {"frame", "mesh_or_lights_move", "once", "truth", "frame_and_truth"}, Frequency::frame);
+  pass.draw = choice(table, "draw", DrawKind::objects);
+  pass.of = choice(table, "of", DrawnObjects::own);
+  pass.view = choice(table, "view", PassView::eye);
+  pass.when = choice(table, "when", Frequency::frame);
   read_repeat(table, variant, pass);
   pass.vertex = find_shader(table, "vertex", folder, shaders);
   if (pass.draw == DrawKind::fullscreen && pass.vertex.empty()) pass.vertex = shaders / "common/fullscreen.vert";
@@ -244,7 +275,6 @@ PassManifest read_pass(const TomlTable& table, const VariantManifest& variant, c
   pass.reads = read_reads(table);
   pass.writes = table.optional_strings("write").value_or(std::vector<std::string>{});
   if (const auto clear = table.optional_numbers("clear")) {
-    if (clear->size() != 4) throw table.error("clear", "'clear' must be a list of four numbers");
     pass.clear.emplace();
     std::transform(clear->begin(), clear->end(), pass.clear->begin(), [](double value) { return static_cast<float>(value); });
   }
@@ -253,9 +283,9 @@ PassManifest read_pass(const TomlTable& table, const VariantManifest& variant, c
   check_clear_depth_again(table, pass);
   pass.with = table.optional_string("with").value_or("");
   pass.without = table.optional_string("without").value_or("");
-  pass.cull = choice(table, "cull", {"none", "back", "front"}, Cull::none);
+  pass.cull = choice(table, "cull", Cull::none);
   read_compute(table, variant, pass);
-  table.refuse_unknown_keys();
+  table.check_keys();
   check_shaders(table, pass);
   check_writes(table, variant, pass);
   check_view(table, pass);

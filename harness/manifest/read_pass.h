@@ -16,13 +16,15 @@ inline constexpr std::string_view frame_target = "frame", depth_name = "depth";
 // The parameter that "$NAME" stands for. Throws for one that there is not, with the nearest.
 const ParameterManifest& parameter_named(const TomlTable& table, std::string_view key, const VariantManifest& variant,
                                          const std::string& reference);
-// A number from min to max, or a number parameter whose whole range lies there; nothing where the key is absent.
-std::optional<Setting> read_setting(const TomlTable& table, std::string_view key, const VariantManifest& variant, double min,
-                                    double max);
+// A number in the form's range, or a number parameter whose whole range lies there; nothing where the key is absent.
+std::optional<Setting> read_setting(const TomlTable& table, std::string_view key, const VariantManifest& variant);
 // A list of them: of numbers, or of "$NAME".
-std::vector<Setting> read_settings(const TomlTable& table, std::string_view key, const VariantManifest& variant, double min,
-                                   double max);
+std::vector<Setting> read_settings(const TomlTable& table, std::string_view key, const VariantManifest& variant);
 
+// "$NAME", for forms.
+inline constexpr const char* parameter_pattern = "^\\$.+";
+// What a [[pass]] may hold.
+TomlFormPtr pass_form();
 // The variant's targets and parameters are known already.
 PassManifest read_pass(const TomlTable& table, const VariantManifest& variant, const std::filesystem::path& shaders);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/manifest/variant_manifest.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,10 +22,10 @@ std::vector<std::string> format_names() {
 
 SizeRule read_size(const TomlTable& table, const VariantManifest& variant) {
   SizeRule size;
-  size.scale = read_setting(table, "scale", variant, 1.0 / 64, 16).value_or(size.scale);
+  size.scale = read_setting(table, "scale", variant).value_or(size.scale);
   if (!table.has("size")) return size;
   if (table.is_list("size")) {
-    const auto sides = read_settings(table, "size", variant, 1, largest_size);
+    const auto sides = read_settings(table, "size", variant);
     if (sides.size() != 2) throw table.error("size", "'size' must be \"frame\", a texture of the object, or [width, height]");
     size.kind = SizeRule::Kind::fixed;
     size.width = sides[0], size.height = sides[1];
@@ -55,33 +57,33 @@ TargetManifest read_target(const std::string& name, const TomlTable& table, cons
   target.name = name;
   if (name == frame_target || name == depth_name)
     throw table.error({}, fmt::format("'{}' is the harness's own target: choose another name", name));
-  target.scope = choice(table, "scope", {"frame", "object", "light"}, Scope::frame);
+  target.scope = choice(table, "scope", Scope::frame);
   target.size = read_size(table, variant);
   if (target.scope != Scope::object && target.size.kind == SizeRule::Kind::texture)
     throw table.error("size", "only a target with scope = \"object\" can be as large as an object's texture");
   read_format(table, variant, target);
   target.mips = table.optional_bool("mips").value_or(false);
-  target.buffers = static_cast<uint32_t>(table.optional_number("buffers", 1, 2).value_or(1));
+  target.buffers = static_cast<uint32_t>(table.optional_number("buffers").value_or(1));
   target.sampler = read_sampler(table, {Filter::nearest, Wrap::clamp});
   target.shared = table.optional_bool("shared").value_or(false);
   if (target.shared && target.scope == Scope::object)
     throw table.error("shared", "only targets of the frame or of a light are shared between effects");
-  table.refuse_unknown_keys();
+  table.check_keys();
   return target;
 }
 
 BufferManifest read_buffer(const std::string& name, const TomlTable& table) {
   BufferManifest buffer;
   buffer.name = name;
-  buffer.scope = choice(table, "scope", {"frame", "object"}, Scope::frame);
-  buffer.bytes = static_cast<uint64_t>(table.optional_number("bytes", 0, 1e10).value_or(0));
-  buffer.bytes_per_vertex = static_cast<uint64_t>(table.optional_number("bytes_per_vertex", 0, 1e4).value_or(0));
-  buffer.bytes_per_pixel = static_cast<uint64_t>(table.optional_number("bytes_per_pixel", 0, 1e4).value_or(0));
+  buffer.scope = choice(table, "scope", Scope::frame);
+  buffer.bytes = static_cast<uint64_t>(table.optional_number("bytes").value_or(0));
+  buffer.bytes_per_vertex = static_cast<uint64_t>(table.optional_number("bytes_per_vertex").value_or(0));
+  buffer.bytes_per_pixel = static_cast<uint64_t>(table.optional_number("bytes_per_pixel").value_or(0));
   if (buffer.bytes + buffer.bytes_per_vertex + buffer.bytes_per_pixel == 0)
     throw table.error({}, "a buffer needs 'bytes', 'bytes_per_vertex' or 'bytes_per_pixel' above 0");
   if (buffer.bytes_per_vertex > 0 && buffer.scope != Scope::object)
     throw table.error("bytes_per_vertex", "only a buffer with scope = \"object\" has vertices");
-  table.refuse_unknown_keys();
+  table.check_keys();
   return buffer;
 }
 
@@ -98,16 +100,73 @@ ParameterManifest read_parameter(const std::string& name, const TomlTable& table
     parameter.whole = true;
     parameter.value = static_cast<double>(value);
   } else {
-    parameter.min = table.optional_number("min", -largest_number, largest_number).value_or(-largest_number);
-    parameter.max = table.optional_number("max", parameter.min, largest_number).value_or(largest_number);
-    parameter.value = *table.optional_number("value", parameter.min, parameter.max);
+    parameter.min = table.optional_number("min").value_or(-largest_number);
+    parameter.max = table.optional_number("max").value_or(largest_number);
+    if (parameter.max < parameter.min)
+      throw table.error("max", fmt::format("'max' must be a number from {} to {}", parameter.min, largest_number));
+    parameter.value = *table.optional_number("value");
+    if (parameter.value < parameter.min || parameter.value > parameter.max)
+      throw table.error("value", fmt::format("'value' must be a number from {} to {}", parameter.min, parameter.max));
     parameter.whole = table.optional_bool("whole").value_or(false);
   }
-  table.refuse_unknown_keys();
+  table.check_keys();
   return parameter;
 }
 
+TomlFormPtr target_form() {
+  std::vector<std::string> formats = format_names();
+  const TomlFormPtr target = form::make(
+      {{"scope", "one for the frame, for each object, or for each light that casts", {form::word({"frame", "object", "light"})}},
+       {"size",
+        "\"frame\", [width, height], or a texture of the object",
+        {form::text(), form::numbers(1, largest_size, {2}), form::texts({}, parameter_pattern)}},
+       {"scale", "factor of the size", {form::number(1.0 / 64, 16), form::text(parameter_pattern)}},
+       {"format", "of a texel", {form::text(fmt::format("^({}|\\$.+)$", fmt::join(formats, "|")))}, true},
+       {"mips", "it has a full mip chain", {form::flag()}},
+       {"buffers", "2: a pass may read what the one before wrote", {form::whole(1, 2)}},
+       {"shared", "one for all effects that declare the same", {form::flag()}},
+       filter_key,
+       wrap_key});
+  return form::make({}, TomlKey{"NAME", "a target", {form::table(target)}});
+}
+
+TomlFormPtr buffer_form() {
+  const TomlFormPtr buffer = form::make({{"scope", "one for the frame, or for each object", {form::word({"frame", "object"})}},
+                                         {"bytes", "a fixed number of bytes", {form::number(0, 1e10)}},
+                                         {"bytes_per_vertex", "for each vertex of the object", {form::number(0, 1e4)}},
+                                         {"bytes_per_pixel", "for each pixel of the frame", {form::number(0, 1e4)}}});
+  return form::make({}, TomlKey{"NAME", "a storage buffer", {form::table(buffer)}});
+}
+
+TomlFormPtr parameter_form() {
+  const TomlValue number = form::number(-largest_number, largest_number);
+  const TomlFormPtr parameter = form::make({{"value", "the default", {number, form::text()}, true},
+                                            {"of", "the words to choose among: it is then a word", {form::texts()}},
+                                            {"min", "least", {number}},
+                                            {"max", "greatest", {number}},
+                                            {"whole", "whole numbers only", {form::flag()}},
+                                            {"unit", "its unit", {form::text()}},
+                                            {"title", "what it is, for people", {form::text()}}});
+  return form::make({}, TomlKey{"NAME", "a parameter", {form::table(parameter)}});
+}
+
 }  // namespace
+
+TomlFormPtr variant_form() {
+  const TomlFormPtr head = form::make({{"name", "the variant's name, unique in its effect", {form::text()}, true},
+                                       {"effect", "what it is a variant of; the folder's effect where it is left out", {form::text()}},
+                                       {"title", "what it is, for people", {form::text()}},
+                                       {"baseline", "the others are compared with this one", {form::flag()}},
+                                       {"closed", "each mesh of the effect must be a closed hull", {form::flag()}}});
+  const TomlFormPtr bake = form::make({}, TomlKey{"NAME", "an option of the effect's baker", {form::number(-largest_number, largest_number)}});
+  static const TomlFormPtr all = form::make({{"variant", "the variant", {form::table(head)}, true},
+                                             {"parameters", "what users may set", {form::table(parameter_form())}},
+                                             {"targets", "what passes write", {form::table(target_form())}},
+                                             {"buffers", "storage buffers", {form::table(buffer_form())}},
+                                             {"bake", "what the effect's baker is asked for", {form::table(bake)}},
+                                             {"pass", "steps of the frame, in order", {form::tables(pass_form())}, true}});
+  return all;
+}
 
 std::string ParameterManifest::text(double of) const {
   if (!words.empty()) return words.at(static_cast<size_t>(of));
@@ -143,7 +202,7 @@ Format VariantManifest::format_of(const TargetManifest& of, const Parameters& se
 
 VariantManifest read_variant(const std::filesystem::path& file, const std::string& effect,
                              const std::filesystem::path& shaders) {
-  const TomlTable root = TomlTable::parse(file, "variants");
+  const TomlTable root = TomlTable::parse(file, "variants", variant_form());
   const TomlTable head = root.table("variant");
   VariantManifest variant;
   variant.file = file;
@@ -153,16 +212,16 @@ VariantManifest read_variant(const std::filesystem::path& file, const std::strin
   variant.title = head.optional_string("title").value_or(variant.name);
   variant.baseline = head.optional_bool("baseline").value_or(false);
   variant.closed = head.optional_bool("closed").value_or(false);
-  head.refuse_unknown_keys();
+  head.check_keys();
   for (const auto& [name, table] : root.tables("parameters")) variant.parameters.push_back(read_parameter(name, table));
   for (const auto& [name, table] : root.tables("targets")) variant.targets.push_back(read_target(name, table, variant));
   for (const auto& [name, table] : root.tables("buffers")) variant.buffers.push_back(read_buffer(name, table));
   const TomlTable bake = root.table("bake");
   for (const std::string& option : bake.keys())
-    variant.bake[option] = bake.optional_number(option, -largest_number, largest_number).value_or(0);
+    variant.bake[option] = bake.optional_number(option).value_or(0);
   for (const TomlTable& table : root.array_of_tables("pass")) variant.passes.push_back(read_pass(table, variant, shaders));
   if (variant.passes.empty()) throw root.error({}, "a variant needs at least one [[pass]]");
-  root.refuse_unknown_keys();
+  root.check_keys();
   return variant;
 }
 

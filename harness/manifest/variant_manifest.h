@@ -154,6 +154,8 @@ struct VariantManifest {
   Format format_of(const TargetManifest& target, const Parameters& parameters) const;
 };
 
+// What a manifest may hold.
+TomlFormPtr variant_form();
 // `effect`: of the folder that the file lies in, or "" where the file itself must say. Shaders are looked for beside the file,
 // then in `shaders`. Throws Error(bad_input, "variants", "FILE:LINE", ...).
 VariantManifest read_variant(const std::filesystem::path& file, const std::string& effect,

@@ -18,6 +18,7 @@ using namespace lines;
 struct Psnr {
   static std::string words() { return "a number or null"; }
   static bool fits(const Json& value) { return value.is_null() || value.is_number(); }
+  static Line schema() { return or_null({{"type", "number"}}); }
   static Line write(double psnr_db, const At& at) {
     return std::isinf(psnr_db) && psnr_db > 0 ? Line(nullptr) : finite(psnr_db, at);
   }
@@ -30,6 +31,7 @@ bool are_identical(const ErrorFigures& figures) { return std::isinf(figures.psnr
 struct Status {
   static std::string words() { return "\"ok\" or \"failed\""; }
   static bool fits(const Json& value) { return value == "ok" || value == "failed"; }
+  static Line schema() { return {{"enum", {"ok", "failed"}}}; }
   static Line write(bool failed, const At&) { return failed ? "failed" : "ok"; }
   static bool read(const Json& value, const At&) { return value == "failed"; }
 };
@@ -199,9 +201,14 @@ Line to_json(const FunctionTimerRow& row) {
 }
 
 template CellRow row_of(const Json& line, const std::string& where);
+template nlohmann::ordered_json schema_of<CellRow>();
 template BakeRow row_of(const Json& line, const std::string& where);
+template nlohmann::ordered_json schema_of<BakeRow>();
 template PhaseRow row_of(const Json& line, const std::string& where);
+template nlohmann::ordered_json schema_of<PhaseRow>();
 template TimerRow row_of(const Json& line, const std::string& where);
+template nlohmann::ordered_json schema_of<TimerRow>();
 template FunctionTimerRow row_of(const Json& line, const std::string& where);
+template nlohmann::ordered_json schema_of<FunctionTimerRow>();
 
 }  // namespace lamina

@@ -3,7 +3,7 @@
 //
 //   constexpr auto fields(const Row*) { return std::tuple(field("name", &Row::member), ...); }
 //
-// in the order in which the line is written. The list is all that writing, checking and reading need. What must hold across
+// in the order in which the line is written. The list is all that writing, checking, reading and the JSON Schema need. What must hold across
 // fields stands beside it, in `void check(const Row&, const At&)`.
 #pragma once
 
@@ -15,6 +15,12 @@
 
 namespace lamina::lines {
 
+// A field that the JSON Schema of an object requires.
+inline void require(Line& schema, const char* name, Line value) {
+  schema["properties"][name] = std::move(value);
+  schema["required"].push_back(name);
+}
+
 template <class K, class Row, class T>
 struct Field {
   const char* name;
@@ -23,6 +29,7 @@ struct Field {
   void read(Row& row, const Json& object, const At& at) const {
     row.*member = K::read(value_of<K>(object, name, at), at.in(name));
   }
+  void describe(Line& schema) const { require(schema, name, K::schema()); }
 };
 template <class Row, class T>
 constexpr auto field(const char* name, T Row::*member) {
@@ -40,10 +47,15 @@ struct MayLack : Field<K, Row, T> {
   void read(Row& row, const Json& object, const At& at) const {
     if (object.contains(this->name)) Field<K, Row, T>::read(row, object, at);
   }
+  void describe(Line& schema) const { schema["properties"][this->name] = K::schema(); }
 };
 template <class Row, class T>
 constexpr auto may_lack(const char* name, T Row::*member) {
   return MayLack<Kind<T>, Row, T>{{name, member}};
+}
+template <class K, class Row, class T>
+constexpr auto may_lack(const char* name, T Row::*member) {
+  return MayLack<K, Row, T>{{name, member}};
 }
 
 // Left out where it is empty.
@@ -61,6 +73,7 @@ struct LeftOut {
   void read(Row& row, const Json& object, const At& at) const {
     if (object.contains(name)) row.*member = K::read(value_of<K>(object, name, at), at.in(name));
   }
+  void describe(Line& schema) const { schema["properties"][name] = K::schema(); }
 };
 template <class T>
 struct Inner {
@@ -90,6 +103,7 @@ struct Derived {
     if (Kind<T>::read(value_of<Kind<T>>(object, name, at), at.in(name)) != of(row))
       refuse(at, fmt::format(fmt::runtime(wrong), at.in("").path()));
   }
+  void describe(Line& schema) const { require(schema, name, Kind<T>::schema()); }
 };
 template <class Row, class T>
 constexpr auto derived(const char* name, T (*of)(const Row&), const char* wrong) {
@@ -105,6 +119,17 @@ void read_fields(Row& row, const Json& object, const std::tuple<Fields...>& fiel
   std::apply([&](const auto&... each) { (each.read(row, object, at), ...); }, fields);
 }
 
+template <class... Fields>
+void describe_fields(Line& schema, const std::tuple<Fields...>& fields) {
+  std::apply([&](const auto&... each) { (each.describe(schema), ...); }, fields);
+}
+template <class... Fields>
+Line schema_of_fields(const std::tuple<Fields...>& fields) {
+  Line schema = {{"type", "object"}, {"properties", Line::object()}, {"required", Line::array()}};
+  describe_fields(schema, fields);
+  return schema;
+}
+
 // Fields of the row in an object of their own.
 template <class... Fields>
 struct Group {
@@ -117,6 +142,7 @@ struct Group {
     if (!value->is_object()) refuse(at, fmt::format("the field '{}' is not an object", at.in(name).path()));
     read_fields(row, *value, fields, at.in(name));
   }
+  void describe(Line& schema) const { require(schema, name, schema_of_fields(fields)); }
 };
 template <class... Fields>
 constexpr auto group(const char* name, Fields... fields) {
@@ -133,6 +159,7 @@ struct Part {
   void read(Row& row, const Json& object, const At& at) const {
     read_fields(row.*member, object, fields(static_cast<const Inside*>(nullptr)), at);
   }
+  void describe(Line& schema) const { describe_fields(schema, fields(static_cast<const Inside*>(nullptr))); }
 };
 template <class Row, class Inside>
 constexpr auto part(Inside Row::*member) {
@@ -144,6 +171,11 @@ Line Kind<T>::write(const T& row, const At& at) {
   Line line = Line::object();
   write_fields(line, row, fields(static_cast<const T*>(nullptr)), at);
   return line;
+}
+
+template <class T>
+Line Kind<T>::schema() {
+  return schema_of_fields(fields(static_cast<const T*>(nullptr)));
 }
 
 template <class T>
@@ -162,6 +194,11 @@ namespace lamina {
 template <class Row>
 Row row_of(const nlohmann::json& line, const std::string& where) {
   return lines::Kind<Row>::read(line, {where});
+}
+
+template <class Row>
+nlohmann::ordered_json schema_of() {
+  return lines::Kind<Row>::schema();
 }
 
 }  // namespace lamina

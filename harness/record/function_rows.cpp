@@ -92,8 +92,11 @@ Line to_json(const FunctionTimeRow& timed) {
 Line to_json(const FunctionPictureRow& row) { return line_of("function_picture", row, name_of(row.subject)); }
 
 template FunctionRow row_of(const Json& line, const std::string& where);
+template nlohmann::ordered_json schema_of<FunctionRow>();
 template FunctionTimeRow row_of(const Json& line, const std::string& where);
+template nlohmann::ordered_json schema_of<FunctionTimeRow>();
 template FunctionPictureRow row_of(const Json& line, const std::string& where);
+template nlohmann::ordered_json schema_of<FunctionPictureRow>();
 
 void replace_function_lines(const std::filesystem::path& file, const std::string& function, const Line& run_line,
                             const std::vector<Line>& new_lines) {

@@ -27,6 +27,11 @@ constexpr std::array verdicts_on_figures = {Verdict::same,   Verdict::faster,   
 
 template <const auto& known>
 struct OneOf : Kind<std::string> {
+  static Line schema() {
+    Line names = Line::array();
+    for (const Verdict verdict : known) names.push_back(name_of(verdict));
+    return {{"enum", names}};
+  }
   static Line write(Verdict verdict, const At&) { return name_of(verdict); }
   static Verdict read(const Json& value, const At& at) {
     std::vector<std::string_view> names;
@@ -41,6 +46,7 @@ struct OneOf : Kind<std::string> {
 struct ExitStatus : Kind<int> {
   static std::string words() { return "an exit status from 0 to 4"; }
   static bool fits(const Json& value) { return value.is_number_unsigned() && value.get<uint64_t>() <= 4; }
+  static Line schema() { return {{"type", "integer"}, {"minimum", 0}, {"maximum", 4}}; }
 };
 
 struct FiniteOrNull : Kind<std::optional<double>> {
@@ -56,6 +62,7 @@ template <>
 struct lines::Kind<StripPair> {
   static std::string words() { return "a pair of times and their order"; }
   static bool fits(const Json& value) { return Kind<std::vector<double>>::fits(value) && value.size() == 3; }
+  static Line schema() { return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 3}, {"maxItems", 3}}; }
   static Line write(const StripPair& pair, const At&) {
     const auto rounded = [](double ms) { return std::round(ms * 1e6) / 1e6; };  // to the nanosecond
     return {rounded(pair.before), rounded(pair.after), pair.after_first ? 1 : 0};
@@ -122,8 +129,12 @@ Line to_json(const GateRow& row) { return line_of("gate", row, "gate"); }
 Line to_json(const PairsRow& row) { return line_of("pairs", row, row.variant); }
 
 template VerdictRow row_of(const Json& line, const std::string& where);
+template nlohmann::ordered_json schema_of<VerdictRow>();
 template SameArmRow row_of(const Json& line, const std::string& where);
+template nlohmann::ordered_json schema_of<SameArmRow>();
 template GateRow row_of(const Json& line, const std::string& where);
+template nlohmann::ordered_json schema_of<GateRow>();
 template PairsRow row_of(const Json& line, const std::string& where);
+template nlohmann::ordered_json schema_of<PairsRow>();
 
 }  // namespace lamina

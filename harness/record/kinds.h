@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kinds of values in the record's lines, inside this folder only: the words for each, whether JSON fits it, and how it is
-// written and read.
+// Kinds of values in the record's lines, inside this folder only: the words for each, whether JSON fits it, how it is written and
+// read, and its JSON Schema, which says what fits() does.
 #pragma once
 
 #include <fmt/format.h>
@@ -33,11 +33,15 @@ struct At {
 // The number, for JSON has neither NaN nor infinity, and the library would write a silent null. Throws Error(failed).
 Line finite(double value, const At& at);
 
-// A row, by its fields: fields.h defines write() and read().
+// The JSON Schema that also takes null.
+inline Line or_null(Line schema) { return {{"anyOf", {std::move(schema), {{"type", "null"}}}}}; }
+
+// A row, by its fields: fields.h defines write(), read() and schema().
 template <class T>
 struct Kind {
   static std::string words() { return "an object"; }
   static bool fits(const Json& value) { return value.is_object(); }
+  static Line schema();
   static Line write(const T& row, const At& at);
   static T read(const Json& value, const At& at);
 };
@@ -52,29 +56,40 @@ struct Kind<std::string> : Scalar<std::string> {
   static constexpr const char* many = "strings";
   static std::string words() { return "a string"; }
   static bool fits(const Json& value) { return value.is_string(); }
+  static Line schema() { return {{"type", "string"}}; }
 };
 template <>
 struct Kind<bool> : Scalar<bool> {
   static constexpr const char* many = "true and false";
   static std::string words() { return "true or false"; }
   static bool fits(const Json& value) { return value.is_boolean(); }
+  static Line schema() { return {{"type", "boolean"}}; }
 };
 template <>
 struct Kind<uint64_t> : Scalar<uint64_t> {
   static constexpr const char* many = "whole numbers";
   static std::string words() { return "a whole number"; }
   static bool fits(const Json& value) { return value.is_number_unsigned(); }
+  static Line schema() { return {{"type", "integer"}, {"minimum", 0}}; }
+};
+template <>
+struct Kind<uint32_t> : Scalar<uint32_t> {
+  static std::string words() { return "a whole number"; }
+  static bool fits(const Json& value) { return value.is_number_unsigned() && value.get<uint64_t>() <= UINT32_MAX; }
+  static Line schema() { return {{"type", "integer"}, {"minimum", 0}, {"maximum", UINT32_MAX}}; }
 };
 template <>
 struct Kind<int> : Scalar<int> {
   static std::string words() { return "a whole number"; }
   static bool fits(const Json& value) { return value.is_number_unsigned() && value.get<uint64_t>() <= INT_MAX; }
+  static Line schema() { return {{"type", "integer"}, {"minimum", 0}, {"maximum", INT_MAX}}; }
 };
 template <>
 struct Kind<double> : Scalar<double> {
   static constexpr const char* many = "numbers";
   static std::string words() { return "a number"; }
   static bool fits(const Json& value) { return value.is_number(); }
+  static Line schema() { return {{"type", "number"}}; }
   static Line write(double value, const At& at) { return finite(value, at); }
 };
 
@@ -82,6 +97,7 @@ template <class T>
 struct Kind<std::optional<T>> {
   static std::string words() { return Kind<T>::words() + " or null"; }
   static bool fits(const Json& value) { return value.is_null() || Kind<T>::fits(value); }
+  static Line schema() { return or_null(Kind<T>::schema()); }
   static Line write(const std::optional<T>& value, const At& at) { return value ? Kind<T>::write(*value, at) : Line(nullptr); }
   static std::optional<T> read(const Json& value, const At& at) {
     return value.is_null() ? std::nullopt : std::optional(Kind<T>::read(value, at));
@@ -106,6 +122,7 @@ struct Kind<std::vector<T>> {
         if (!Kind<T>::fits(element)) return false;
     return true;
   }
+  static Line schema() { return {{"type", "array"}, {"items", Kind<T>::schema()}}; }
   static Line write(const std::vector<T>& values, const At& at) {
     Line array = Line::array();
     for (const T& value : values) array.push_back(Kind<T>::write(value, at));
@@ -134,6 +151,7 @@ struct Kind<std::map<std::string, T>> {
       if (!Kind<T>::fits(element)) return false;
     return true;
   }
+  static Line schema() { return {{"type", "object"}, {"additionalProperties", Kind<T>::schema()}}; }
   static Line write(const std::map<std::string, T>& values, const At& at) {
     Line object = Line::object();
     for (const auto& [name, value] : values) object[name] = Kind<T>::write(value, at.in(name));
@@ -146,6 +164,7 @@ struct Kind<std::map<std::string, T>> {
 struct Point {
   static std::string words() { return "an array of numbers or null"; }
   static bool fits(const Json& value) { return value.is_null() || (!value.empty() && Kind<std::vector<double>>::fits(value)); }
+  static Line schema() { return or_null({{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 1}}); }
   static Line write(const std::vector<double>& point, const At& at) {
     return point.empty() ? Line(nullptr) : Kind<std::vector<double>>::write(point, at);
   }

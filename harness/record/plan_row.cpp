@@ -39,5 +39,6 @@ constexpr auto fields(const PlanRow*) { return std::tuple(field("effects", &Plan
 lines::Line to_json(const PlanRow& row) { return lines::line_of("plan", row, "plan"); }
 
 template PlanRow row_of(const lines::Json& line, const std::string& where);
+template nlohmann::ordered_json schema_of<PlanRow>();
 
 }  // namespace lamina

@@ -10,33 +10,7 @@ namespace {
 
 using namespace lines;
 
-bool is_moment(const Json& value) {
-  if (!value.is_string()) return false;
-  constexpr std::string_view pattern = "dddd-dd-ddTdd:dd:ddZ";
-  const auto& words = value.get_ref<const std::string&>();
-  if (words.size() != pattern.size()) return false;
-  for (size_t i = 0; i < words.size(); ++i)
-    if (pattern[i] == 'd' ? words[i] < '0' || words[i] > '9' : words[i] != pattern[i]) return false;
-  return true;
-}
-
-// UTC, in the order of its characters.
-struct Moment {
-  static std::string words() { return "a moment in UTC like \"2026-01-31T23:59:59Z\""; }
-  static bool fits(const Json& value) { return is_moment(value); }
-};
-struct MomentOrNull {
-  static std::string words() { return Moment::words() + " or null"; }
-  static bool fits(const Json& value) { return value.is_null() || is_moment(value); }
-};
-
-void check_run(const Json& line, const At& at) {
-  if (const Json& schema = value_of<Kind<uint64_t>>(line, "schema", at); schema != record_schema)
-    refuse(at, fmt::format("the record's schema is {}, this program reads schema {}; use the program that wrote it",
-                           schema.dump(), record_schema));
-  if (line.contains("date")) value_of<Moment>(line, "date", at);
-  if (line.contains("commit_date")) value_of<MomentOrNull>(line, "commit_date", at);
-}
+void check_run(const Json& line, const At& at) { row_of<RunRow>(line, std::string(at.subject)); }
 
 // The kind of a line; checks that it is an object with one.
 std::string kind_of(const Json& line, const At& at) {
@@ -50,30 +24,42 @@ void add_row(Record& record, const Json& line, const At& at) {
   using Row = typename std::remove_reference_t<decltype(all)>::value_type;
   all.push_back(row_of<Row>(line, std::string(at.subject)));
 }
+template <auto rows>
+nlohmann::ordered_json schema_of_rows() {
+  return schema_of<typename std::remove_reference_t<decltype(std::declval<Record>().*rows)>::value_type>();
+}
+
+// The kinds of lines after the first.
+struct KnownKind {
+  const char* name;
+  void (*add)(Record&, const Json&, const At&);
+  nlohmann::ordered_json (*schema)();
+};
+template <auto rows>
+constexpr KnownKind known_kind(const char* name) {
+  return {name, add_row<rows>, schema_of_rows<rows>};
+}
+constexpr KnownKind kinds[] = {known_kind<&Record::timers>("timer"),
+                               known_kind<&Record::plans>("plan"),
+                               known_kind<&Record::bakes>("bake"),
+                               known_kind<&Record::phases>("phase"),
+                               known_kind<&Record::cells>("cell"),
+                               known_kind<&Record::functions>("function"),
+                               known_kind<&Record::function_times>("function_time"),
+                               known_kind<&Record::function_timers>("function_timer"),
+                               known_kind<&Record::function_pictures>("function_picture"),
+                               known_kind<&Record::gates>("gate"),
+                               known_kind<&Record::aas>("aa"),
+                               known_kind<&Record::verdicts>("verdict"),
+                               known_kind<&Record::pairs>("pairs"),
+                               known_kind<&Record::sweeps>("sweep"),
+                               known_kind<&Record::crossovers>("crossover")};
+
 void add_line(Record& record, const Json& line, const At& at) {
   const std::string kind = kind_of(line, at);
   if (kind == "run") refuse(at, "a second line of kind 'run'; one record holds one run, so split the file before this line");
-  struct KnownKind {
-    const char* name;
-    void (*add)(Record&, const Json&, const At&);
-  };
-  constexpr KnownKind kinds[] = {{"timer", add_row<&Record::timers>},
-                                 {"plan", add_row<&Record::plans>},
-                                 {"bake", add_row<&Record::bakes>},
-                                 {"phase", add_row<&Record::phases>},
-                                 {"cell", add_row<&Record::cells>},
-                                 {"function", add_row<&Record::functions>},
-                                 {"function_time", add_row<&Record::function_times>},
-                                 {"function_timer", add_row<&Record::function_timers>},
-                                 {"function_picture", add_row<&Record::function_pictures>},
-                                 {"gate", add_row<&Record::gates>},
-                                 {"aa", add_row<&Record::aas>},
-                                 {"verdict", add_row<&Record::verdicts>},
-                                 {"pairs", add_row<&Record::pairs>},
-                                 {"sweep", add_row<&Record::sweeps>},
-                                 {"crossover", add_row<&Record::crossovers>}};
   std::vector<std::string> known = {"run"};
-  for (const auto& [name, add] : kinds) {
+  for (const auto& [name, add, schema] : kinds) {
     if (kind == name) return add(record, line, at);
     known.push_back(name);
   }
@@ -81,6 +67,20 @@ void add_line(Record& record, const Json& line, const At& at) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json record_line_schema() {
+  using Schema = nlohmann::ordered_json;
+  Schema names = Schema::array({"run"}), all = Schema::array(), definitions = {{"run", schema_of<RunRow>()}};
+  for (const KnownKind& kind : kinds) names.push_back(kind.name), definitions[kind.name] = kind.schema();
+  for (const Schema& name : names)
+    all.push_back({{"if", {{"properties", {{"kind", {{"const", name}}}}}}},
+                   {"then", {{"$ref", "#/definitions/" + name.get<std::string>()}}}});
+  return {{"type", "object"},
+          {"properties", {{"kind", {{"enum", names}}}}},
+          {"required", {"kind"}},
+          {"allOf", all},
+          {"definitions", definitions}};
+}
 
 Record read_record(const std::filesystem::path& file, std::vector<Json>* all_lines) {
   const std::string content = read_file(file, "record");

@@ -16,12 +16,11 @@
 #include "harness/record/gate_rows.h"
 #include "harness/record/plan_row.h"
 #include "harness/record/row_of.h"
+#include "harness/record/run_row.h"
 #include "harness/record/sweep_rows.h"
 #include "harness/record/timer_row.h"
 
 namespace lamina {
-
-inline constexpr int record_schema = 1;  // of the run line; a reader refuses any other
 
 // Opens a record, afresh or to go on behind its last line, and appends lines; its folder must exist. Throws Error(bad_input)
 // where the folder cannot be written.
@@ -61,6 +60,9 @@ struct Record {
 // and said so in `run["truncated"]`, a sentence. `all_lines` gets all lines as they are, the run line first, for what copies
 // them.
 Record read_record(const std::filesystem::path& file, std::vector<nlohmann::json>* all_lines = nullptr);
+
+// The JSON Schema of a line of a record, made of the rows' fields.
+nlohmann::ordered_json record_line_schema();
 
 // The value at a JSON pointer as text ("/machine/cpu"); "" where there is none. For the run line.
 std::string text_at(const nlohmann::json& value, const char* pointer);

@@ -12,4 +12,8 @@ namespace lamina {
 template <class Row>
 Row row_of(const nlohmann::json& line, const std::string& where);
 
+// The JSON Schema of the row's line: what row_of() takes, but for what check() holds against each other.
+template <class Row>
+nlohmann::ordered_json schema_of();
+
 }  // namespace lamina

@@ -39,6 +39,8 @@ lines::Line to_json(const CrossoverRow& row) {
 }
 
 template SweepRow row_of(const lines::Json& line, const std::string& where);
+template nlohmann::ordered_json schema_of<SweepRow>();
 template CrossoverRow row_of(const lines::Json& line, const std::string& where);
+template nlohmann::ordered_json schema_of<CrossoverRow>();
 
 }  // namespace lamina

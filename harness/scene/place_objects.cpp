@@ -3,7 +3,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "harness/scene/toml_values.h"
 
 namespace lamina {
 
@@ -20,10 +19,10 @@ glm::mat4 Placement::applied(const glm::mat4& world_from_object) const {
 
 Placement read_placement(const TomlTable& table) {
   Placement place;
-  place.position = vec3(table, "position").value_or(glm::vec3(0));
-  place.rotation_degrees = vec3(table, "rotation_degrees").value_or(glm::vec3(0));
+  place.position = table.optional_vec3("position").value_or(glm::vec3(0));
+  place.rotation_degrees = table.optional_vec3("rotation_degrees").value_or(glm::vec3(0));
   if (!table.has("scale")) return place;
-  place.scale = table.is_list("scale") ? *vec3(table, "scale") : glm::vec3(float(*table.optional_number("scale", 1e-6, 1e6)));
+  place.scale = table.is_list("scale") ? table.vec3("scale") : glm::vec3(static_cast<float>(table.number("scale")));
   if (!(place.scale.x > 0 && place.scale.y > 0 && place.scale.z > 0))
     throw table.error("scale", "'scale' must be above 0 along every axis");
   return place;

@@ -4,8 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
+#include <set>
 
 #include "harness/core/text.h"
 #include "harness/scene/toml_values.h"
@@ -24,70 +24,109 @@ KeyValue named_file(const TomlTable& table, const std::string& name, const std::
 }
 
 KeyValue read_number(const TomlTable& table, const std::string& name, const NumberManifest& number) {
-  const double value = *table.optional_number(name, number.or_zero ? std::min(0.0, number.min) : number.min, number.max);
+  const double value = table.number(name);
   if (value < number.min && value != 0)
     throw table.error(name, fmt::format("'{}' must be 0, or a number from {} to {}", name, number.min, number.max));
-  if (number.whole && value != std::floor(value))
-    throw table.error(name, fmt::format("'{}' must be a whole number from {} to {}", name, number.min, number.max));
-  return {value, table.where(name)};
-}
-
-KeyValue read_word(const TomlTable& table, const std::string& name, const WordManifest& word) {
-  const std::string value = table.string(name);
-  if (std::find(word.of.begin(), word.of.end(), value) == word.of.end())
-    throw table.error(name, unknown_name(name, value, word.of));
   return {value, table.where(name)};
 }
 
 KeyValue read_texture(const TomlTable& table, const std::string& name, TextureMeaning meaning,
                       const std::filesystem::path& folder) {
   if (table.is_string(name)) return named_file(table, name, folder);
-  if (meaning == TextureMeaning::number) return {*table.optional_number(name, 0, 1), table.where(name)};
+  if (meaning == TextureMeaning::number) return {table.number(name), table.where(name)};
   if (meaning == TextureMeaning::normal || meaning == TextureMeaning::normal_mean) return named_file(table, name, folder);
   if (!table.is_list(name)) throw table.error(name, fmt::format("'{}' must be a file's name or a colour [r, g, b]", name));
-  return {*colour(table, name, 1), table.where(name)};
+  return {table.vec3(name), table.where(name)};
 }
 
-// One declared key: whose it is, and how its value is read from a table in which it has this name.
+// One declared key: whose it is, what it takes, and how its value is read from a table in which it has this name.
 struct Declared {
   std::string key;
   const EffectManifest* effect = nullptr;
+  std::string about;
+  std::vector<TomlValue> values;
   std::function<KeyValue(const TomlTable& table, const std::string& name)> read;  // empty: the effect's own key
 };
+
+TomlValue value_of(const NumberManifest& number) {
+  const double min = number.or_zero ? std::min(0.0, number.min) : number.min;
+  return number.whole ? form::whole(min, number.max) : form::number(min, number.max);
+}
+
+std::vector<TomlValue> values_of(TextureMeaning meaning) {
+  if (meaning == TextureMeaning::number) return {form::text(), form::number(0, 1)};
+  if (meaning == TextureMeaning::normal || meaning == TextureMeaning::normal_mean) return {form::text()};
+  return {form::text(), colour_value(1)};
+}
 
 void add_declared(std::vector<Declared>& all, const EffectManifest& effect, const Declarations& declared,
                   const std::filesystem::path& folder) {
   for (const NumberManifest& number : declared.numbers)
-    all.push_back(
-        {number.key, &effect, [&number](const TomlTable& t, const std::string& n) { return read_number(t, n, number); }});
+    all.push_back({number.key,
+                   &effect,
+                   number.unit.empty() ? number.title : fmt::format("{}, in {}", number.title, number.unit),
+                   {value_of(number)},
+                   [&number](const TomlTable& t, const std::string& n) { return read_number(t, n, number); }});
   for (const WordManifest& word : declared.words)
-    all.push_back({word.key, &effect, [&word](const TomlTable& t, const std::string& n) { return read_word(t, n, word); }});
-  for (const TextureManifest& texture : declared.textures) {
-    all.push_back({texture.rgb, &effect, [&texture, folder](const TomlTable& t, const std::string& n) {
-                     return read_texture(t, n, texture.meaning, folder);
+    all.push_back({word.key, &effect, word.title, {form::word(word.of)}, [](const TomlTable& t, const std::string& n) {
+                     return KeyValue{t.string(n), t.where(n)};
                    }});
-    if (!texture.alpha.empty())
-      all.push_back({texture.alpha, &effect, [folder](const TomlTable& t, const std::string& n) {
-                       return read_texture(t, n, TextureMeaning::number, folder);
+  for (const TextureManifest& texture : declared.textures) {
+    const auto add = [&](const std::string& key, const std::string& title, TextureMeaning meaning) {
+      all.push_back({key, &effect, title, values_of(meaning), [meaning, folder](const TomlTable& t, const std::string& n) {
+                       return read_texture(t, n, meaning, folder);
                      }});
+    };
+    add(texture.rgb, effect.title, texture.meaning);
+    if (!texture.alpha.empty()) add(texture.alpha, texture.alpha_title, TextureMeaning::number);
   }
+}
+
+std::vector<Declared> declared_of_objects(const Library& library, const std::filesystem::path& folder) {
+  std::vector<Declared> declared;
+  for (const EffectManifest& effect : library.effects) {
+    if (!effect.key.empty()) declared.push_back({effect.key, &effect, effect.title + ": true or false", {form::flag()}, {}});
+    add_declared(declared, effect, effect.object, folder);
+  }
+  return declared;
+}
+
+std::vector<Declared> declared_of_scene(const EffectManifest& effect, const std::filesystem::path& folder) {
+  std::vector<Declared> declared;
+  add_declared(declared, effect, effect.scene, folder);
+  return declared;
+}
+
+// The keys that begin with `prefix`, without it: a dotted key is a table. `own` are further ones.
+TomlFormPtr form_of(const std::vector<Declared>& declared, const std::string& prefix, std::vector<TomlKey> own) {
+  std::set<std::string> parts;
+  for (const Declared& one : declared) {
+    if (!prefix.empty() && !is_within(one.key, prefix)) continue;
+    const size_t begin = prefix.empty() ? 0 : prefix.size() + 1;
+    parts.insert(one.key.substr(begin, one.key.find('.', begin) - begin));
+  }
+  for (const std::string& part : parts) {
+    TomlKey& made = own.emplace_back(TomlKey{part, "", {}});
+    const std::string key = prefix.empty() ? part : prefix + "." + part;
+    bool has_others = false;
+    for (const Declared& one : declared) {
+      if (one.key == key) made.about = one.about, made.values = one.values;
+      has_others = has_others || is_within(one.key, key);
+    }
+    if (has_others) made.values.push_back(form::table(form_of(declared, key, {})));
+  }
+  return form::make(std::move(own));
 }
 
 class Reader {
  public:
   Reader(const std::vector<Declared>& declared, Keys& keys) : declared_(declared), keys_(keys) {}
 
-  // The keys of `table` that begin with `prefix`, and those of the tables in it. Unknown ones are refused before any is read.
-  void read(const TomlTable& table, const std::string& prefix, const std::vector<std::string>& own) {
-    std::vector<std::string> known = own;
-    for (const Declared& declared : declared_)
-      if (prefix.empty() || is_within(declared.key, prefix)) known.push_back(next_part(declared.key, prefix));
-    std::sort(known.begin(), known.end());
-    known.erase(std::unique(known.begin(), known.end()), known.end());
-    for (const std::string& name : table.keys())
-      if (std::find(known.begin(), known.end(), name) == known.end()) throw table.error(name, unknown_name("key", name, known));
+  // The keys of `table`, which begin with `prefix`, and those of the tables in it. Unknown ones are refused before any is read.
+  void read(const TomlTable& table, const std::string& prefix, const std::vector<TomlKey>& own) {
+    table.check_keys();
     for (const std::string& name : table.keys()) {
-      if (std::find(own.begin(), own.end(), name) != own.end()) continue;
+      if (std::any_of(own.begin(), own.end(), [&](const TomlKey& one) { return one.name == name; })) continue;
       const std::string key = prefix.empty() ? name : prefix + "." + name;
       const auto leaf = std::find_if(declared_.begin(), declared_.end(), [&](const Declared& d) { return d.key == key; });
       // An effect's own key may be the table of its others too.
@@ -107,10 +146,6 @@ class Reader {
   }
 
  private:
-  static std::string next_part(const std::string& key, const std::string& prefix) {
-    const size_t begin = prefix.empty() ? 0 : prefix.size() + 1;
-    return key.substr(begin, key.find('.', begin) - begin);
-  }
   // What every object has for every effect calls for none.
   void speak(const EffectManifest& effect) {
     if (!effect.otherwise) keys_.calls.insert(effect.name);
@@ -133,16 +168,15 @@ std::string said_of(const TomlTable& table, const std::vector<Declared>& declare
 
 }  // namespace
 
-Keys read_object_keys(const TomlTable& table, const std::vector<std::string>& own, const Library& library,
-                      const std::filesystem::path& folder) {
-  std::vector<Declared> declared;
-  for (const EffectManifest& effect : library.effects) {
-    if (!effect.key.empty()) declared.push_back({effect.key, &effect, {}});
-    add_declared(declared, effect, effect.object, folder);
-  }
+TomlFormPtr object_form(const Library& library) { return form_of(declared_of_objects(library, {}), "", placement_keys); }
+
+TomlFormPtr effect_keys_form(const EffectManifest& effect) { return form_of(declared_of_scene(effect, {}), "", {}); }
+
+Keys read_object_keys(const TomlTable& table, const Library& library, const std::filesystem::path& folder) {
+  const std::vector<Declared> declared = declared_of_objects(library, folder);
   Keys keys;
   keys.where = table.where();
-  Reader(declared, keys).read(table, "", own);
+  Reader(declared, keys).read(table, "", placement_keys);
   for (const EffectManifest& effect : library.effects) {
     if (!keys.calls.contains(effect.name)) continue;
     if (keys.taken_away.contains(effect.name))
@@ -157,8 +191,7 @@ Keys read_object_keys(const TomlTable& table, const std::vector<std::string>& ow
 }
 
 Keys read_scene_keys(const TomlTable& table, const EffectManifest& effect, const std::filesystem::path& folder) {
-  std::vector<Declared> declared;
-  add_declared(declared, effect, effect.scene, folder);
+  const std::vector<Declared> declared = declared_of_scene(effect, folder);
   Keys keys;
   keys.where = table.where();
   Reader(declared, keys).read(table, "", {});

@@ -16,8 +16,29 @@
 namespace lamina {
 namespace {
 
-// A light's or a sky's strongest channel; half floats end at 65504.
-constexpr float brightest = 60000;
+TomlFormPtr light_form(const char* kind) {
+  const bool directional = std::string_view(kind) == "directional";
+  std::vector<TomlKey> keys = {{"kind", "directional or point", {form::word({kind})}, true},
+                               {"color", "linear", {colour_value(max_radiance)}},
+                               {"intensity", "irradiance at normal incidence; a point light's at 1 m", {form::number(0, max_radiance)}},
+                               {"casts", "passes with the view of a light are drawn for it", {form::flag()}}};
+  if (directional) {
+    keys.push_back({"direction", "the way the light travels", {vec3_value()}, true});
+    keys.push_back({"angular_radius_degrees", "size as seen from the scene", {form::number(0, 90)}});
+  } else {
+    keys.push_back({"position", "metres", {vec3_value()}, true});
+    keys.push_back({"radius", "of its sphere, metres", {form::number(0, 1e9)}});
+  }
+  return form::make(keys);
+}
+const TomlFormPtr directional_light = light_form("directional"), point_light = light_form("point");
+
+std::vector<std::string> names_of_effects_of_scenes(const Library& library) {
+  std::vector<std::string> names;
+  for (const EffectManifest& effect : library.effects)
+    if (!effect.scene.empty() || !effect.of_objects()) names.push_back(effect.name);
+  return names;
+}
 
 Scene scene_of_objects(LoadedModel model, float time_s) {
   Scene scene;
@@ -34,52 +55,43 @@ Scene base_scene(const TomlTable& table, const std::filesystem::path& folder, fl
   if (table.has("model") == table.has("builtin"))
     throw table.error({}, "[scene] needs either model = \"FILE\" (.glb or .gltf) or builtin = \"NAME\"");
   if (table.has("builtin")) {
-    const std::string name = table.string("builtin");
-    const std::vector<std::string> known = builtin_scenes();
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw table.error("builtin", unknown_name("built-in scene", name, known));
-    return read_builtin(name, time_s);
+    return read_builtin(table.string("builtin"), time_s);
   }
   const std::filesystem::path file = folder / table.string("model");
   if (!std::filesystem::is_regular_file(file)) throw table.error("model", fmt::format("there is no file {}", file.string()));
   return scene_of_objects(load_gltf(file), time_s);
 }
 
-Light read_light(const std::string& name, const TomlTable& table) {
-  static const std::vector<std::string> kinds = {"directional", "point"};
-  const std::string kind = table.string("kind");
+Light read_light(const std::string& name, const TomlTable& either) {
+  const TomlTable table = either.by(either.string("kind") == "directional" ? directional_light : point_light);
+  table.check_keys();
   Light light;
   light.name = name;
-  if (kind == "directional") {
-    expect_keys(table, {"kind", "direction", "angular_radius_degrees", "color", "intensity", "casts"});
-    const glm::vec3 direction = required_vec3(table, "direction");
+  if (table.string("kind") == "directional") {
+    const glm::vec3 direction = table.vec3("direction");
     if (!(glm::length(direction) > 1e-6f))
       throw table.error("direction", "'direction' has no length; give the way the light travels");
     light.direction = glm::normalize(direction);
-    light.angular_radius = glm::radians(static_cast<float>(table.optional_number("angular_radius_degrees", 0, 90).value_or(0)));
-  } else if (kind == "point") {
-    expect_keys(table, {"kind", "position", "radius", "color", "intensity", "casts"});
-    light.kind = Light::Kind::point;
-    light.position = required_vec3(table, "position");
-    light.radius_m = static_cast<float>(table.optional_number("radius", 0, 1e9).value_or(0));
+    light.angular_radius = glm::radians(static_cast<float>(table.optional_number("angular_radius_degrees").value_or(0)));
   } else {
-    throw table.error("kind", unknown_name("kind of light", kind, kinds));
+    light.kind = Light::Kind::point;
+    light.position = table.vec3("position");
+    light.radius_m = static_cast<float>(table.optional_number("radius").value_or(0));
   }
-  light.radiance = colour(table, "color", brightest).value_or(glm::vec3(1)) *
-                   static_cast<float>(table.optional_number("intensity", 0, brightest).value_or(1));
+  light.radiance = table.optional_vec3("color").value_or(glm::vec3(1)) *
+                   static_cast<float>(table.optional_number("intensity").value_or(1));
   light.casts = table.optional_bool("casts").value_or(false);
   return light;
 }
 
 View read_view(const std::string& name, const TomlTable& table) {
-  expect_keys(table, {"eye", "target", "up", "fov_y_degrees"});
+  table.check_keys();
   View view;
   view.name = name;
-  view.eye = required_vec3(table, "eye");
-  view.target = required_vec3(table, "target");
-  view.up = vec3(table, "up").value_or(view.up);
-  // Open ends: neither 0 nor 180 degrees makes a picture.
-  view.fov_y_degrees = static_cast<float>(table.optional_number("fov_y_degrees", 0.1, 179).value_or(view.fov_y_degrees));
+  view.eye = table.vec3("eye");
+  view.target = table.vec3("target");
+  view.up = table.optional_vec3("up").value_or(view.up);
+  view.fov_y_degrees = static_cast<float>(table.optional_number("fov_y_degrees").value_or(view.fov_y_degrees));
   const glm::vec3 ahead = view.target - view.eye;
   if (!(glm::length(ahead) > 0))
     throw table.error("target", "'eye' and 'target' are the same point; the view has no direction");
@@ -117,7 +129,7 @@ void read_objects(Scene& scene, const TomlTable& root, const std::filesystem::pa
   std::vector<std::pair<std::string, TomlTable>> entries = root.tables("objects");
   std::stable_partition(entries.begin(), entries.end(), [](const auto& entry) { return entry.first == "*"; });
   for (const auto& [name, table] : entries) {
-    const Keys keys = read_object_keys(table, placement_keys, library, folder);
+    const Keys keys = read_object_keys(table, library, folder);
     const Placement place = read_placement(table);
     const bool all = name == "*";
     if (!all && std::find(names.begin(), names.end(), name) == names.end())
@@ -132,18 +144,47 @@ void read_objects(Scene& scene, const TomlTable& root, const std::filesystem::pa
 
 // [effects.NAME]: the values of an effect's keys of the whole scene.
 void read_effects(Scene& scene, const TomlTable& root, const std::filesystem::path& folder, const Library& library) {
-  std::vector<std::string> known;
-  for (const EffectManifest& effect : library.effects)
-    if (!effect.scene.empty() || !effect.of_objects()) known.push_back(effect.name);
+  const std::vector<std::string> known = names_of_effects_of_scenes(library);
+  if (const TomlTable table = root.table("effects"); true)
+    for (const std::string& name : table.keys())
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        throw table.error(name, unknown_name("effect with something to say of a scene", name, known));
   for (const auto& [name, table] : root.tables("effects")) {
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw root.table("effects").error(name, unknown_name("effect with something to say of a scene", name, known));
     const EffectManifest& effect = library.effect(name);
     apply_scene_keys(scene, effect, read_scene_keys(table, effect, folder), library);
   }
 }
 
 }  // namespace
+
+TomlFormPtr scene_form(const Library& library) {
+  const TomlFormPtr scene = form::make({{"model", "a .glb or .gltf file", {form::text()}},
+                                        {"builtin", "a built-in scene's name", {form::word(builtin_scenes(), "built-in scene")}},
+                                        {"name", "the scene's name in records", {form::text()}},
+                                        {"time", "moment, in seconds", {form::number(-1e6, 1e6)}},
+                                        {"background", "linear colour behind everything", {colour_value(max_radiance)}},
+                                        {"ambient", "irradiance from all around", {colour_value(max_radiance)}}});
+  const TomlFormPtr view = form::make({{"eye", "metres", {vec3_value()}, true},
+                                       {"target", "metres", {vec3_value()}, true},
+                                       {"up", "up in the picture", {vec3_value()}},
+                                       // Open ends: neither 0 nor 180 degrees makes a picture.
+                                       {"fov_y_degrees", "angle of view from bottom to top", {form::number(0.1, 179)}}});
+  const TomlFormPtr light = form::one_of({{"kind", "", {form::word({"directional", "point"}, "kind of light")}, true}},
+                                         {directional_light, point_light});
+  std::vector<TomlKey> effects;
+  for (const std::string& name : names_of_effects_of_scenes(library)) {
+    const EffectManifest& effect = library.effect(name);
+    effects.push_back({name, effect.title, {form::table(effect_keys_form(effect))}});
+  }
+  const auto named = [](const char* about, TomlFormPtr of) {
+    return std::vector{form::table(form::make({}, TomlKey{"NAME", about, {form::table(std::move(of))}}))};
+  };
+  return form::make({{"scene", "what the scene starts from", {form::table(scene)}, true},
+                     {"objects", "by name, or \"*\" for all", named("an object", object_form(library))},
+                     {"effects", "of the whole scene", {form::table(form::make(effects))}},
+                     {"lights", "they replace the scene's", named("a light", light)},
+                     {"views", "they replace the scene's", named("a view", view)}});
+}
 
 Scene read_model(const std::filesystem::path& file, const Library& library, float time_s) {
   Scene scene = scene_of_objects(load_gltf(file), time_s);
@@ -153,18 +194,18 @@ Scene read_model(const std::filesystem::path& file, const Library& library, floa
 }
 
 Scene read_scene_file(const std::filesystem::path& file, const Library& library, std::optional<float> time_s) {
-  const TomlTable root = TomlTable::parse(file, "scene");
-  expect_keys(root, {"scene", "objects", "effects", "lights", "views"});
+  const TomlTable root = TomlTable::parse(file, "scene", scene_form(library));
   if (!root.has("scene")) throw root.error({}, "[scene] is missing; it names the model or the built-in scene");
+  root.check_keys();
   const TomlTable table = root.table("scene");
-  expect_keys(table, {"model", "builtin", "name", "time", "background", "ambient"});
+  table.check_keys();
 
-  const auto file_time_s = table.optional_number("time", -1e6, 1e6);
+  const auto file_time_s = table.optional_number("time");
   const std::filesystem::path folder = file.parent_path();
   Scene scene = base_scene(table, folder, time_s.value_or(static_cast<float>(file_time_s.value_or(0))));
   scene.name = table.optional_string("name").value_or(file.stem().string());
-  scene.background = colour(table, "background", brightest).value_or(scene.background);
-  scene.ambient = colour(table, "ambient", brightest).value_or(scene.ambient);
+  scene.background = table.optional_vec3("background").value_or(scene.background);
+  scene.ambient = table.optional_vec3("ambient").value_or(scene.ambient);
   declare_objects(scene.objects, library);
   declare_said(scene, library);
   read_objects(scene, root, folder, library);

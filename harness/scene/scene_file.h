@@ -22,6 +22,8 @@
 
 namespace lamina {
 
+// What a scene file may hold, with these effects.
+TomlFormPtr scene_form(const Library& library);
 // The file's scene as far as it says: lights and views are empty where neither it nor its built-in scene has any. `time_s` goes
 // before the file's. Throws Error(bad_input), with file and line for what the file itself says.
 Scene read_scene_file(const std::filesystem::path& file, const Library& library, std::optional<float> time_s);

@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of scene files: vectors and colours out of a TOML table, checked.
+// Values of scene files in forms: vectors and colours.
 #pragma once
 
-#include <glm/glm.hpp>
-#include <initializer_list>
-#include <optional>
-
-#include "harness/core/toml_table.h"
+#include "harness/core/toml_form.h"
 
 namespace lamina {
 
-// Refuses all other keys, before any of these is missed.
-void expect_keys(const TomlTable& table, std::initializer_list<std::string_view> keys);
+inline constexpr double max_coordinate = 1e9;  // metres; squares of differences stay far inside a float's range
+inline constexpr double max_radiance = 60000;  // a light's or a sky's strongest channel; half floats end at 65504
 
-// Three numbers, each within +-1e9; nothing where the key is absent.
-std::optional<glm::vec3> vec3(const TomlTable& table, std::string_view key);
-// The same, and an error where the key is absent.
-glm::vec3 required_vec3(const TomlTable& table, std::string_view key);
-
-// Linear red, green, blue, each from 0 to `highest`.
-std::optional<glm::vec3> colour(const TomlTable& table, std::string_view key, float highest);
+// [x, y, z]: metres, or a direction.
+inline TomlValue vec3_value() { return form::numbers(-max_coordinate, max_coordinate, {3}); }
+// [red, green, blue], linear, each from 0 to `max`.
+inline TomlValue colour_value(double max) { return form::numbers(0, max, {3}); }
 
 }  // namespace lamina

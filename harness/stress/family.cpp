@@ -15,6 +15,13 @@ namespace lamina {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+// Words for ends of ranges.
+const std::map<std::string, double> constants = {{"-pi", -std::numbers::pi},
+                                                 {"-pi/2", -std::numbers::pi / 2},
+                                                 {"pi/2", std::numbers::pi / 2},
+                                                 {"pi", std::numbers::pi},
+                                                 {"2 pi", 2 * std::numbers::pi}};
+constexpr const char* identifier_pattern = "^[A-Za-z_][A-Za-z0-9_]*$";
 // What a set may not be called, for those that a person gives are.
 constexpr const char* given_sets[] = {"grid", "points"};
 
@@ -41,11 +48,6 @@ std::string identifier(const TomlTable& table, std::string_view key) {
   return name;
 }
 
-double required_number(const TomlTable& table, std::string_view key, double low, double high) {
-  if (!table.has(key)) throw table.error({}, fmt::format("'{}' is missing: it must be a number", key));
-  return *table.optional_number(key, low, high);
-}
-
 size_t place_of(const std::vector<std::string>& names, const TomlTable& table, std::string_view key, std::string_view name) {
   const auto found = std::ranges::find(names, name);
   if (found == names.end()) throw table.error(key, unknown_name("input", name, names));
@@ -65,20 +67,11 @@ void check_same_names(const char* kind, const std::vector<std::pair<std::string,
 
 // An end of a range: a number or a word for one.
 double read_end(const TomlTable& table, std::string_view key, std::string& words) {
-  static const std::map<std::string, double, std::less<>> constants = {{"-pi", -std::numbers::pi},
-                                                                       {"-pi/2", -std::numbers::pi / 2},
-                                                                       {"pi/2", std::numbers::pi / 2},
-                                                                       {"pi", std::numbers::pi},
-                                                                       {"2 pi", 2 * std::numbers::pi}};
   if (table.is_string(key)) {
     words = table.string(key);
-    const auto constant = constants.find(words);
-    if (constant != constants.end()) return constant->second;
-    std::vector<std::string> known;
-    for (const auto& [name, value] : constants) known.push_back(name);
-    throw table.error(key, unknown_name("constant", words, known));
+    return constants.at(words);
   }
-  const double value = required_number(table, key, -infinity, infinity);
+  const double value = table.number(key);
   words = fmt::format("{}", value);
   return value;
 }
@@ -91,24 +84,22 @@ FamilyInput read_input(const std::string& name, const TomlTable& table) {
   if (!(input.from < input.to))
     throw table.error("to", fmt::format("'to' ({}) must be above 'from' ({})", input.to_words, input.from_words));
   if (const auto open = table.optional_string("open")) {
-    static const std::vector<std::string> known = {"low", "high", "both"};
-    if (std::ranges::find(known, *open) == known.end()) throw table.error("open", unknown_name("end", *open, known));
     input.low_open = *open != "high", input.high_open = *open != "low";
   }
-  table.refuse_unknown_keys();
+  table.check_keys();
   return input;
 }
 
 FamilyClaim read_claim(const TomlTable& table, const std::vector<std::string>& sets) {
-  FamilyClaim claim{.over = required_number(table, "over", 0, infinity),
-                    .under = required_number(table, "under", -infinity, 0),
-                    .eps_kappa = table.optional_number("eps_kappa", 0, infinity),
+  FamilyClaim claim{.over = table.number("over"),
+                    .under = table.number("under"),
+                    .eps_kappa = table.optional_number("eps_kappa"),
                     .sets = table.optional_strings("sets").value_or(std::vector<std::string>{})};
   if (table.has("sets") && claim.sets.empty())
     throw table.error("sets", "'sets' is empty: leave it out for a claim on every set");
   for (const std::string& set : claim.sets)
     if (std::ranges::find(sets, set) == sets.end()) throw table.error("sets", unknown_name("set", set, sets));
-  table.refuse_unknown_keys();
+  table.check_keys();
   return claim;
 }
 
@@ -116,7 +107,7 @@ FamilyFunction read_function(const std::string& name, const TomlTable& table, co
   check_identifier(table, {}, name);
   FamilyFunction function{.name = name, .baseline = table.optional_bool("baseline").value_or(false)};
   for (const TomlTable& claim : table.array_of_tables("claims")) function.claims.push_back(read_claim(claim, sets));
-  table.refuse_unknown_keys();
+  table.check_keys();
   return function;
 }
 
@@ -150,10 +141,10 @@ void read_slices(const TomlTable& table, const Family& family, std::vector<Famil
   FamilySlice slice{.right = place_of(names, table, "right", table.string("right")),
                     .up = place_of(names, table, "up", table.string("up")),
                     .at = std::vector<float>(names.size()),
-                    .full_error = required_number(table, "full_error", std::numeric_limits<double>::min(), infinity)};
+                    .full_error = table.number("full_error")};
   if (slice.right == slice.up) throw table.error("up", "'right' and 'up' must be two inputs");
   const std::vector<TomlTable> places = table.array_of_tables("at");
-  table.refuse_unknown_keys();
+  table.check_keys();
   if (places.empty()) {
     if (names.size() > 2) throw table.error({}, "'at' is missing: it says where the inputs that are no axes stand");
     return add_slice(table, slice, slices);
@@ -166,7 +157,10 @@ void read_slices(const TomlTable& table, const Family& family, std::vector<Famil
       if (i == slice.right || i == slice.up) continue;
       const FamilyInput& input = family.inputs[i];
       if (!place.has(names[i])) throw place.error({}, fmt::format("needs {} = NUMBER: it is no axis", names[i]));
-      slice.at[i] = static_cast<float>(*place.optional_number(names[i], input.from, input.to));
+      const double value = place.number(names[i]);
+      if (value < input.from || value > input.to)
+        throw place.error(names[i], fmt::format("'{}' must be a number from {} to {}", names[i], input.from, input.to));
+      slice.at[i] = static_cast<float>(value);
     }
     add_slice(place, slice, slices);
   }
@@ -174,23 +168,9 @@ void read_slices(const TomlTable& table, const Family& family, std::vector<Famil
 
 std::vector<FamilyTable> read_tables(const TomlTable& head, const EffectCode& code) {
   std::vector<FamilyTable> tables;
-  std::vector<std::string> known;
-  for (const auto& [name, make] : code.tables) known.push_back(name);
-  for (const std::string& name : head.optional_strings("tables").value_or(std::vector<std::string>{})) {
-    const auto table = code.tables.find(name);
-    if (table == code.tables.end()) throw head.error("tables", unknown_name("table", name, known));
-    tables.push_back({name, table->second});
-  }
+  for (const std::string& name : head.optional_strings("tables").value_or(std::vector<std::string>{}))
+    tables.push_back({name, code.tables.at(name)});
   return tables;
-}
-
-const Oracle& read_oracle(const TomlTable& head, const EffectCode& code) {
-  const std::string name = head.string("oracle");
-  const auto oracle = code.oracles.find(name);
-  if (oracle != code.oracles.end()) return *oracle->second;
-  std::vector<std::string> known;
-  for (const auto& [other, made] : code.oracles) known.push_back(other);
-  throw head.error("oracle", unknown_name("oracle", name, known));
 }
 
 void read_head(const TomlTable& head, const EffectCode& code, Family& family) {
@@ -204,9 +184,9 @@ void read_head(const TomlTable& head, const EffectCode& code, Family& family) {
   family.shader = family.file.parent_path() / non_empty(head, "shader");
   if (!std::filesystem::is_regular_file(family.shader))
     throw head.error("shader", fmt::format("{} is no file", family.shader.string()));
-  family.oracle = &read_oracle(head, code);
+  family.oracle = code.oracles.at(head.string("oracle"));
   family.tables = read_tables(head, code);
-  head.refuse_unknown_keys();
+  head.check_keys();
 }
 
 void read_inputs(const TomlTable& root, Family& family) {
@@ -226,7 +206,7 @@ void read_sets(const TomlTable& root, Family& family) {
   check_same_names("set", tables, family.oracle->sets(), root, "sets");
   for (const auto& [name, table] : tables) {
     family.sets.push_back({name, non_empty(table, "what")});
-    table.refuse_unknown_keys();
+    table.check_keys();
   }
 }
 
@@ -250,8 +230,51 @@ std::vector<std::string> Family::function_names() const {
   return names;
 }
 
+TomlFormPtr family_form(const EffectCode& code) {
+  std::vector<std::string> oracles, tables, ends;
+  for (const auto& [name, made] : code.oracles) oracles.push_back(name);
+  for (const auto& [name, made] : code.tables) tables.push_back(name);
+  for (const auto& [name, value] : constants) ends.push_back(name);
+  const TomlValue id = form::text(identifier_pattern), words = form::text("."), any = form::number(-infinity, infinity);
+  const auto named = [](const char* name, const char* about, TomlFormPtr of, bool required) {
+    return TomlKey{name, about, {form::table(form::make({}, TomlKey{"NAME", about, {form::table(std::move(of))}}))}, required};
+  };
+  const TomlFormPtr head = form::make({{"name", "the family's name", {id}, true},
+                                       {"function", "the function that its variants compute", {id}, true},
+                                       {"title", "what it is, for people", {words}, true},
+                                       {"definition", "that the shader gets for each variant", {id}, true},
+                                       {"scale", "what errors are divided by, for people", {words}, true},
+                                       {"value", "what the value is called in tables", {id}, true},
+                                       {"grid", "what --grid holds, for people", {form::text()}},
+                                       {"shader", "the file with the functions", {words}, true},
+                                       {"oracle", "C++ that knows the exact values", {form::word(oracles)}, true},
+                                       {"tables", "textures that the functions read", {form::texts(tables)}}});
+  const TomlFormPtr input = form::make({{"unit", "its unit", {words}, true},
+                                        {"from", "least", {any, form::word(ends, "constant")}, true},
+                                        {"to", "greatest", {any, form::word(ends, "constant")}, true},
+                                        {"open", "ends that are not in the range", {form::word({"low", "high", "both"}, "end")}}});
+  const TomlFormPtr set = form::make({{"what", "what is in it, for people", {words}, true}});
+  const TomlFormPtr claim = form::make({{"over", "greatest error at most", {form::number(0, infinity)}, true},
+                                        {"under", "least error at least", {form::number(-infinity, 0)}, true},
+                                        {"eps_kappa", "errors in units of 2^-23 times the condition number", {form::number(0, infinity)}},
+                                        {"sets", "on these sets; on all where it is left out", {form::texts()}}});
+  const TomlFormPtr function = form::make({{"baseline", "the others' times are compared to it", {form::flag()}},
+                                           {"claims", "what it errs by", {form::tables(claim)}}});
+  const TomlFormPtr place = form::make({}, TomlKey{"INPUT", "where this input stands", {any}});
+  const TomlFormPtr slice = form::make({{"right", "the input that runs to the right", {form::text()}, true},
+                                        {"up", "the input that runs upwards", {form::text()}, true},
+                                        {"at", "where the other inputs stand", {form::tables(place)}},
+                                        {"full_error", "the error that has full colour",
+                                         {form::number(std::numeric_limits<double>::min(), infinity)}, true}});
+  return form::make({{"family", "the family", {form::table(head)}, true},
+                     named("inputs", "an input of the functions", input, true),
+                     named("sets", "a set of inputs, as the oracle knows it", set, true),
+                     named("functions", "a variant of the function", function, true),
+                     {"slices", "pictures of errors", {form::tables(slice)}}});
+}
+
 Family load_family(const std::filesystem::path& file, const EffectCode& code) {
-  const TomlTable root = TomlTable::parse(file, "family");
+  const TomlTable root = TomlTable::parse(file, "family", family_form(code));
   Family family;
   family.file = file;
   if (!root.has("family")) throw root.error({}, "has no [family]");
@@ -262,7 +285,7 @@ Family load_family(const std::filesystem::path& file, const EffectCode& code) {
   for (const FamilySet& set : family.sets) sets.push_back(set.name);
   family.functions = read_functions(root, sets);
   for (const TomlTable& table : root.array_of_tables("slices")) read_slices(table, family, family.slices);
-  root.refuse_unknown_keys();
+  root.check_keys();
   return family;
 }
 

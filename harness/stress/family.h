@@ -34,6 +34,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/core/toml_form.h"
 #include "harness/manifest/effect_code.h"
 #include "harness/stress/oracle.h"
 
@@ -90,6 +91,8 @@ struct Family {
   std::vector<std::string> function_names() const;
 };
 
+// What a family.toml may hold.
+TomlFormPtr family_form(const EffectCode& code);
 // Throws Error(bad_input, "family", "FILE:LINE", ...) for what is missing, unknown, or not as above.
 Family load_family(const std::filesystem::path& file, const EffectCode& code);
 

@@ -97,6 +97,37 @@ TEST_F(BadInput, Fog) {
   EXPECT_SAYS(plan("[effects.volume_fog]\nreach = -2\n"), "scene.toml:4");
 }
 
+// Two Vulkan devices of one name: the same driver, found twice.
+TEST_F(BadInput, PartOfTwoDevicesNames) {
+  std::filesystem::path driver;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator("/usr/share/vulkan/icd.d", none))
+    if (entry.path().filename().string().starts_with("lvp_icd")) driver = entry.path();
+  if (driver.empty()) GTEST_SKIP() << "lavapipe's driver file is not in /usr/share/vulkan/icd.d";
+  std::filesystem::copy_file(driver, folder_ / "again.json", std::filesystem::copy_options::overwrite_existing);
+  ::setenv("VK_ICD_FILENAMES", (driver.string() + ":" + (folder_ / "again.json").string()).c_str(), 1);
+  const std::string compare = "compare heart --size 16x16 --backend vulkan --out " + out().string() + " --device ";
+  const Outcome both = lamina_program(compare + "llvmpipe");
+  const Outcome none_of_them = lamina_program(compare + "geforce");
+  ::unsetenv("VK_ICD_FILENAMES");
+  EXPECT_EQ(both.status, 2);
+  EXPECT_SAYS(both.output, "2 devices have this in their names");
+  EXPECT_SAYS(both.output, "1: llvmpipe");
+  EXPECT_EQ(none_of_them.status, 4);
+}
+
+TEST_F(BadInput, ListSaysWhatDevicesCan) {
+  const Outcome list = lamina_program("list");
+  EXPECT_EQ(list.status, 0);
+  EXPECT_SAYS(list.output, "storage in fragment shaders");
+  EXPECT_SAYS(list.output, "timestamps of ");
+  const auto json = nlohmann::json::parse(lamina_program("list --json").output);
+  for (const nlohmann::json& backend : json.at("backends"))
+    for (const nlohmann::json& device : backend.at("devices")) EXPECT_GT(device.at("timestamp_bits"), 0) << device;
+  EXPECT_GT(json.at("parameters").size(), 20u);
+  EXPECT_GT(json.at("effects").size(), 8u);
+}
+
 TEST_F(BadInput, HelpAndVersionAreNotErrors) {
   EXPECT_EQ(lamina_program("--help").status, 0);
   EXPECT_EQ(lamina_program("compare --help").status, 0);

@@ -33,6 +33,32 @@ uint32_t largest_target() {
   return static_cast<uint32_t>(std::min({texture, width, height, viewport[0], viewport[1]}));
 }
 
+bool has_extension(std::string_view name) {
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+    if (const GLubyte* one = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)); one && name == reinterpret_cast<const char*>(one))
+      return true;
+  return false;
+}
+
+uint32_t integer_of(GLenum what) {
+  GLint value = 0;
+  glGetIntegerv(what, &value);
+  return static_cast<uint32_t>(std::max(value, 0));
+}
+
+void describe_abilities(DeviceInfo& info) {
+  info.vertex_storage = integer_of(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS) > 0 && integer_of(GL_MAX_VERTEX_IMAGE_UNIFORMS) > 0;
+  info.fragment_storage = integer_of(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS) > 0 && integer_of(GL_MAX_FRAGMENT_IMAGE_UNIFORMS) > 0;
+  info.half_floats = has_extension("GL_AMD_gpu_shader_half_float") || has_extension("GL_NV_gpu_shader5");
+  info.doubles = true;              // since OpenGL 4.0
+  info.exact_sample_counts = true;  // GL_SAMPLES_PASSED
+  GLint bits = 0;
+  glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
+  info.timestamp_bits = static_cast<uint32_t>(std::max(bits, 0));
+}
+
 }  // namespace
 
 DeviceInfo load_and_describe(const Context& context, std::string_view backend) {
@@ -54,6 +80,7 @@ DeviceInfo load_and_describe(const Context& context, std::string_view backend) {
                 fmt::format("OpenGL 4.5 is needed, the driver has {}", info.api_version));
   if (!GLAD_GL_ARB_gl_spirv) throw Error(ErrorKind::no_device, info.backend, info.device, "the driver lacks GL_ARB_gl_spirv");
   info.max_texture_size = largest_target();
+  describe_abilities(info);
   return info;
 }
 

@@ -90,7 +90,7 @@ class OpenGlBackend : public Backend {
 struct Survey {
   std::vector<size_t> indices;
   std::vector<DeviceInfo> usable;
-  std::string refusals;
+  std::vector<RefusedDevice> refused;
 };
 
 Survey survey(std::string_view backend) {
@@ -100,7 +100,7 @@ Survey survey(std::string_view backend) {
       found.usable.push_back(open_device(backend, i, false).info);
       found.indices.push_back(i);
     } catch (const Error& error) {
-      found.refusals += fmt::format("{}: {}; ", error.subject(), error.message());
+      found.refused.push_back({error.subject(), error.message()});
     }
   }
   return found;
@@ -108,7 +108,9 @@ Survey survey(std::string_view backend) {
 
 // The index among all devices of the one that choose_device() names.
 size_t choose(std::string_view backend, std::string_view wanted) {
-  const auto [indices, usable, refusals] = survey(backend);
+  const auto [indices, usable, refused] = survey(backend);
+  std::string refusals;
+  for (const RefusedDevice& one : refused) refusals += fmt::format("{}: {}; ", one.device, one.reason);
   if (usable.empty())
     throw Error(ErrorKind::no_device, std::string(backend), "OpenGL 4.5 core with GL_ARB_gl_spirv",
                 fmt::format("no device offers it: {}{}", refusals.empty() ? "the platform names none; " : refusals,
@@ -127,11 +129,18 @@ std::unique_ptr<Backend> open_opengl(std::string_view backend, const BackendOpti
   return std::make_unique<OpenGlBackend>(open_device(backend, device, options.validation), options.validation);
 }
 
-std::vector<DeviceInfo> list_opengl_devices(std::string_view backend) {
+namespace {
+
+Survey survey_beside_one_alive(std::string_view backend) {
   if (OpenGlBackend::alive) OpenGlBackend::alive->suspend();
-  std::vector<DeviceInfo> devices = survey(backend).usable;
+  Survey found = survey(backend);
   if (OpenGlBackend::alive) OpenGlBackend::alive->resume();
-  return devices;
+  return found;
 }
+
+}  // namespace
+
+std::vector<DeviceInfo> list_opengl_devices(std::string_view backend) { return survey_beside_one_alive(backend).usable; }
+std::vector<RefusedDevice> list_refused_opengl_devices(std::string_view backend) { return survey_beside_one_alive(backend).refused; }
 
 }  // namespace lamina

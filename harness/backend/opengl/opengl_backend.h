@@ -14,5 +14,6 @@ std::unique_ptr<Backend> open_opengl(std::string_view context, const BackendOpti
 // Opens each device for a moment, also beside a backend that is alive. Throws Error(failed) only where such a backend cannot
 // have its context back.
 std::vector<DeviceInfo> list_opengl_devices(std::string_view context);
+std::vector<RefusedDevice> list_refused_opengl_devices(std::string_view backend);
 
 }  // namespace lamina

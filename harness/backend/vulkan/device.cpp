@@ -57,7 +57,9 @@ Device::Device(const Instance& instance, const Candidate& candidate) : candidate
   features_.shaderStorageImageWriteWithoutFormat = offered.shaderStorageImageWriteWithoutFormat;
   features_.shaderFloat64 = offered.shaderFloat64;
   features_.shaderInt64 = offered.shaderInt64;
-  const VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13, features_};
+  VkPhysicalDeviceVulkan12Features features12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &features13};
+  features12.shaderFloat16 = candidate_.info.half_floats;
+  const VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features12, features_};
 
   VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
   info.queueCreateInfoCount = 1;

@@ -31,7 +31,7 @@ class Device {
   VkPhysicalDevice physical() const { return candidate_.handle; }
   const DeviceInfo& info() const { return candidate_.info; }
   const VkPhysicalDeviceLimits& limits() const { return candidate_.properties.limits; }
-  uint32_t timestamp_bits() const { return candidate_.timestamp_bits; }
+  uint32_t timestamp_bits() const { return candidate_.info.timestamp_bits; }
   const VkPhysicalDeviceFeatures& features() const { return features_; }  // those that are switched on
 
   // True where optimally tiled images of `format` can do all of `features`.

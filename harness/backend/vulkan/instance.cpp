@@ -53,12 +53,22 @@ VkDebugUtilsMessengerCreateInfoEXT messenger_info(MessageList& messages) {
   return info;
 }
 
-bool has_features(VkPhysicalDevice device) {
+// Reads what shaders may use, and says what Lamina needs and the device lacks; "" where it has all.
+std::string read_features(Candidate& candidate) {
+  if (candidate.properties.apiVersion < VK_API_VERSION_1_3) return "has no Vulkan 1.3";
   VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
-  VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13, {}};
-  vkGetPhysicalDeviceFeatures2(device, &features);
-  return features13.dynamicRendering && features13.synchronization2 && features.features.vertexPipelineStoresAndAtomics &&
-         features.features.fragmentStoresAndAtomics;
+  VkPhysicalDeviceVulkan12Features features12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &features13};
+  VkPhysicalDeviceFeatures2 all{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features12, {}};
+  vkGetPhysicalDeviceFeatures2(candidate.handle, &all);
+  DeviceInfo& info = candidate.info;
+  info.vertex_storage = all.features.vertexPipelineStoresAndAtomics;
+  info.fragment_storage = all.features.fragmentStoresAndAtomics;
+  info.half_floats = features12.shaderFloat16;
+  info.doubles = all.features.shaderFloat64;
+  info.exact_sample_counts = all.features.occlusionQueryPrecise;
+  if (!features13.dynamicRendering || !features13.synchronization2) return "has no dynamic rendering or no synchronization2";
+  if (!info.vertex_storage) return "has no storage in vertex shaders";
+  return info.fragment_storage ? "" : "has no storage in fragment shaders";
 }
 
 // Fills the queue family; false where no family both draws and computes.
@@ -71,7 +81,7 @@ bool find_queue_family(Candidate& candidate) {
   for (uint32_t i = 0; i < count; ++i) {
     if ((families[i].queueFlags & needed) != needed) continue;
     candidate.queue_family = i;
-    candidate.timestamp_bits = families[i].timestampValidBits;
+    candidate.info.timestamp_bits = families[i].timestampValidBits;
     return true;
   }
   return false;
@@ -171,7 +181,7 @@ Instance::~Instance() {
   vkDestroyInstance(instance_, nullptr);
 }
 
-std::vector<Candidate> find_candidates(const Instance& instance) {
+std::vector<Candidate> find_candidates(const Instance& instance, std::vector<RefusedDevice>* refused) {
   uint32_t count = 0;
   if (vkEnumeratePhysicalDevices(instance.get(), &count, nullptr) != VK_SUCCESS) return {};
   std::vector<VkPhysicalDevice> devices(count);
@@ -181,10 +191,14 @@ std::vector<Candidate> find_candidates(const Instance& instance) {
     Candidate candidate;
     candidate.handle = device;
     vkGetPhysicalDeviceProperties(device, &candidate.properties);
-    if (candidate.properties.apiVersion < VK_API_VERSION_1_3 || !has_features(device) || !find_queue_family(candidate))
-      continue;
-    describe_device(candidate);
-    candidates.push_back(std::move(candidate));
+    std::string lacks = read_features(candidate);
+    if (lacks.empty() && !find_queue_family(candidate)) lacks = "has no queue that both draws and computes";
+    if (lacks.empty()) {
+      describe_device(candidate);
+      candidates.push_back(std::move(candidate));
+    } else if (refused) {
+      refused->push_back({candidate.properties.deviceName, lacks});
+    }
   }
   return candidates;
 }

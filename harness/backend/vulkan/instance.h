@@ -53,9 +53,9 @@ struct Candidate {
   VkPhysicalDeviceProperties properties{};
   VkDeviceSize max_allocation_bytes = 0;
   uint32_t queue_family = 0;
-  uint32_t timestamp_bits = 0;  // of the queue family's timestamps that count; 0: it cannot time
 };
-std::vector<Candidate> find_candidates(const Instance& instance);
+// `refused` gets the others.
+std::vector<Candidate> find_candidates(const Instance& instance, std::vector<RefusedDevice>* refused = nullptr);
 
 // By choose_device(). Throws Error(no_device) where there are none.
 const Candidate& choose(std::span<const Candidate> candidates, std::string_view wanted);

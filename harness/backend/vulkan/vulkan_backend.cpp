@@ -58,4 +58,15 @@ std::vector<DeviceInfo> list_vulkan_devices() {
   }
 }
 
+std::vector<RefusedDevice> list_refused_vulkan_devices() {
+  try {
+    const vulkan::Instance instance(/*validation=*/false);
+    std::vector<RefusedDevice> refused;
+    vulkan::find_candidates(instance, &refused);
+    return refused;
+  } catch (const Error& error) {
+    return {{error.subject(), error.message()}};
+  }
+}
+
 }  // namespace lamina
