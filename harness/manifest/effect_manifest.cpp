@@ -36,6 +36,7 @@ std::vector<TomlKey> declaration_keys(const EffectCode& code) {
        {"range", "[least, greatest]", {form::numbers(-largest, largest, {2})}},
        {"or_zero", "0 is allowed beside the range", {form::flag()}},
        {"whole", "whole numbers only", {form::flag()}},
+       {"over_unwrap", "above 0, something is laid out over the object's unwrap", {form::flag()}},
        {"scales_with", "the texture whose texels are the unit", {form::text()}},
        {"share", "the default is this share of that texture's width", {form::number(0, 1)}},
        {"otherwise", "the default is what the model says", {form::word(model_numbers)}}});
@@ -104,6 +105,7 @@ NumberManifest read_number(const std::string& name, const TomlTable& table, cons
   read_range(table, number.min, number.max);
   number.or_zero = table.optional_bool("or_zero").value_or(false);
   number.whole = table.optional_bool("whole").value_or(false);
+  number.over_unwrap = table.optional_bool("over_unwrap").value_or(false);
   number.value = table.optional_number("value");
   if (number.value && !(number.or_zero && *number.value == 0) && !(*number.value >= number.min && *number.value <= number.max))
     throw table.error("value", fmt::format("'value' must lie in the range, {} to {}", number.min, number.max));

@@ -22,11 +22,12 @@ struct NumberManifest {
   std::string name, key, unit, title;
   std::optional<double> value;  // where nothing else is said; absent: the number is then not known
   double min = 0, max = 0;
-  bool or_zero = false;     // 0 is allowed beside the range
-  bool whole = false;       // takes whole numbers alone
-  std::string scales_with;  // a texture whose texels are the unit: another width of it scales the number
-  double share = 0;         // of that texture's width, in place of `value`
-  std::string otherwise;    // "model.thickness": what a model says, in its own units
+  bool or_zero = false;      // 0 is allowed beside the range
+  bool whole = false;        // takes whole numbers alone
+  bool over_unwrap = false;  // above 0, something is laid out over the object's unwrap
+  std::string scales_with;   // a texture whose texels are the unit: another width of it scales the number
+  double share = 0;          // of that texture's width, in place of `value`
+  std::string otherwise;     // "model.thickness": what a model says, in its own units
 };
 
 // One of a few names.

@@ -51,7 +51,8 @@ Scene load_scene(const std::string& source, const Library& library, std::optiona
   split_overlapping_objects(scene.objects, library, scene.warnings);
   for (Object& object : scene.objects) {
     object.look.reset();
-    settle_unwrap(object, scene.warnings);
+    std::vector<std::string> unminded;
+    settle_unwrap(object, uses_unwrap(object, library) ? scene.warnings : unminded);
     for (const EffectManifest* effect : effects_of(object, library)) {
       object.solid = object.solid && effect->solid;
       object.blocks_light = object.blocks_light && effect->blocks_light;

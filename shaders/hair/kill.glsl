@@ -32,5 +32,9 @@ float cutoff(ivec2 pixel, float card, vec3 place) { return CUTOFF; }
 const float least_opacity = 1.0 / 255.0;
 
 bool killed(float opacity, ivec2 pixel, float card, vec3 place) {
+#ifdef SOLID
+  return false;
+#else
   return opacity < max(THRESHOLD(pixel, card, place), least_opacity);
+#endif
 }

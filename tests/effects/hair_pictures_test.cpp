@@ -184,9 +184,9 @@ TEST_P(HairPictures, WhatCannotBeHairIsRefused) {
     }
     return "";
   };
-  EXPECT_NE(
-      refusal(declared_scene({hair_of(card_squares({{}}), two_opacities(1, 1))})).find("object 'hair': has no alpha texture"),
-      std::string::npos);
+  EXPECT_NE(refusal(declared_scene({hair_of(card_squares({{}}), Texels{1, 1, {glm::vec4(1)}})}))
+                .find("object 'hair': has no alpha texture"),
+            std::string::npos);
   Mesh flat = card_squares({{}});
   for (Vertex& vertex : flat.vertices) vertex.uv.y = 0.5f;
   EXPECT_NE(refusal(declared_scene({hair_of(flat, two_opacities(0, 1))})).find("has no tangents for hair"), std::string::npos);
@@ -197,6 +197,21 @@ TEST_P(HairPictures, WhatCannotBeHairIsRefused) {
     ADD_FAILURE() << "nothing was thrown";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("has no hair_albedo; give hair.albedo"), std::string::npos) << error.what();
+  }
+}
+
+// A texture that is opaque everywhere: nothing is killed, and no pass blurs.
+TEST_P(HairPictures, OpaqueCardsAreSolid) {
+  const Scene scene = declared_scene({hair_of(card_squares({{0, -0.6f, 0, {}, {1, 1}}}), two_opacities(1, 1))});
+  const Plan plan = make_plan(library(), scene);
+  ShaderCache shaders(backend_->info().api, library().shaders);
+  for (const char* name :
+       {"samples", "seed_pattern", "alpha_test", "gradient_golden_blur_strand", "gradient_golden_blur_3x3"}) {
+    const Image image = picture(scene, name, 16);
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x) ASSERT_NEAR(pixel(image, x, y).r, x < 8 ? 1 : 0, 1e-3) << name << " " << x << " " << y;
+    for (const GraphPass& pass : make_graph(plan, configuration_with(plan, variant(name)), scene, shaders).passes)
+      EXPECT_TRUE(pass.draws.empty() || (pass.pass->name != "blur" && pass.pass->name != "strands")) << name;
   }
 }
 

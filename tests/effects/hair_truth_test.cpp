@@ -80,6 +80,22 @@ TEST(HairStrands, CardsArePartsAndDirectionsRunFromRootToTip) {
   }
 }
 
+TEST(HairStrands, TheBakerRefusesWhatItCannotBake) {
+  const BakerCode& baker = *effect_code().bakers.at("strands");
+  EXPECT_EQ(baker.problem({}), "");
+  EXPECT_EQ(baker.problem({{"count", 2.0}}), "hair takes no [bake], and so no 'count'");
+  Mesh point = card_squares({{}});  // all of its texture is one point
+  for (Vertex& vertex : point.vertices) vertex.uv = glm::vec2(0.5f);
+  try {
+    strands_of(point, "object 'fringe'");
+    ADD_FAILURE() << "nothing was refused";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+    for (const char* part : {"object 'fringe'", "has no tangents for hair", "vertex 0", "v running along its strands"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
 TEST(HairStrands, MipsKeepTheirCoverage) {
   const auto made = make_texture("strands", strand_textures(glm::vec3(0.2f), hair_card_m).albedo, TexelMeaning::colour);
   const TextureImage kept = with_kept_coverage(*made, 0.5);

@@ -37,6 +37,29 @@ TEST(LoadScene, AModelByItsNameAloneIsComplete) {
   EXPECT_TRUE(scene.warnings.empty());
 }
 
+// Where nothing is laid out over the unwrap, texels may be used as often as one likes.
+TEST(LoadScene, WarnsOfSharedTexelsWhereTheyMatter) {
+  const Folder folder;
+  GltfMaker maker;
+  const int positions = maker.add_floats({0, 0, 0, 1, 0, 0, 1, 1, 0, 2, 0, 0, 3, 0, 0, 3, 1, 0}, 3);
+  const int normals = maker.add_floats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, 3);
+  const int uvs = maker.add_floats({0, 1, 1, 1, 1, 0, 0, 1, 1, 1, 1, 0}, 2);  // the second triangle over the first
+  maker.add_mesh("twice",
+                 {fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{},"TEXCOORD_0":{}}}}})", positions, normals, uvs)});
+  maker.add_node(R"({"mesh":0,"name":"twice"})");
+  folder.write("twice.glb", maker.glb());
+  const auto warnings = [&](const std::string& keys) {
+    return load_scene(
+               folder.write("twice.toml", "[scene]\nmodel = \"twice.glb\"\n[objects.twice]\nlayers = false\n" + keys).string(),
+               builtin_library())
+        .warnings;
+  };
+  EXPECT_TRUE(warnings("").empty());
+  EXPECT_TRUE(warnings("apertures = true\n").empty());
+  ASSERT_EQ(warnings("[objects.twice.aperture]\nmap_texels = 64\n").size(), 1u);
+  EXPECT_NE(warnings("[objects.twice.aperture]\nmap_texels = 64\n")[0].find("texture is used twice"), std::string::npos);
+}
+
 // Khronos's Damaged Helmet: 46356 indices, texture coordinates a tile below the first, one material with both maps. Parts of it
 // share texels, and so become objects of their own.
 TEST(LoadScene, DamagedHelmet) {

@@ -26,9 +26,6 @@ struct SlabRay {
 std::optional<SlabRay> through(const GlassSlab& slab, glm::dvec3 position, glm::dvec3 normal, glm::dvec3 facet,
                                glm::dvec3 to_eye);
 
-// A facet's normal from two numbers in [0, 1): shares of the distribution.
-glm::dvec3 slab_facet(const GlassSlab& slab, glm::dvec3 normal, glm::dvec2 share);
-
 // What is seen where `behind` comes through: less by both faces' Fresnel and by absorption, plus what the front reflects.
 glm::dvec3 seen_in_glass(const GlassSlab& slab, const Scene& scene, glm::dvec3 position, glm::dvec3 normal, glm::dvec3 to_eye,
                          glm::dvec3 behind);

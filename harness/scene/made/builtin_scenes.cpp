@@ -16,6 +16,7 @@
 #include "harness/scene/made/fog_xray.h"
 #include "harness/scene/made/glass_drift.h"
 #include "harness/scene/made/glass_stack.h"
+#include "harness/scene/made/glossy_floor.h"
 #include "harness/scene/made/hair_head.h"
 #include "harness/scene/made/heart.h"
 #include "harness/scene/made/hollow_shell.h"
@@ -58,6 +59,7 @@ constexpr Builtin builtins[] = {
     {"glass_drift", make_glass_drift},
     {"hair_head", [](float) { return make_hair_head(); }},
     {"rough_glass", [](float) { return make_rough_glass(); }},
+    {"glossy_floor", [](float) { return make_glossy_floor(); }},
 };
 
 }  // namespace

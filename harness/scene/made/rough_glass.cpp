@@ -8,48 +8,14 @@
 #include "harness/scene/made/block_mesh.h"
 #include "harness/scene/made/coloured_object.h"
 #include "harness/scene/made/directional_light.h"
-#include "harness/scene/made/noise.h"
 #include "harness/scene/made/sphere_mesh.h"
-#include "harness/scene/textures.h"
+#include "harness/scene/made/tiles.h"
 
 namespace lamina {
 namespace {
 
-// Tiles of many colours with light joints, so that blur shows at once.
-Texels tiles(glm::uvec2 count, uint32_t seed) {
-  constexpr uint32_t side = 512;
-  Texels made{side, side, {}};
-  for (uint32_t y = 0; y < side; ++y)
-    for (uint32_t x = 0; x < side; ++x) {
-      const glm::uvec2 cell = glm::uvec2(x, y) * count / side, first = (cell * side + count - 1u) / count;
-      Random random(hash_lattice(glm::ivec3(cell, 0), seed));
-      const float hue = random.next(), light = 0.25f + 0.55f * random.next();
-      const glm::vec3 colour =
-          light * (0.35f + 0.65f * glm::clamp(glm::abs(glm::fract(hue + glm::vec3(1, 2.0f / 3, 1.0f / 3)) * 6.0f - 3.0f) - 1.0f,
-                                              0.0f, 1.0f));
-      const bool joint = x - first.x < 5 || y - first.y < 5;
-      made.rgba.emplace_back(joint ? glm::vec3(0.78f, 0.76f, 0.72f) : colour, 1);
-    }
-  return made;
-}
-
-Object tiled(std::string name, Mesh mesh, glm::uvec2 count, uint32_t seed) {
-  Object object = coloured_object(std::move(name), std::move(mesh), glm::vec3(1), false);
-  object.said.values["albedo"] = {make_texture("tiles", tiles(count, seed), TexelMeaning::colour)};
-  return object;
-}
-
-// One side of the unit tile: a square facing +z, its texture upright.
-Mesh square_mesh() {
-  Mesh mesh;
-  for (const glm::vec2 uv : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)})
-    mesh.vertices.push_back({{uv.x - 0.5f, 0.5f - uv.y, 0}, {0, 0, 1}, {1, 0, 0, -1}, uv});
-  mesh.indices = {0, 2, 1, 0, 3, 2};
-  return mesh;
-}
-
 Object glass_pane(std::string name, float left, float roughness, float thickness_m) {
-  Object pane = coloured_object(std::move(name), square_mesh(), glm::vec3(1), false);
+  Object pane = coloured_object(std::move(name), upright_square(), glm::vec3(1), false);
   pane.world_from_object = glm::scale(glm::translate(glm::mat4(1), {left + 0.31f, 0.55f, 0}), {0.58f, 1.0f, 1});
   pane.said.calls.insert("rough_refraction");
   pane.said.values["rough_glass.roughness"] = {double(roughness)};
@@ -71,7 +37,7 @@ Scene make_rough_glass() {
   scene.objects.push_back(glass_pane("pane_1", -0.62f, 0.3f, 0.006f));
   scene.objects.push_back(glass_pane("pane_2", 0.0f, 0.5f, 0.006f));
   scene.objects.push_back(glass_pane("pane_3", 0.62f, 0.3f, 0.12f));
-  Object wall = tiled("wall", square_mesh(), {14, 8}, 3), floor = tiled("floor", square_mesh(), {9, 9}, 11);
+  Object wall = tiled_object("wall", upright_square(), {14, 8}, 3), floor = tiled_object("floor", upright_square(), {9, 9}, 11);
   wall.world_from_object = glm::scale(glm::translate(glm::mat4(1), {0, 1.2f, -1.6f}), {4.9f, 2.8f, 1});
   floor.world_from_object = glm::scale(
       glm::rotate(glm::translate(glm::mat4(1), {0, 0, 0.2f}), glm::radians(-90.0f), glm::vec3(1, 0, 0)), {5, 3.7f, 1});

@@ -107,4 +107,12 @@ void split_overlapping_objects(std::vector<Object>& objects, const Library& libr
   objects = std::move(settled);
 }
 
+bool uses_unwrap(const Object& object, const Library& library) {
+  if (needs_unique_unwrap(object, library)) return true;
+  for (const EffectManifest* effect : effects_of(object, library))
+    for (const NumberManifest& number : effect->object.numbers)
+      if (number.over_unwrap && fact_or_number(object.effects.find(effect->name)->second, number.name) > 0) return true;
+  return false;
+}
+
 }  // namespace lamina

@@ -21,4 +21,8 @@ std::vector<Mesh> split_overlaps(const Mesh& mesh);
 // `warnings`.
 void split_overlapping_objects(std::vector<Object>& objects, const Library& library, std::vector<std::string>& warnings);
 
+// Whether the object lays something out over its unwrap: by an effect with unique_unwrap, or by a number with over_unwrap above
+// 0.
+bool uses_unwrap(const Object& object, const Library& library);
+
 }  // namespace lamina

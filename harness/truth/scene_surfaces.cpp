@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "harness/effects/rough_refraction/scene_behind.h"
+#include "harness/truth/scene_surfaces.h"
 
 #include <algorithm>
 #include <limits>
 
 #include "harness/bake/embree_scene.h"
+#include "harness/truth/plane_hit.h"
 
 namespace lamina {
 namespace {
@@ -22,29 +23,29 @@ void keep_fronts(const RTCFilterFunctionNArguments* arguments) {
 
 }  // namespace
 
-struct SceneBehind::Faces : EmbreeScene {
+struct SceneSurfaces::Faces : EmbreeScene {
   std::vector<size_t> objects;  // by Embree's geometry
   Faces() : EmbreeScene("truth", RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION) {}
 };
 
-SceneBehind::SceneBehind(const Scene& scene)
-    : scene_(scene), glass_(std::make_unique<Faces>()), opaque_(std::make_unique<Faces>()), albedos_(scene.objects.size()) {
+SceneSurfaces::SceneSurfaces(const Scene& scene, const std::function<bool(const Object&)>& chosen)
+    : scene_(scene), chosen_(std::make_unique<Faces>()), opaque_(std::make_unique<Faces>()), albedos_(scene.objects.size()) {
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
-    const bool of_glass = glass_slab(object).has_value();
-    if (!of_glass && !object.solid) continue;
-    Faces& into = of_glass ? *glass_ : *opaque_;
+    const bool is_chosen = chosen(object);
+    if (!is_chosen && !object.solid) continue;
+    Faces& into = is_chosen ? *chosen_ : *opaque_;
     into.attach(object);
     into.objects.push_back(i);
-    if (!of_glass) albedos_[i] = std::make_unique<FilteredTexture>(*object.effects.at("surface").textures.at("albedo"));
+    albedos_[i] = std::make_unique<FilteredTexture>(*object.effects.at("surface").textures.at("albedo"));
   }
-  glass_->commit();
+  chosen_->commit();
   opaque_->commit();
 }
 
-SceneBehind::~SceneBehind() = default;
+SceneSurfaces::~SceneSurfaces() = default;
 
-std::optional<SurfaceHit> SceneBehind::nearest(const Faces& faces, glm::dvec3 from, glm::dvec3 direction) const {
+std::optional<SurfaceHit> SceneSurfaces::nearest(const Faces& faces, glm::dvec3 from, glm::dvec3 direction) const {
   const RTCRayHit ray = faces.first_hit(from, direction, keep_fronts);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const size_t index = faces.objects[ray.hit.geomID];
@@ -56,32 +57,50 @@ std::optional<SurfaceHit> SceneBehind::nearest(const Faces& faces, glm::dvec3 fr
            c * of(object.mesh.vertices[corner[2]]);
   };
   const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(object.world_from_object)));
-  return SurfaceHit{index, double(ray.ray.tfar), from + direction * double(ray.ray.tfar),
+  return SurfaceHit{index,
+                    size_t(ray.hit.primID),
+                    double(ray.ray.tfar),
+                    from + direction * double(ray.ray.tfar),
                     glm::normalize(normals * mixed([](const Vertex& v) { return glm::dvec3(v.normal); })),
                     mixed([](const Vertex& v) { return glm::dvec2(v.uv); })};
 }
 
-std::optional<SurfaceHit> SceneBehind::glass(glm::dvec3 from, glm::dvec3 direction) const {
-  const auto hit = nearest(*glass_, from, direction);
+std::optional<SurfaceHit> SceneSurfaces::chosen(glm::dvec3 from, glm::dvec3 direction) const {
+  const auto hit = nearest(*chosen_, from, direction);
   if (!hit) return std::nullopt;
   const auto before = nearest(*opaque_, from, direction);
   return before && before->distance_m < hit->distance_m ? std::nullopt : hit;
 }
 
-std::optional<SurfaceHit> SceneBehind::opaque(glm::dvec3 from, glm::dvec3 direction) const {
+std::optional<SurfaceHit> SceneSurfaces::opaque(glm::dvec3 from, glm::dvec3 direction) const {
   return nearest(*opaque_, from, direction);
 }
 
-glm::dvec3 SceneBehind::light(const std::optional<SurfaceHit>& hit) const {
-  if (!hit) return glm::dvec3(scene_.background);
+glm::dvec3 SceneSurfaces::diffuse(glm::dvec3 position, glm::dvec3 normal) const {
   glm::dvec3 sum(scene_.ambient);
   for (const Light& light : scene_.lights) {
     const bool point = light.kind == Light::Kind::point;
-    const glm::dvec3 towards = point ? glm::dvec3(light.position) - hit->position : -glm::dvec3(light.direction);
-    const double squared = glm::dot(towards, towards), cosine = glm::dot(hit->normal, towards) / std::sqrt(squared);
+    const glm::dvec3 towards = point ? glm::dvec3(light.position) - position : -glm::dvec3(light.direction);
+    const double squared = glm::dot(towards, towards), cosine = glm::dot(normal, towards) / std::sqrt(squared);
     sum += glm::dvec3(light.radiance) * (std::max(cosine, 0.0) / (point ? squared : 1));
   }
-  return glm::dvec3(albedos_[hit->object]->at(hit->uv, hit->uv, hit->uv)) * sum;
+  return sum;
+}
+
+glm::dvec3 SceneSurfaces::light(const std::optional<SurfaceHit>& hit) const {
+  if (!hit) return glm::dvec3(scene_.background);
+  return glm::dvec3(albedos_[hit->object]->base(hit->uv)) * diffuse(hit->position, hit->normal);
+}
+
+glm::dvec2 SceneSurfaces::uv_beside(const SurfaceHit& hit, glm::dvec3 from, glm::dvec3 direction) const {
+  const Object& object = scene_.objects[hit.object];
+  const uint32_t* corner = &object.mesh.indices[3 * hit.triangle];
+  const auto place = [&](int k) {
+    return glm::dvec3(glm::dmat4(object.world_from_object) * glm::dvec4(object.mesh.vertices[corner[k]].position, 1));
+  };
+  const PlaneHit at = plane_hit(place(0), place(1), place(2), from, direction);
+  const auto uv = [&](int k) { return glm::dvec2(object.mesh.vertices[corner[k]].uv); };
+  return (1 - at.b - at.c) * uv(0) + at.b * uv(1) + at.c * uv(2);
 }
 
 }  // namespace lamina
