@@ -36,11 +36,22 @@ std::string kind_in_words(const TomlValue& value) {
 
 }  // namespace
 
+TomlTable::TomlTable(toml::table root, const std::filesystem::path& file, std::string stage, TomlFormPtr form)
+    : root_(std::make_shared<const toml::table>(std::move(root))),
+      table_(root_.get()),
+      file_(file.string()),
+      stage_(std::move(stage)),
+      form_(std::move(form)) {}
+
 TomlTable TomlTable::parse(const std::filesystem::path& file, std::string stage, TomlFormPtr form) {
+  toml::table root = parse_nodes(file, stage);
+  return {std::move(root), file, std::move(stage), std::move(form)};
+}
+
+toml::table TomlTable::parse_nodes(const std::filesystem::path& file, const std::string& stage) {
   const std::string text = read_file(file, stage);
   try {
-    auto root = std::make_shared<const toml::table>(toml::parse(text, file.string()));
-    return {root, root.get(), file.string(), std::move(stage), std::move(form)};
+    return toml::parse(text, file.string());
   } catch (const toml::parse_error& failure) {
     throw Error(ErrorKind::bad_input, stage, fmt::format("{}:{}", file.string(), failure.source().begin.line),
                 std::string(failure.description()));
@@ -66,7 +77,7 @@ Error TomlTable::missing(std::string_view key) const {
 std::string TomlTable::where(std::string_view key) const {
   const toml::node* node = key.empty() ? nullptr : table_->get(key);
   const toml::source_region& region = node ? node->source() : table_->source();
-  return region.begin.line > 0 ? fmt::format("{}:{}", file_, region.begin.line) : file_;
+  return region.begin.line > 0 ? fmt::format("{}:{}", region.path ? *region.path : file_, region.begin.line) : file_;
 }
 
 Error TomlTable::error(std::string_view key, std::string message) const {

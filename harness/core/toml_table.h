@@ -24,6 +24,9 @@ class TomlTable {
   static TomlTable parse(const std::filesystem::path& file, std::string stage, TomlFormPtr form = form::anything());
   // The same table by another form, where what it holds depends on a key of it.
   TomlTable by(TomlFormPtr form) const { return {root_, table_, file_, stage_, std::move(form)}; }
+  static toml::table parse_nodes(const std::filesystem::path& file, const std::string& stage);
+  // Of nodes that were parsed, maybe from several files; `file` is named where a node knows of none.
+  TomlTable(toml::table root, const std::filesystem::path& file, std::string stage, TomlFormPtr form);
 
   // "FILE:LINE" of a key, or of the table itself where the key is absent.
   std::string where(std::string_view key = {}) const;

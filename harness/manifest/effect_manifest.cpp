@@ -14,7 +14,7 @@ const std::vector<std::string> meaning_names = {"colour", "number", "normal", "n
 const std::vector<std::string> model_textures = {"model.base_colour", "model.normal"};
 const std::vector<std::string> model_alphas = {"model.transparency"};
 const std::vector<std::string> model_numbers = {"model.thickness"};
-const std::vector<std::string> fact_functions = {"seen_alpha", "largest", "largest_channel", "least_alpha"};
+const std::vector<std::string> fact_functions = {"seen_alpha", "largest", "largest_channel", "least_alpha", "largest_bend"};
 
 template <class Code>
 std::vector<std::string> names_in(const std::map<std::string, Code>& code) {

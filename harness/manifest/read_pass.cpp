@@ -217,7 +217,8 @@ TomlFormPtr pass_form() {
   const double most = largest_number;
   static const TomlFormPtr all = form::make(
       {{"name", "the pass's name in records and reports", {form::text()}, true},
-       {"draw", "what is drawn", {form::word({"objects", "unwrapped", "fullscreen", "compute", "mips"})}, true},
+       {"draw", "what is drawn", {form::word({"objects", "unwrapped", "fullscreen", "compute", "mips"})}},  // a manifest with `like` may leave it out
+       {"before", "with `like`: the pass that comes behind this one", {form::text()}},
        {"of", "which objects", {form::word({"own", "all", "opaque"})}},
        {"with", "only objects that have this feature", {form::text()}},
        {"without", "only objects that lack this feature", {form::text()}},

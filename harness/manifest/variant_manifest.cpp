@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "harness/manifest/choices.h"
+#include "harness/manifest/like.h"
 #include "harness/manifest/read_pass.h"
 
 namespace lamina {
@@ -121,7 +122,7 @@ TomlFormPtr target_form() {
         "\"frame\", [width, height], or a texture of the object",
         {form::text(), form::numbers(1, largest_size, {2}), form::texts({}, parameter_pattern)}},
        {"scale", "factor of the size", {form::number(1.0 / 64, 16), form::text(parameter_pattern)}},
-       {"format", "of a texel", {form::text(fmt::format("^({}|\\$.+)$", fmt::join(formats, "|")))}, true},
+       {"format", "of a texel", {form::text(fmt::format("^({}|\\$.+)$", fmt::join(formats, "|")))}},
        {"mips", "it has a full mip chain", {form::flag()}},
        {"buffers", "2: a pass may read what the one before wrote", {form::whole(1, 2)}},
        {"shared", "one for all effects that declare the same", {form::flag()}},
@@ -140,7 +141,7 @@ TomlFormPtr buffer_form() {
 
 TomlFormPtr parameter_form() {
   const TomlValue number = form::number(-largest_number, largest_number);
-  const TomlFormPtr parameter = form::make({{"value", "the default", {number, form::text()}, true},
+  const TomlFormPtr parameter = form::make({{"value", "the default", {number, form::text()}},
                                             {"of", "the words to choose among: it is then a word", {form::texts()}},
                                             {"min", "least", {number}},
                                             {"max", "greatest", {number}},
@@ -157,14 +158,17 @@ TomlFormPtr variant_form() {
                                        {"effect", "what it is a variant of; the folder's effect where it is left out", {form::text()}},
                                        {"title", "what it is, for people", {form::text()}},
                                        {"baseline", "the others are compared with this one", {form::flag()}},
+                                       {"like", "the manifest beside this one that it has all from but what it says itself", {form::text()}},
+                                       {"leave_out", "passes of that manifest that this one has not", {form::texts()}},
                                        {"closed", "each mesh of the effect must be a closed hull", {form::flag()}}});
   const TomlFormPtr bake = form::make({}, TomlKey{"NAME", "an option of the effect's baker", {form::number(-largest_number, largest_number)}});
+  // What a manifest with `like` may leave out is not marked as required: the reader says what is missing.
   static const TomlFormPtr all = form::make({{"variant", "the variant", {form::table(head)}, true},
                                              {"parameters", "what users may set", {form::table(parameter_form())}},
                                              {"targets", "what passes write", {form::table(target_form())}},
                                              {"buffers", "storage buffers", {form::table(buffer_form())}},
                                              {"bake", "what the effect's baker is asked for", {form::table(bake)}},
-                                             {"pass", "steps of the frame, in order", {form::tables(pass_form())}, true}});
+                                             {"pass", "steps of the frame, in order", {form::tables(pass_form())}}});
   return all;
 }
 
@@ -202,7 +206,7 @@ Format VariantManifest::format_of(const TargetManifest& of, const Parameters& se
 
 VariantManifest read_variant(const std::filesystem::path& file, const std::string& effect,
                              const std::filesystem::path& shaders) {
-  const TomlTable root = TomlTable::parse(file, "variants", variant_form());
+  const TomlTable root = manifest_nodes(file, variant_form());
   const TomlTable head = root.table("variant");
   VariantManifest variant;
   variant.file = file;
@@ -211,6 +215,9 @@ VariantManifest read_variant(const std::filesystem::path& file, const std::strin
   if (variant.effect.empty()) throw head.error({}, "'effect' is missing: which effect is this a variant of?");
   variant.title = head.optional_string("title").value_or(variant.name);
   variant.baseline = head.optional_bool("baseline").value_or(false);
+  if (!head.optional_string("like") && head.has("leave_out"))
+    throw head.error("leave_out", "'leave_out' needs 'like': whose passes are left out?");
+  head.optional_strings("leave_out");
   variant.closed = head.optional_bool("closed").value_or(false);
   head.check_keys();
   for (const auto& [name, table] : root.tables("parameters")) variant.parameters.push_back(read_parameter(name, table));

@@ -2,6 +2,7 @@
 #include "harness/scene/facts.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "harness/scene/mesh/seen_alpha.h"
 #include "harness/scene/textures.h"
@@ -22,9 +23,18 @@ double least_alpha(const Texture& texture) {
   return double(least);
 }
 
+// Flat is a code of 127 or 128: 1/2 is none.
+double largest_bend(const Texture& texture) {
+  float greatest = 0;
+  for (const glm::vec4& texel : base_texels(*texture).rgba)
+    greatest = std::max({greatest, std::abs(texel.r - 0.5f), std::abs(texel.g - 0.5f)});
+  return greatest > 0.6f / 255 ? 2 * double(greatest) : 0;
+}
+
 // Of the mesh too, whose texture loses an alpha that it does not show.
 double value_of(const std::string& function, const Mesh& mesh, Texture& texture) {
   if (function == "seen_alpha") return double(settle_seen_alpha(mesh, texture));
+  if (function == "largest_bend") return largest_bend(texture);
   if (function == "least_alpha") return least_alpha(texture);
   return largest(texture, function == "largest_channel");
 }

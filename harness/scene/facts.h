@@ -5,6 +5,7 @@
 //   largest = "TEXTURE"     the greatest red of any texel of the texture, 0 to 1
 //   largest_channel = "TEXTURE"  the greatest red, green or blue of any texel of the texture, 0 to 1
 //   least_alpha = "TEXTURE"      the least alpha of any texel of the texture, 0 to 1
+//   largest_bend = "TEXTURE"     how far a normal map's normals bend away from flat at most, 0 to 1; 0 within rounding
 #pragma once
 
 #include "harness/manifest/effect_manifest.h"

@@ -47,7 +47,7 @@ Entry entry_at(Lit lit, vec4 light, vec3 along, float run, vec2 offset, vec3 nor
     float come = light_distance(light, from);
     straight = come - entry.w - slope_in_texel(lit, from, map_place(lit.map, from) - vec2(texel) - 0.5, entry.xyz, cosine);
     if (is_short) {
-      if (abs(straight) * max(cosine, 0.1) < rounded * (abs(come) + width * float(map_side()))) straight = 0.0;
+      if (abs(straight) * max(cosine, 0.1) < rounded * (abs(come) + width * float(entry_side()))) straight = 0.0;
       straight -= run * dot(entry.xyz, along) / max(cosine, 0.1);
     }
   }

@@ -66,6 +66,50 @@ TEST_F(UserVariant, LoadsBesideTheBuiltInOnes) {
   EXPECT_EQ(library.effect("layered_material").variants.back().name, "mine");
 }
 
+TEST_F(UserVariant, IsLikeAnotherButForWhatItSays) {
+  const std::string base =
+      "[variant]\nname = \"base\"\neffect = \"layered_material\"\n[parameters.taps]\nvalue = 3\nmin = 1\n"
+      "[targets.a]\nformat = \"r8_unorm\"\n[targets.b]\nformat = \"r8_unorm\"\n";
+  const std::string first =
+                        "[[pass]]\nname = \"first\"\ndraw = \"fullscreen\"\nfragment = \"common/frame_as_it_is.frag\"\n"
+                        "define = { X = \"1\", Y = \"2\" }\nwrite = [\"a\"]\n",
+                    told =
+                        "[[pass]]\nname = \"told\"\nwhen = \"truth\"\ndraw = \"fullscreen\"\nfragment = "
+                        "\"common/frame_as_it_is.frag\"\nwrite = [\"b\"]\n";
+  write("base.toml", base + first + told + pass);
+  const std::string like = "[variant]\nname = \"mine\"\neffect = \"layered_material\"\nlike = \"base\"\n";
+  const std::string own =
+      "[parameters.taps]\nvalue = 5\n[targets.b]\nformat = \"r16_float\"\n"
+      "[[pass]]\nname = \"first\"\ndefine = { X = \"7\" }\n"
+      "[[pass]]\nname = \"second\"\nbefore = \"composite\"\ndraw = \"fullscreen\"\nfragment = "
+      "\"common/frame_as_it_is.frag\"\nwrite = [\"b\"]\n";
+  ASSERT_EQ(refusal(like + own), "");
+  const Library library = load_library(LAMINA_SOURCE_DIR, effect_code(), {folder_});
+  const VariantManifest& variant = library.effect("layered_material").variants.back();
+  ASSERT_EQ(variant.name, "mine");
+  ASSERT_EQ(variant.passes.size(), 3u) << "a pass for the truth alone stays with the other";
+  EXPECT_EQ(variant.passes[0].name, "first");
+  EXPECT_EQ(variant.passes[0].defines, (std::map<std::string, std::string>{{"X", "7"}, {"Y", "2"}}));
+  EXPECT_EQ(variant.passes[1].name, "second");
+  EXPECT_EQ(variant.passes[2].name, "composite");
+  EXPECT_EQ(variant.target("a")->format, Format::r8_unorm);
+  EXPECT_EQ(variant.target("b")->format, Format::r16_float);
+  EXPECT_EQ(variant.parameter("taps")->value, 5);
+
+  EXPECT_EQ(refusal("[variant]\nname = \"mine\"\neffect = \"layered_material\"\nlike = \"base\"\nleave_out = [\"first\"]\n"),
+            "");
+  EXPECT_SAYS(refusal(like + "leave_out = [\"third\"]\n"), "mine.toml:5: ");
+  EXPECT_SAYS(refusal(like + "leave_out = [\"third\"]\n"), "base.toml has no such pass");
+  EXPECT_SAYS(refusal("[variant]\nname = \"mine\"\neffect = \"layered_material\"\nlike = \"bass\"\n"), "there is no ");
+  EXPECT_SAYS(refusal("[variant]\nname = \"mine\"\neffect = \"layered_material\"\nlike = \"mine\"\n"),
+              "like one that is like it");
+  EXPECT_SAYS(refusal(like + "[[pass]]\nname = \"x\"\nbefore = \"y\"\n"), "no pass before this one is named 'y'");
+  EXPECT_SAYS(refusal(head + "leave_out = [\"first\"]\n" + pass), "'leave_out' needs 'like'");
+  // A mistake in what is taken over is in the file that makes it.
+  write("base.toml", base + first + "colour = 1\n" + pass);
+  EXPECT_SAYS(refusal(like), "base.toml:17: unknown key 'colour'");
+}
+
 TEST_F(UserVariant, ShaderBesideTheManifestComesFirst) {
   fs::create_directories(folder_ / "surface");
   write("surface/lambert.frag", "void main() {}");

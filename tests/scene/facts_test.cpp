@@ -38,6 +38,11 @@ TEST(Facts, LargestChannelIsTheGreatestOfAllThree) {
   }
 }
 
+TEST(Facts, LargestBendIsHowFarNormalsLieFromFlat) {
+  EXPECT_EQ(Asked({{0.5f, 0.5f, 1, 1}, {127.0f / 255, 128.0f / 255, 1, 1}}, "largest_bend").most(), 0) << "both codes are flat";
+  EXPECT_NEAR(Asked({{0.5f, 0.5f, 1, 1}, {0.5f, 0.1f, 0.9f, 1}}, "largest_bend").most(), 0.8, 1.0 / 255);
+}
+
 TEST(Facts, LeastAlphaIsTheLeastOfAnyTexel) {
   EXPECT_EQ(Asked({{0, 0, 0, 1}, {0, 0, 0, 1}}, "least_alpha").most(), 1) << "colours do not count";
   EXPECT_NEAR(Asked({{1, 1, 1, 0.8f}, {1, 1, 1, 0.2f}, {1, 1, 1, 1}}, "least_alpha").most(), 0.2, 0.5 / 255);

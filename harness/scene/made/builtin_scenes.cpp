@@ -23,6 +23,9 @@
 #include "harness/scene/made/leaf_pair.h"
 #include "harness/scene/made/open_plane.h"
 #include "harness/scene/made/rough_glass.h"
+#include "harness/scene/made/skin_head.h"
+#include "harness/scene/made/skin_plate.h"
+#include "harness/scene/made/skin_spheres.h"
 #include "harness/scene/made/sphere_over_plane.h"
 #include "harness/scene/made/terrain.h"
 #include "harness/scene/made/thin_glass.h"
@@ -58,6 +61,10 @@ constexpr Builtin builtins[] = {
     {"thin_glass", [](float) { return make_thin_glass(); }},
     {"glass_drift", make_glass_drift},
     {"hair_head", [](float) { return make_hair_head(); }},
+    {"skin_head", make_skin_head},
+    {"skin_tones", make_skin_tones},
+    {"skin_spheres", [](float) { return make_skin_spheres(); }},
+    {"skin_plate", [](float) { return make_skin_plate(); }},
     {"rough_glass", [](float) { return make_rough_glass(); }},
     {"glossy_floor", [](float) { return make_glossy_floor(); }},
 };

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "blended_normals.glsl"
+#include "stress/function.glsl"
