@@ -23,8 +23,9 @@ if cells.empty:
     sys.exit(f"{path}: holds no cells")
 cells = cells[cells["status"] == "ok"]
 columns = ["median_ms", "ratio_to_baseline.median", "fetches_per_pixel", "error.baseline.ssim"]
-summary = cells.reindex(columns=["effect", "variant", "backend", *columns]).groupby(["effect", "variant", "backend"], sort=False)[columns]
-print(summary.mean().to_string(float_format="%.4f", na_rep="-"))
+names = ["effect", "variant", "backend"]
+cells = cells.reindex(columns=[*names, *columns]).astype(dict.fromkeys(columns, float))   # what is not known becomes NaN
+print(cells.groupby(names, sort=False)[columns].mean().to_string(float_format="%.4f", na_rep="-"))
 
 # Every sample of every pass, in the order of its rounds: for tests and plots of your own.
 passes = pd.DataFrame([

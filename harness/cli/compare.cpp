@@ -164,10 +164,10 @@ Command add_compare(CLI::App& program) {
   add_truth(command, *options);
   add_seed(command, options->rounds.seed);
   add_validation(command, *options);
-  CLI::Option* watch = command.add_flag(
-      "--watch", options->watch,
-      "Draw again what a changed shader, manifest or scene file touches, into a page that loads itself again; the first backend, "
-      "no truth unless --truth-rays says so; Ctrl-C ends with the record");
+  CLI::Option* watch = command.add_flag("--watch", options->watch,
+                                        "Draw again what a changed shader, manifest or scene file touches, into a page that "
+                                        "loads itself again; the first backend, "
+                                        "no truth unless --truth-rays says so; Ctrl-C ends with the record");
   command.add_option("--view", options->views, "View that is watched; the first without (may be given again)")
       ->type_name(placeholder::view)
       ->needs(watch);

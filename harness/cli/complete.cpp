@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// lamina complete: what may stand at the end of a command line. The scripts of packaging/completions call it for bash, zsh and fish, so
-// that what they offer is what the program parses. A line each: the word, and after a tab what it is; ":folders", or ":files" with
-// the endings of their names, where the shell itself knows them.
+// lamina complete: what may stand at the end of a command line. The scripts of packaging/completions call it for bash, zsh and
+// fish, so that what they offer is what the program parses. A line each: the word, and after a tab what it is; ":folders", or
+// ":files" with the endings of their names, where the shell itself knows them.
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>

@@ -85,18 +85,11 @@ EffectRun::EffectRun(Backend& backend, const EffectManifest& effect, ShaderCache
 void EffectRun::start(const SceneOnDevice& scene, const MeasuredPoint& point, const std::string& failure) {
   scene_ = scene;
   point_ = point;
+  again_.clear();
+  drawn_.clear();
   for (Variant& variant : variants_) {
     variant.failure = failure;
-    variant.first_is_drawn = false;
-    variant.rows.clear();
-    for (const View& view : scene.scene->views) {
-      CellRow& row = variant.rows.emplace_back(blank_row(backend_.info().backend, backend_.info().device, *scene.scene,
-                                                         *scene.plan->library, view, *variant.manifest, options_));
-      for (const auto& [path, value] : point.params) row.params[path] = value;
-      for (const auto& [path, word] : point.words) row.words[path] = word;
-      row.timed = point.timed;
-      if (!failure.empty()) fail(row, failure);
-    }
+    blank_rows(variant);
   }
   if (!failure.empty()) return;
   const std::string key = plan_key(*scene.plan, *scene.scene);
@@ -105,6 +98,30 @@ void EffectRun::start(const SceneOnDevice& scene, const MeasuredPoint& point, co
   else
     truth_ = std::make_unique<TruthRun>(*scene.resources, *scene.plan, effect_, shaders_, *scene.bakes, options_);
   plan_key_ = key;
+}
+
+void EffectRun::blank_rows(Variant& variant) {
+  variant.first_is_drawn = false;
+  variant.rows.clear();
+  for (const View& view : scene_.scene->views) {
+    CellRow& row = variant.rows.emplace_back(blank_row(backend_.info().backend, backend_.info().device, *scene_.scene,
+                                                       *scene_.plan->library, view, *variant.manifest, options_));
+    for (const auto& [path, value] : point_.params) row.params[path] = value;
+    for (const auto& [path, word] : point_.words) row.words[path] = word;
+    row.timed = point_.timed;
+    if (!variant.failure.empty()) fail(row, variant.failure);
+  }
+}
+
+void EffectRun::start_again(const std::set<std::string>& variants) {
+  again_ = variants;
+  for (Variant& variant : variants_) {
+    if (!is_at_work(variant)) continue;
+    variant.prepared.clear();
+    variant.failure.clear();
+    blank_rows(variant);
+  }
+  truth_ = std::make_unique<TruthRun>(*scene_.resources, *scene_.plan, effect_, shaders_, *scene_.bakes, options_);
 }
 
 void EffectRun::release() {
@@ -118,6 +135,7 @@ void EffectRun::attempt(Variant& variant, const std::function<void()>& work) {
 
 void EffectRun::each(const std::string& doing, void (EffectRun::*step)(Variant&)) {
   for (size_t i = 0; i < variants_.size(); ++i) {
+    if (!is_at_work(variants_[i])) continue;
     tell_(static_cast<double>(i) / static_cast<double>(variants_.size()), doing + " " + variants_[i].manifest->name);
     attempt(variants_[i], [&] { (this->*step)(variants_[i]); });
   }
@@ -206,7 +224,7 @@ RoundsResult EffectRun::time(const RoundOptions& rounds) {
   std::vector<Arm> arms;
   std::vector<std::pair<const Variant*, CellRow*>> cells;  // beside arms
   for (Variant& variant : variants_) {
-    attempt(variant, [&] { variant.once_ms = time_once(variant.prepared.front().ready->frame); });
+    if (is_at_work(variant)) attempt(variant, [&] { variant.once_ms = time_once(variant.prepared.front().ready->frame); });
     if (!variant.failure.empty()) continue;
     variant.first_is_drawn = false;
     Frame& frame = variant.prepared.front().ready->frame;
@@ -288,12 +306,17 @@ bool EffectRun::score(const Scoring& scoring) {
   for (size_t view = 0; view < views; ++view) {
     const std::string name = first.rows[view].view;
     const auto is_wanted = [&](const Variant& variant) {
-      return !scoring.wanted || scoring.wanted(variant.manifest->name, name);
+      return is_at_work(variant) && (!scoring.wanted || scoring.wanted(variant.manifest->name, name));
     };
     if (std::ranges::none_of(variants_, is_wanted)) continue;
     tell_(static_cast<double>(view) / static_cast<double>(views), "scoring view " + name);
     std::optional<Drawn> baseline;
-    attempt(first, [&] { baseline = draw(first, view); });
+    const auto known = drawn_.find(view);
+    if (!is_at_work(first) && known != drawn_.end())
+      baseline = known->second;
+    else
+      attempt(first, [&] { baseline = draw(first, view); });
+    if (baseline && keeps_pictures_) drawn_.insert_or_assign(view, *baseline);
     for (Variant& variant : variants_) {
       if (!is_wanted(variant)) continue;
       score(variant, view, baseline ? &*baseline : nullptr, scoring);

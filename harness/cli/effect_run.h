@@ -5,7 +5,10 @@
 #pragma once
 
 #include <list>
+#include <map>
 #include <memory>
+#include <set>
+#include <string>
 
 #include "harness/cli/cell.h"
 #include "harness/cli/progress.h"
@@ -37,8 +40,14 @@ class EffectRun {
   EffectRun(Backend& backend, const EffectManifest& effect, ShaderCache& shaders, const CellOptions& options,
             const std::string& images, const Tell& tell);
 
+  // Keeps the baseline's pictures, for start_again().
+  void keep_baseline() { keeps_pictures_ = true; }
+
   // Begins a state of the scene with blank rows. `failure`: why there is no such state; all its cells have failed.
   void start(const SceneOnDevice& scene, const MeasuredPoint& point = {}, const std::string& failure = "");
+  // Makes these variants anew, whose shaders have changed: all that follows is about them alone, and what the others have
+  // stays, the baseline's pictures too, against which errors are taken. After start() and score().
+  void start_again(const std::set<std::string>& variants);
   // Lets go of all that binds the scene's resources, which are about to be made anew.
   void release();
 
@@ -94,6 +103,8 @@ class EffectRun {
     Mask covered;
   };
 
+  void blank_rows(Variant& variant);
+  bool is_at_work(const Variant& variant) const { return again_.empty() || again_.contains(variant.manifest->name); }
   void attempt(Variant& variant, const std::function<void()>& work);
   void each(const std::string& doing, void (EffectRun::*step)(Variant&));
   void prepare(Variant& variant);
@@ -112,6 +123,9 @@ class EffectRun {
   std::string plan_key_;
   std::unique_ptr<TruthRun> truth_;
   std::vector<Variant> variants_;  // the baseline first
+  std::set<std::string> again_;    // of start_again(); empty: all
+  bool keeps_pictures_ = false;
+  std::map<size_t, Drawn> drawn_;  // of the baseline, by view, where they are kept
   Spent spent_;
 };
 

@@ -38,13 +38,20 @@ Schema schema_of_list(const TomlValue& value, Schema item) {
 
 Schema schema_of_value(const TomlValue& value) {
   switch (value.kind) {
-    case Kind::string: return schema_of_string(value);
-    case Kind::boolean: return {{"type", "boolean"}};
-    case Kind::number: return schema_of_number(value);
-    case Kind::numbers: return schema_of_list(value, schema_of_number(value));
-    case Kind::strings: return schema_of_list(value, schema_of_string(value));
-    case Kind::table: return schema_of_form(*value.form);
-    case Kind::tables: return {{"type", "array"}, {"items", schema_of_form(*value.form)}};
+    case Kind::string:
+      return schema_of_string(value);
+    case Kind::boolean:
+      return {{"type", "boolean"}};
+    case Kind::number:
+      return schema_of_number(value);
+    case Kind::numbers:
+      return schema_of_list(value, schema_of_number(value));
+    case Kind::strings:
+      return schema_of_list(value, schema_of_string(value));
+    case Kind::table:
+      return schema_of_form(*value.form);
+    case Kind::tables:
+      return {{"type", "array"}, {"items", schema_of_form(*value.form)}};
   }
   return {};
 }

@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-// Of a table: its keys, what they take, those that must be there. It refuses nothing that the readers take; what holds across keys
-// they alone know.
+// Of a table: its keys, what they take, those that must be there. It refuses nothing that the readers take; what holds across
+// keys they alone know.
 nlohmann::ordered_json schema_of_form(const TomlForm& form);
 
 }  // namespace lamina

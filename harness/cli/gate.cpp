@@ -140,8 +140,9 @@ Command add_gate(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "gate", "Compares two states of the code; fails where the newer one is slower, fetches more or is less accurate");
   add_scene(command, options->compare.scene);
-  CLI::Option* against = command.add_option("--against", options->against,
-                                            "Tree of variants/ and shaders/ as they were before, measured in the same run")
+  CLI::Option* against = command
+                             .add_option("--against", options->against,
+                                         "Tree of variants/ and shaders/ as they were before, measured in the same run")
                              ->type_name(placeholder::directory);
   command.add_option("--baseline", options->baseline, "Record of the state before (record.jsonl or its folder)")
       ->type_name(placeholder::record)

@@ -32,7 +32,9 @@ int run_history(const HistoryOptions& options) {
 Command add_history(CLI::App& program) {
   auto options = std::make_shared<HistoryOptions>();
   CLI::App& command = *program.add_subcommand("history", "How each cell's figures changed over records, and at which commit");
-  command.add_option("record", options->records, "Run folders or their record.jsonl, two or more")->required()->type_name(placeholder::record);
+  command.add_option("record", options->records, "Run folders or their record.jsonl, two or more")
+      ->required()
+      ->type_name(placeholder::record);
   command.add_option("--csv", options->csv, "File for every point of every trend")->type_name(placeholder::file);
   return {&command, [=](const std::string&) { return run_history(*options); }};
 }

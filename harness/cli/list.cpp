@@ -62,7 +62,7 @@ int run_list(const SceneOptions& options) {
 }
 
 Json json_of(const Parameter& parameter) {
-  Json row = {{"path", parameter.path}, {"min", parameter.min}, {"max", parameter.max},
+  Json row = {{"path", parameter.path}, {"min", parameter.min},     {"max", parameter.max},
               {"unit", parameter.unit}, {"title", parameter.title}, {"whole", parameter.whole}};
   if (parameter.or_zero) row["or_zero"] = true;
   if (!parameter.words.empty()) row["words"] = parameter.words;
@@ -71,7 +71,8 @@ Json json_of(const Parameter& parameter) {
 }
 
 Json json_of(const VariantManifest& variant) {
-  Json row = {{"name", variant.name}, {"title", variant.title}, {"baseline", variant.baseline}, {"file", variant.file.string()}};
+  Json row = {
+      {"name", variant.name}, {"title", variant.title}, {"baseline", variant.baseline}, {"file", variant.file.string()}};
   row["parameters"] = Json::array();
   for (const ParameterManifest& parameter : variant.parameters)
     row["parameters"].push_back({{"path", variant.name + "." + parameter.name},
@@ -131,7 +132,8 @@ Command add_list(CLI::App& program) {
   auto options = std::make_shared<SceneOptions>();
   auto parameters = std::make_shared<bool>(false);
   auto json = std::make_shared<bool>(false);
-  CLI::App& command = *program.add_subcommand("list", "Effects, variants, parameters, scenes, backends, and what devices can do");
+  CLI::App& command =
+      *program.add_subcommand("list", "Effects, variants, parameters, scenes, backends, and what devices can do");
   add_scene_name(command, *options, "Scene whose parameters are listed");
   command.add_flag("--parameters", *parameters, "Every parameter that 'lamina sweep' can set, and nothing else");
   command.add_flag("--json", *json, "One JSON object of all that, with the scene's parameters; for scripts");

@@ -90,12 +90,14 @@ std::vector<const CLI::App*> shown_commands(const CLI::App& program) {
 std::string paths_section() {
   const SceneOptions options;
   const Library library = load_library_for(options);
-  std::string text = section("PATHS") + roff(fmt::format("Of the built-in scene {}; 'lamina list SCENE --parameters' prints those of "
-                                                         "another, with their values.\n",
-                                                         options.scene));
+  std::string text =
+      section("PATHS") + roff(fmt::format("Of the built-in scene {}; 'lamina list SCENE --parameters' prints those of "
+                                          "another, with their values.\n",
+                                          options.scene));
   for (const Parameter& parameter : parameters_of(load_scene_for(options, library), library))
-    text += entry(bold(parameter.path), fmt::format("{}{}from {:g} to {:g} {}", parameter.title, parameter.title.empty() ? "" : ", ",
-                                                    parameter.min, parameter.max, parameter.unit));
+    text += entry(bold(parameter.path),
+                  fmt::format("{}{}from {:g} to {:g} {}", parameter.title, parameter.title.empty() ? "" : ", ", parameter.min,
+                              parameter.max, parameter.unit));
   return text;
 }
 
@@ -128,7 +130,8 @@ std::string lists() {
   text += section("FUNCTIONS");
   for (const Family& family : load_families(home_folder() / "shaders", effect_code()))
     text += entry(bold(family.name), fmt::format("{}: {}", family.title, fmt::join(family.function_names(), ", ")));
-  text += section("BACKENDS") + roff(fmt::format("{}. 'lamina list' prints the devices of each.\n", fmt::join(backend_names(), ", ")));
+  text += section("BACKENDS") +
+          roff(fmt::format("{}. 'lamina list' prints the devices of each.\n", fmt::join(backend_names(), ", ")));
   return text;
 }
 
@@ -144,7 +147,8 @@ std::string page_of_program(const CLI::App& program) {
   text += section("OPTIONS") + options_of(program, false) + lists() + section("ENVIRONMENT");
   text += entry(bold("LAMINA_HOME"), "Folder with variants/ and shaders/, in place of those that lie beside the program.");
   text += entry(bold("LAMINA_CACHE"), "Folder that keeps bakes and truths, in place of lamina in the user's cache.");
-  text += entry(bold("LP_NUM_THREADS"), "Threads of Mesa's rasterizers on the CPU; a run sets it to one for each core where it is not set.");
+  text += entry(bold("LP_NUM_THREADS"),
+                "Threads of Mesa's rasterizers on the CPU; a run sets it to one for each core where it is not set.");
   return text + statuses() + section("SEE ALSO") + others + "\n";
 }
 
@@ -175,7 +179,8 @@ Command add_man(CLI::App& program) {
     std::filesystem::path out;
   };
   auto options = std::make_shared<Options>();
-  CLI::App& command = *program.add_subcommand("man", "Prints the manual of the program, or of a command: lamina man compare | man -l -");
+  CLI::App& command =
+      *program.add_subcommand("man", "Prints the manual of the program, or of a command: lamina man compare | man -l -");
   command.add_option("command", options->command, "Command")->type_name(placeholder::command);
   command.add_option("--out", options->out, "Folder for all pages, instead of printing one")->type_name(placeholder::directory);
   return {&command, [=, &program](const std::string&) {

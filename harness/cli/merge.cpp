@@ -81,7 +81,9 @@ Command add_merge(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App& command =
       *program.add_subcommand("merge", "Joins the records of a sweep's shards, and gives the answers of the whole sweep");
-  command.add_option("record", options->records, "Run folders or their record.jsonl")->required()->type_name(placeholder::record);
+  command.add_option("record", options->records, "Run folders or their record.jsonl")
+      ->required()
+      ->type_name(placeholder::record);
   add_out(command, options->out, "Folder for the joined record, report and pictures");
   return {&command, [=](const std::string&) { return run_merge(options->records, options->out); }};
 }

@@ -45,8 +45,7 @@ void add_out(CLI::App& command, std::filesystem::path& out, const std::string& h
 }
 
 void add_backends(CLI::App& command, DeviceOptions& options) {
-  command
-      .add_option("--backend", options.backends, fmt::format("{} (may be given again)", fmt::join(backend_names(), ", ")))
+  command.add_option("--backend", options.backends, fmt::format("{} (may be given again)", fmt::join(backend_names(), ", ")))
       ->capture_default_str()
       ->type_name(placeholder::backend);
   command.add_option("--device", options.device, "Part of a device's name, or its number in 'lamina list'")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands for an option's value in the help: --backend BACKEND. The word is the option's type; what may stand in its place is
-// found by it (values.h), for completion and the manual.
+// What stands for an option's value in the help: --backend BACKEND. The word is the option's type; what may stand in its place
+// is found by it (values.h), for completion and the manual.
 #pragma once
 
 namespace lamina::placeholder {

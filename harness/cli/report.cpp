@@ -61,7 +61,9 @@ Command add_report(CLI::App& program) {
   auto options = std::make_shared<ReportCommand>();
   CLI::App& command =
       *program.add_subcommand("report", "Writes reports again from records; several records side by side with --out");
-  command.add_option("record", options->records, "Run folders or their record.jsonl")->required()->type_name(placeholder::record);
+  command.add_option("record", options->records, "Run folders or their record.jsonl")
+      ->required()
+      ->type_name(placeholder::record);
   command.add_option("--out", options->out, "Folder for one report of all records (default: each beside its record)")
       ->type_name(placeholder::directory);
   command.add_flag("--single-file", options->single_file, "Put the pictures into the page, so that one file is all");

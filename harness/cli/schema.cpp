@@ -89,7 +89,8 @@ Command add_schema(CLI::App& program) {
   auto options = std::make_shared<SchemaOptions>();
   CLI::App& command = *program.add_subcommand("schema", "Prints the JSON Schema of a kind of file, for editors and scripts");
   command.add_option("kind", options->kind, "scene, manifest, effect, family, gate or record")->type_name(placeholder::schema);
-  command.add_option("--out", options->out, "Folder for all of them, instead of printing one")->type_name(placeholder::directory);
+  command.add_option("--out", options->out, "Folder for all of them, instead of printing one")
+      ->type_name(placeholder::directory);
   add_variants_dir(command, *options);
   return {&command, [=](const std::string&) { return run_schema(*options); }};
 }

@@ -290,13 +290,15 @@ Command add_stress(CLI::App& program) {
   auto options = std::make_shared<StressOptions>();
   CLI::App& command =
       *program.add_subcommand("stress", "Runs the shaders' functions on hard inputs, and compares them with exact values");
-  command.add_option(
-      "family", options->family,
-      "A family of functions, such as caps (the area that two spherical caps share), or a family.toml; all without a name")
+  command
+      .add_option(
+          "family", options->family,
+          "A family of functions, such as caps (the area that two spherical caps share), or a family.toml; all without a name")
       ->type_name(placeholder::family);
   CLI::Option* points =
-      command.add_option("--points", options->points,
-                         "File of inputs and, if known, their right value (caps: r0,r1,d[,area]) instead of the sets")
+      command
+          .add_option("--points", options->points,
+                      "File of inputs and, if known, their right value (caps: r0,r1,d[,area]) instead of the sets")
           ->type_name(placeholder::file);
   CLI::Option* count =
       command.add_option("--count", options->count, "Inputs a set")->capture_default_str()->check(CLI::Range(1000, 4000000));

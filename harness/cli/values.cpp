@@ -90,9 +90,9 @@ Completions paths(const Typed& typed) {
   const SceneOptions options = scene_options(typed);
   const Library library = load_library_for(options);
   for (const Parameter& parameter : parameters_of(load_scene_for(options, library), library))
-    all.words.push_back({parameter.path + "=", fmt::format("[{:g} to {:g}] {}{}{}", parameter.min, parameter.max, parameter.unit,
-                                                           parameter.unit.empty() || parameter.title.empty() ? "" : ", ",
-                                                           parameter.title)});
+    all.words.push_back(
+        {parameter.path + "=", fmt::format("[{:g} to {:g}] {}{}{}", parameter.min, parameter.max, parameter.unit,
+                                           parameter.unit.empty() || parameter.title.empty() ? "" : ", ", parameter.title)});
   return all;
 }
 
@@ -123,7 +123,10 @@ Completions completions_for(std::string_view word, const Typed& typed) {
       {of::set, paths},
       {of::limit, limits},
       {of::schema, schemas},
-      {of::schedule, [](const Typed&) { return Completions{.words = {{"none", ""}, {"all", ""}, {"every:", "every:N"}}}; }},
+      {of::schedule,
+       [](const Typed&) {
+         return Completions{.words = {{"none", ""}, {"all", ""}, {"every:", "every:N"}}};
+       }},
       {of::directory, [](const Typed&) { return Completions{.folders = true}; }},
       {of::file, [](const Typed&) { return Completions{.files = true}; }},
       {of::record, [](const Typed&) { return Completions{.folders = true, .files = true, .file_endings = {"jsonl"}}; }},

@@ -24,7 +24,8 @@ struct Completions {
 // What the command line says before, by the options' names without dashes ("scene", "variants-dir").
 using Typed = std::map<std::string, std::vector<std::string>>;
 
-// `word`: a placeholder. Nothing for what is free, a number or a text. Throws Error where a scene or a folder that was typed cannot be read.
+// `word`: a placeholder. Nothing for what is free, a number or a text. Throws Error where a scene or a folder that was typed
+// cannot be read.
 Completions completions_for(std::string_view word, const Typed& typed);
 
 }  // namespace lamina

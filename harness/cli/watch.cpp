@@ -66,7 +66,11 @@ struct Watched {
 class Watch {
  public:
   Watch(const WatchOptions& options, Backend& backend, const std::optional<TimerRow>& timer)
-      : options_(options), backend_(backend), timer_(timer), world_(std::make_unique<World>(backend, options)) {
+      : options_(options),
+        backend_(backend),
+        timer_(timer),
+        world_(std::make_unique<World>(backend, options)),
+        shaders_(backend.info().api, world_->library.shaders) {
     state_.what = fmt::format("{} on {} ({}), {}x{}", world_->scene.name, backend.info().backend, backend.info().device,
                               options.width_px, options.height_px);
   }
@@ -83,9 +87,11 @@ class Watch {
   void update(const std::vector<fs::path>& changed) {
     const Stopwatch watch;
     state_.failure.clear();
-    const bool of_shaders_alone = std::ranges::all_of(changed, [](const fs::path& file) { return file.extension() != ".toml"; });
+    const bool of_shaders_alone =
+        std::ranges::all_of(changed, [](const fs::path& file) { return file.extension() != ".toml"; });
     try {
-      if (!changed.empty() && !of_shaders_alone) make_world_again();
+      shaders_ = ShaderCache(backend_.info().api, world_->library.shaders);
+      if (is_stale_ || !of_shaders_alone) make_world_again();
       for (const EffectManifest* effect : world_->effects) draw_changed(*effect);
     } catch (const Error& error) {
       state_.failure = error.what();
@@ -109,8 +115,8 @@ class Watch {
         }
         well = false;
         for (const View& view : world_->scene.views) {
-          CellRow row = blank_row(backend_.info().backend, backend_.info().device, world_->scene, world_->library, view, variant,
-                                  options_);
+          CellRow row = blank_row(backend_.info().backend, backend_.info().device, world_->scene, world_->library, view,
+                                  variant, options_);
           fail(row, found->second.shown.failure);
           append_row(record, row);
         }
@@ -121,14 +127,17 @@ class Watch {
  private:
   // Keeps what was there where the new files have a mistake.
   void make_world_again() {
+    is_stale_ = true;
     auto next = std::make_unique<World>(backend_, options_);
+    runs_.clear();  // they bind what lies in the old one
     world_ = std::move(next);
+    is_stale_ = false;
     for (auto& [key, watched] : watched_) watched.made_from.clear();
   }
 
-  std::string made_from(const VariantManifest& variant, ShaderCache& shaders) const {
+  std::string made_from(const VariantManifest& variant) {
     try {
-      const Graph graph = make_graph(world_->plan, configuration_with(world_->plan, variant), world_->scene, shaders);
+      const Graph graph = make_graph(world_->plan, configuration_with(world_->plan, variant), world_->scene, shaders_);
       return fmt::format("{} {}", fmt::join(graph.shader_hashes(), " "), read_file(variant.file, "variants"));
     } catch (const Error& error) {
       return error.what();
@@ -136,41 +145,45 @@ class Watch {
   }
 
   void draw_changed(const EffectManifest& effect) {
-    ShaderCache shaders(backend_.info().api, world_->library.shaders);
-    CellOptions options = options_;
-    options.variants.clear();
+    std::set<std::string> changed, all;
     bool baseline_changed = false;
     for (const VariantManifest& variant : effect.variants) {
       if (!is_compared(variant, options_)) continue;
       Watched& watched = watched_[{effect.name, variant.name}];
       watched.shown.name = variant.name, watched.shown.title = variant.title;
       watched.shown.is_new = false;
-      std::string now = made_from(variant, shaders);
-      const bool changed = now != watched.made_from;
+      std::string now = made_from(variant);
+      if (now != watched.made_from) changed.insert(variant.name), baseline_changed = baseline_changed || variant.baseline;
       watched.made_from = std::move(now);
-      baseline_changed = baseline_changed || (variant.baseline && changed);
-      if (changed || baseline_changed) options.variants.push_back(variant.name);  // the baseline comes first
+      all.insert(variant.name);
     }
-    if (options.variants.empty()) return;
-    EffectRun run(backend_, effect, shaders, options, "images", {[](double, const std::string&) {}});
-    run.start({&world_->scene, &world_->plan, &world_->bakes, &world_->resources}, {.timed = options_.timed && timer_ && timer_->ok});
-    run.prepare();
-    run.count();
-    run.score();
-    run.time(options_.rounds);
-    for (const VariantManifest& variant : effect.variants) take(run.rows(), effect, variant, options);
+    if (changed.empty()) return;
+    if (baseline_changed) changed = all;  // their errors are against it
+    std::unique_ptr<EffectRun>& run = runs_[effect.name];
+    if (run) {
+      run->start_again(changed);
+    } else {
+      run = std::make_unique<EffectRun>(backend_, effect, shaders_, options_, "images", [](double, const std::string&) {});
+      run->keep_baseline();
+      run->start({&world_->scene, &world_->plan, &world_->bakes, &world_->resources},
+                 {.timed = options_.timed && timer_ && timer_->ok});
+    }
+    run->prepare();
+    run->count();
+    run->score();
+    run->time(options_.rounds);
+    for (const VariantManifest& variant : effect.variants)
+      if (changed.contains(variant.name)) take(run->rows(), effect, variant);
   }
 
-  void take(const std::vector<CellRow>& rows, const EffectManifest& effect, const VariantManifest& variant,
-            const CellOptions& options) {
-    if (!is_compared(variant, options)) return;
+  void take(const std::vector<CellRow>& rows, const EffectManifest& effect, const VariantManifest& variant) {
     Watched& watched = watched_[{effect.name, variant.name}];
     std::vector<CellRow> own;
     for (const CellRow& row : rows)
       if (row.variant == variant.name) own.push_back(row);
     const auto failed = std::ranges::find_if(own, &CellRow::failed);
     watched.shown.failure = failed == own.end() ? "" : failed->reason;
-    watched.shown.is_new = std::ranges::find(options.variants, variant.name) != options.variants.end();
+    watched.shown.is_new = true;
     if (failed == own.end()) watched.shown.cells = own;
   }
 
@@ -193,9 +206,10 @@ class Watch {
     for (const WatchedVariant& variant : state_.variants)
       if (variant.is_new && !variant.failure.empty()) fmt::print("{}: {}\n", variant.name, variant.failure);
     if (!state_.failure.empty()) fmt::print("{}\n", state_.failure);
-    fmt::print("{}{} in {:.2f} s\n", state_.changed.empty() ? "" : state_.changed + ": ",
-               fresh > 0 ? fmt::format("{} variant{} drawn", fresh, fresh == 1 ? "" : "s") : "nothing that executes has changed",
-               took_s);
+    fmt::print(
+        "{}{} in {:.2f} s\n", state_.changed.empty() ? "" : state_.changed + ": ",
+        fresh > 0 ? fmt::format("{} variant{} drawn", fresh, fresh == 1 ? "" : "s") : "nothing that executes has changed",
+        took_s);
     std::fflush(stdout);
   }
 
@@ -203,6 +217,9 @@ class Watch {
   Backend& backend_;
   const std::optional<TimerRow> timer_;
   std::unique_ptr<World> world_;
+  bool is_stale_ = false;  // a manifest or the scene has a mistake that the world does not have
+  ShaderCache shaders_;    // as the files are now
+  std::map<std::string, std::unique_ptr<EffectRun>> runs_;          // by effect; in this world
   std::map<std::pair<std::string, std::string>, Watched> watched_;  // by effect and variant
   WatchState state_;
 };

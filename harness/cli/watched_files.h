@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that a person edits: which of them changed. By their times and sizes, asked again and again, for notices of the system do
-// not reach over network file systems.
+// Files that a person edits: which of them changed. By their times and sizes, asked again and again, for notices of the system
+// do not reach over network file systems.
 #pragma once
 
 #include <filesystem>
@@ -15,8 +15,8 @@ class WatchedFiles {
   // Files, and folders with all that lies in them.
   explicit WatchedFiles(std::vector<std::filesystem::path> places);
 
-  // What changed, came or went since the last call, or since this was made; sorted. Where something did, waits until nothing more
-  // does, since editors write in several steps.
+  // What changed, came or went since the last call, or since this was made; sorted. Where something did, waits until nothing
+  // more does, since editors write in several steps.
   std::vector<std::filesystem::path> changed();
 
  private:

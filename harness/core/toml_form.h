@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a table of a TOML file may hold: its keys, and what each takes. TomlTable checks what is read by it, and JSON Schemas for
-// editors are made of it, so that both say the same.
+// What a table of a TOML file may hold: its keys, and what each takes. TomlTable checks what is read by it, and JSON Schemas
+// for editors are made of it, so that both say the same.
 #pragma once
 
 #include <limits>
@@ -21,18 +21,18 @@ struct TomlValue {
   Kind kind = Kind::string;
   double min = -std::numeric_limits<double>::infinity();  // of a number, or of each in a list
   double max = std::numeric_limits<double>::infinity();
-  bool whole = false;                  // number: whole ones alone
-  std::vector<size_t> counts = {};     // of a list: it has one of these lengths; empty: any
+  bool whole = false;                   // number: whole ones alone
+  std::vector<size_t> counts = {};      // of a list: it has one of these lengths; empty: any
   std::vector<std::string> words = {};  // of a string, or each in a list: one of these; empty: any
-  std::string what = {};               // what a word is, in messages: "kind of light"; "": the key
-  std::string pattern = {};            // of a string: ECMA 262, for editors; the reader says more
-  TomlFormPtr form = {};               // of a table, or of each [[table]]
+  std::string what = {};                // what a word is, in messages: "kind of light"; "": the key
+  std::string pattern = {};             // of a string: ECMA 262, for editors; the reader says more
+  TomlFormPtr form = {};                // of a table, or of each [[table]]
 };
 
 struct TomlKey {
   std::string name;
-  std::string about;               // a line for editors
-  std::vector<TomlValue> values;   // the ways to write it
+  std::string about;              // a line for editors
+  std::vector<TomlValue> values;  // the ways to write it
   bool required = false;
 };
 

@@ -12,24 +12,32 @@ namespace lamina {
 
 namespace {
 
-// "two", "two or three"
+// "two ", "two or three "
 std::string counts_in_words(const std::vector<size_t>& counts) {
   static constexpr std::array<const char*, 5> words = {"no", "one", "two", "three", "four"};
   std::string text;
   for (const size_t count : counts)
-    text += fmt::format("{}{}", text.empty() ? "" : " or ", count < words.size() ? words[count] : std::to_string(count).c_str());
-  return text.empty() ? "finite" : text;
+    text +=
+        fmt::format("{}{}", text.empty() ? "" : " or ", count < words.size() ? words[count] : std::to_string(count).c_str());
+  return text.empty() ? "" : text + " ";
 }
 
 std::string kind_in_words(const TomlValue& value) {
   switch (value.kind) {
-    case TomlValue::Kind::string: return "a string";
-    case TomlValue::Kind::boolean: return "true or false";
-    case TomlValue::Kind::number: return "a number";
-    case TomlValue::Kind::numbers: return fmt::format("a list of {} numbers", counts_in_words(value.counts));
-    case TomlValue::Kind::strings: return "a list of strings";
-    case TomlValue::Kind::table: return "a table";
-    case TomlValue::Kind::tables: return "a list of tables";
+    case TomlValue::Kind::string:
+      return "a string";
+    case TomlValue::Kind::boolean:
+      return "true or false";
+    case TomlValue::Kind::number:
+      return "a number";
+    case TomlValue::Kind::numbers:
+      return fmt::format("a list of {}finite numbers", counts_in_words(value.counts));
+    case TomlValue::Kind::strings:
+      return "a list of strings";
+    case TomlValue::Kind::table:
+      return "a table";
+    case TomlValue::Kind::tables:
+      return "a list of tables";
   }
   return "";
 }
@@ -157,8 +165,10 @@ std::optional<std::vector<double>> TomlTable::optional_numbers(std::string_view 
     if ((*array)[i].is_number() && value && std::isfinite(*value)) values.push_back(*value);
   }
   const TomlValue& form = form_of(key, TomlValue::Kind::numbers);
-  const bool counts = form.counts.empty() || std::find(form.counts.begin(), form.counts.end(), values.size()) != form.counts.end();
-  if (!array || values.size() != array->size() || !counts) throw error(key, fmt::format("'{}' must be {}", key, kind_in_words(form)));
+  const bool counts =
+      form.counts.empty() || std::find(form.counts.begin(), form.counts.end(), values.size()) != form.counts.end();
+  if (!array || values.size() != array->size() || !counts)
+    throw error(key, fmt::format("'{}' must be {}", key, kind_in_words(form)));
   for (const double value : values)
     if (!(value >= form.min && value <= form.max))
       throw error(key, fmt::format("'{}' must hold numbers from {} to {}", key, form.min, form.max));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A TOML table that knows where it stands in its file and what it may hold (toml_form.h), so that every mistake is reported once,
-// with file and line, and an unknown key with the nearest known one. Asking for a key that the form lacks, or for another kind of
-// value than it has there, is a programmer's mistake: std::logic_error.
+// A TOML table that knows where it stands in its file and what it may hold (toml_form.h), so that every mistake is reported
+// once, with file and line, and an unknown key with the nearest known one. Asking for a key that the form lacks, or for another
+// kind of value than it has there, is a programmer's mistake: std::logic_error.
 #pragma once
 
 #include <toml++/toml.h>

@@ -82,9 +82,7 @@ double read_share(const TomlTable& table, const LimitKey& key) {
   return share;
 }
 
-double read_times(const TomlTable& table, const LimitKey& key) {
-  return table.string(key.name) == "must_decide" ? 1 : 0;
-}
+double read_times(const TomlTable& table, const LimitKey& key) { return table.string(key.name) == "must_decide" ? 1 : 0; }
 
 std::optional<double> read_value(const TomlTable& table, const LimitKey& key) {
   if (!table.has(key.name)) return std::nullopt;
@@ -96,7 +94,8 @@ std::optional<double> read_value(const TomlTable& table, const LimitKey& key) {
 
 TomlKey limit_key(const LimitKey& key) {
   if (key.kind == LimitKind::times)
-    return {key.name, "whether times of a variant with equal counts must decide", {form::word({"must_decide", "may_stay_open"})}};
+    return {
+        key.name, "whether times of a variant with equal counts must decide", {form::word({"must_decide", "may_stay_open"})}};
   if (key.kind == LimitKind::flag) return {key.name, "", {form::flag()}};
   if (key.kind == LimitKind::share)
     return {key.name, "a percentage such as \"3%\", or a share", {form::number(key.low, key.high), form::text("^[0-9.]+%$")}};

@@ -28,18 +28,18 @@ std::vector<TomlKey> declaration_keys(const EffectCode& code) {
   constexpr double largest = largest_number;
   const TomlKey key = {"key", "key of scene files and path of sweeps; the name where it is left out", {form::text()}};
   const TomlKey title = {"title", "what it is, for people", {form::text()}};
-  const TomlFormPtr number = form::make(
-      {key,
-       title,
-       {"unit", "its unit", {form::text()}},
-       {"value", "the default", {form::number(-largest, largest)}},
-       {"range", "[least, greatest]", {form::numbers(-largest, largest, {2})}},
-       {"or_zero", "0 is allowed beside the range", {form::flag()}},
-       {"whole", "whole numbers only", {form::flag()}},
-       {"over_unwrap", "above 0, something is laid out over the object's unwrap", {form::flag()}},
-       {"scales_with", "the texture whose texels are the unit", {form::text()}},
-       {"share", "the default is this share of that texture's width", {form::number(0, 1)}},
-       {"otherwise", "the default is what the model says", {form::word(model_numbers)}}});
+  const TomlFormPtr number =
+      form::make({key,
+                  title,
+                  {"unit", "its unit", {form::text()}},
+                  {"value", "the default", {form::number(-largest, largest)}},
+                  {"range", "[least, greatest]", {form::numbers(-largest, largest, {2})}},
+                  {"or_zero", "0 is allowed beside the range", {form::flag()}},
+                  {"whole", "whole numbers only", {form::flag()}},
+                  {"over_unwrap", "above 0, something is laid out over the object's unwrap", {form::flag()}},
+                  {"scales_with", "the texture whose texels are the unit", {form::text()}},
+                  {"share", "the default is this share of that texture's width", {form::number(0, 1)}},
+                  {"otherwise", "the default is what the model says", {form::word(model_numbers)}}});
   const TomlFormPtr word = form::make({key,
                                        title,
                                        {"of", "the words to choose among", {form::texts()}, true},
@@ -47,20 +47,24 @@ std::vector<TomlKey> declaration_keys(const EffectCode& code) {
                                        {"needed", "the effect is left out where no object says this word", {form::text()}}});
   std::vector<std::string> makers = model_textures;
   for (const std::string& name : names_in(code.makers)) makers.push_back(name);
-  const TomlFormPtr texture = form::make(
-      {{"rgb", "scene key of a file or a colour; the name where it is left out", {form::text()}},
-       {"alpha", "scene key of a file's red channel or a number", {form::text()}},
-       {"alpha_title", "what alpha is, for people", {form::text()}},
-       {"meaning", "what a texel means, and so how levels are filtered", {form::word(meaning_names)}},
-       {"otherwise", "what stands in for it: the model's, or a maker's", {form::word(makers)}},
-       {"value", "one texel that stands in for it, linear", {form::numbers(-largest, largest, {1, 3})}},
-       {"alpha_otherwise", "what stands in for alpha", {form::word(model_alphas)}},
-       {"alpha_value", "alpha where nothing says another", {form::number(0, 1)}},
-       {"min_width", "texels that a given one must have along its width", {form::whole(1, 16384)}},
-       filter_key,
-       wrap_key});
-  return {{"textures", "samplers of these names", {form::table(form::make({}, TomlKey{"NAME", "a texture", {form::table(texture)}}))}},
-          {"numbers", "floats of the block Effect", {form::table(form::make({}, TomlKey{"NAME", "a number", {form::table(number)}}))}},
+  const TomlFormPtr texture =
+      form::make({{"rgb", "scene key of a file or a colour; the name where it is left out", {form::text()}},
+                  {"alpha", "scene key of a file's red channel or a number", {form::text()}},
+                  {"alpha_title", "what alpha is, for people", {form::text()}},
+                  {"meaning", "what a texel means, and so how levels are filtered", {form::word(meaning_names)}},
+                  {"otherwise", "what stands in for it: the model's, or a maker's", {form::word(makers)}},
+                  {"value", "one texel that stands in for it, linear", {form::numbers(-largest, largest, {1, 3})}},
+                  {"alpha_otherwise", "what stands in for alpha", {form::word(model_alphas)}},
+                  {"alpha_value", "alpha where nothing says another", {form::number(0, 1)}},
+                  {"min_width", "texels that a given one must have along its width", {form::whole(1, 16384)}},
+                  filter_key,
+                  wrap_key});
+  return {{"textures",
+           "samplers of these names",
+           {form::table(form::make({}, TomlKey{"NAME", "a texture", {form::table(texture)}}))}},
+          {"numbers",
+           "floats of the block Effect",
+           {form::table(form::make({}, TomlKey{"NAME", "a number", {form::table(number)}}))}},
           {"words", "ints of the block Effect", {form::table(form::make({}, TomlKey{"NAME", "a word", {form::table(word)}}))}}};
 }
 
@@ -229,40 +233,43 @@ TomlFormPtr effect_form(const EffectCode& code) {
   const auto needs = [](const char* about, bool required) {
     return TomlKey{"needs", about, {form::texts({}, "^[^ ]+( >= [^ ]+)?$")}, required};
   };
-  const TomlFormPtr head = form::make(
-      {{"name", "the effect's name", {form::text()}, true},
-       {"title", "what it is, for people", {form::text()}, true},
-       {"order", "its place in the frame; 100 where it is left out", {form::whole(-1000, 1000)}},
-       {"key", "objects.NAME.KEY = true calls for the effect, false takes it away", {form::text()}},
-       {"models", "a model without a scene file gets it", {form::flag()}},
-       {"otherwise", "it draws what no other effect draws", {form::flag()}},
-       {"solid", "false: passes of all objects skip its own, and rays pass through them", {form::flag()}},
-       {"blocks_light", "false: rays pass through its objects", {form::flag()}},
-       {"closed", "each mesh must be a closed hull", {form::flag()}},
-       {"unique_unwrap", "a mesh whose parts share texels is taken apart", {form::flag()}},
-       {"only_where_seen", "an object that no view can see is left out", {form::flag()}},
-       {"reads_frame", "drawn after the effects that do not read the frame", {form::flag()}},
-       {"instead_of", "an object has only one of these effects", {form::texts()}},
-       {"because", "the plan's reason where it is called for", {form::text()}, true},
-       {"not_because", "the plan's reason where it is not", {form::text()}, true},
-       needs("left out where one of these numbers or facts is 0", false),
-       {"bake", "C++ that bakes what its variants want", {form::word(names_in(code.bakers))}},
-       {"truth", "C++ that makes the offline picture", {form::word(names_in(code.truths))}}});
-  const TomlFormPtr feature =
-      form::make({needs("facts or numbers that must be above 0, or NAME >= NUMBER", true),
-                  {"because", "the plan's reason where shaders get it", {form::text()}, true},
-                  {"not_because", "the plan's reason where they do not", {form::text()}, true}});
+  const TomlFormPtr head =
+      form::make({{"name", "the effect's name", {form::text()}, true},
+                  {"title", "what it is, for people", {form::text()}, true},
+                  {"order", "its place in the frame; 100 where it is left out", {form::whole(-1000, 1000)}},
+                  {"key", "objects.NAME.KEY = true calls for the effect, false takes it away", {form::text()}},
+                  {"models", "a model without a scene file gets it", {form::flag()}},
+                  {"otherwise", "it draws what no other effect draws", {form::flag()}},
+                  {"solid", "false: passes of all objects skip its own, and rays pass through them", {form::flag()}},
+                  {"blocks_light", "false: rays pass through its objects", {form::flag()}},
+                  {"closed", "each mesh must be a closed hull", {form::flag()}},
+                  {"unique_unwrap", "a mesh whose parts share texels is taken apart", {form::flag()}},
+                  {"only_where_seen", "an object that no view can see is left out", {form::flag()}},
+                  {"reads_frame", "drawn after the effects that do not read the frame", {form::flag()}},
+                  {"instead_of", "an object has only one of these effects", {form::texts()}},
+                  {"because", "the plan's reason where it is called for", {form::text()}, true},
+                  {"not_because", "the plan's reason where it is not", {form::text()}, true},
+                  needs("left out where one of these numbers or facts is 0", false),
+                  {"bake", "C++ that bakes what its variants want", {form::word(names_in(code.bakers))}},
+                  {"truth", "C++ that makes the offline picture", {form::word(names_in(code.truths))}}});
+  const TomlFormPtr feature = form::make({needs("facts or numbers that must be above 0, or NAME >= NUMBER", true),
+                                          {"because", "the plan's reason where shaders get it", {form::text()}, true},
+                                          {"not_because", "the plan's reason where they do not", {form::text()}, true}});
   std::vector<TomlKey> functions;
   for (const std::string& name : fact_functions) functions.push_back({name, "the texture that is looked at", {form::text()}});
-  const TomlFormPtr mirror = form::make({{"normal", "of the plane", {form::numbers(-largest_number, largest_number, {3})}},
-                                         {"height", "metres, or a number of the scene", {form::number(-1e6, 1e6), form::text()}}});
+  const TomlFormPtr mirror =
+      form::make({{"normal", "of the plane", {form::numbers(-largest_number, largest_number, {3})}},
+                  {"height", "metres, or a number of the scene", {form::number(-1e6, 1e6), form::text()}}});
   std::vector<TomlKey> keys = {{"effect", "the effect", {form::table(head)}, true}};
   const std::vector<TomlKey> declarations = declaration_keys(code);
   keys.insert(keys.end(), declarations.begin(), declarations.end());
   keys.push_back({"scene", "what is said of the whole scene, under [effects.NAME]", {form::table(form::make(declarations))}});
-  keys.push_back({"facts", "what follows from meshes and textures",
-                  {form::table(form::make({}, TomlKey{"NAME", "one function of one texture", {form::table(form::make(functions))}}))}});
-  keys.push_back({"features", "definitions that shaders get, per object",
+  keys.push_back(
+      {"facts",
+       "what follows from meshes and textures",
+       {form::table(form::make({}, TomlKey{"NAME", "one function of one texture", {form::table(form::make(functions))}}))}});
+  keys.push_back({"features",
+                  "definitions that shaders get, per object",
                   {form::table(form::make({}, TomlKey{"NAME", "a definition", {form::table(feature)}}))}});
   keys.push_back({"mirror", "the plane of views of kind mirror", {form::table(mirror)}});
   return form::make(keys);

@@ -212,7 +212,8 @@ ReadManifest PassManifest::read_of(const std::string& sampler) const {
 }
 
 TomlFormPtr pass_form() {
-  const TomlFormPtr read = form::make({{"from", "the target or texture that the sampler reads", {form::text()}}, filter_key, wrap_key});
+  const TomlFormPtr read =
+      form::make({{"from", "the target or texture that the sampler reads", {form::text()}}, filter_key, wrap_key});
   const std::vector<TomlValue> scalars = {form::text(), form::number(), form::flag()};
   const double most = largest_number;
   static const TomlFormPtr all = form::make(
@@ -225,9 +226,7 @@ TomlFormPtr pass_form() {
        {"view", "from where", {form::word({"eye", "light", "mirror"})}},
        {"when", "how often", {form::word({"frame", "mesh_or_lights_move", "once", "truth", "frame_and_truth"})}},
        {"levels", "one repetition for each mip level", {form::word({"none", "down", "up"})}},
-       {"repeat",
-        "how often, or \"log2(TARGET)\"",
-        {form::number(0, 1000), form::text("^(\\$.+|log2\\(.+\\))$")}},
+       {"repeat", "how often, or \"log2(TARGET)\"", {form::number(0, 1000), form::text("^(\\$.+|log2\\(.+\\))$")}},
        {"until_empty", "leaves out the first repetition that draws nothing, and all after it", {form::flag()}},
        {"needs_light", "false: left out where no light casts", {form::flag()}},
        {"vertex", "shader", {form::text()}},

@@ -116,18 +116,20 @@ ParameterManifest read_parameter(const std::string& name, const TomlTable& table
 
 TomlFormPtr target_form() {
   std::vector<std::string> formats = format_names();
-  const TomlFormPtr target = form::make(
-      {{"scope", "one for the frame, for each object, or for each light that casts", {form::word({"frame", "object", "light"})}},
-       {"size",
-        "\"frame\", [width, height], or a texture of the object",
-        {form::text(), form::numbers(1, largest_size, {2}), form::texts({}, parameter_pattern)}},
-       {"scale", "factor of the size", {form::number(1.0 / 64, 16), form::text(parameter_pattern)}},
-       {"format", "of a texel", {form::text(fmt::format("^({}|\\$.+)$", fmt::join(formats, "|")))}},
-       {"mips", "it has a full mip chain", {form::flag()}},
-       {"buffers", "2: a pass may read what the one before wrote", {form::whole(1, 2)}},
-       {"shared", "one for all effects that declare the same", {form::flag()}},
-       filter_key,
-       wrap_key});
+  const TomlFormPtr target =
+      form::make({{"scope",
+                   "one for the frame, for each object, or for each light that casts",
+                   {form::word({"frame", "object", "light"})}},
+                  {"size",
+                   "\"frame\", [width, height], or a texture of the object",
+                   {form::text(), form::numbers(1, largest_size, {2}), form::texts({}, parameter_pattern)}},
+                  {"scale", "factor of the size", {form::number(1.0 / 64, 16), form::text(parameter_pattern)}},
+                  {"format", "of a texel", {form::text(fmt::format("^({}|\\$.+)$", fmt::join(formats, "|")))}},
+                  {"mips", "it has a full mip chain", {form::flag()}},
+                  {"buffers", "2: a pass may read what the one before wrote", {form::whole(1, 2)}},
+                  {"shared", "one for all effects that declare the same", {form::flag()}},
+                  filter_key,
+                  wrap_key});
   return form::make({}, TomlKey{"NAME", "a target", {form::table(target)}});
 }
 
@@ -154,14 +156,16 @@ TomlFormPtr parameter_form() {
 }  // namespace
 
 TomlFormPtr variant_form() {
-  const TomlFormPtr head = form::make({{"name", "the variant's name, unique in its effect", {form::text()}, true},
-                                       {"effect", "what it is a variant of; the folder's effect where it is left out", {form::text()}},
-                                       {"title", "what it is, for people", {form::text()}},
-                                       {"baseline", "the others are compared with this one", {form::flag()}},
-                                       {"like", "the manifest beside this one that it has all from but what it says itself", {form::text()}},
-                                       {"leave_out", "passes of that manifest that this one has not", {form::texts()}},
-                                       {"closed", "each mesh of the effect must be a closed hull", {form::flag()}}});
-  const TomlFormPtr bake = form::make({}, TomlKey{"NAME", "an option of the effect's baker", {form::number(-largest_number, largest_number)}});
+  const TomlFormPtr head =
+      form::make({{"name", "the variant's name, unique in its effect", {form::text()}, true},
+                  {"effect", "what it is a variant of; the folder's effect where it is left out", {form::text()}},
+                  {"title", "what it is, for people", {form::text()}},
+                  {"baseline", "the others are compared with this one", {form::flag()}},
+                  {"like", "the manifest beside this one that it has all from but what it says itself", {form::text()}},
+                  {"leave_out", "passes of that manifest that this one has not", {form::texts()}},
+                  {"closed", "each mesh of the effect must be a closed hull", {form::flag()}}});
+  const TomlFormPtr bake =
+      form::make({}, TomlKey{"NAME", "an option of the effect's baker", {form::number(-largest_number, largest_number)}});
   // What a manifest with `like` may leave out is not marked as required: the reader says what is missing.
   static const TomlFormPtr all = form::make({{"variant", "the variant", {form::table(head)}, true},
                                              {"parameters", "what users may set", {form::table(parameter_form())}},
@@ -224,8 +228,7 @@ VariantManifest read_variant(const std::filesystem::path& file, const std::strin
   for (const auto& [name, table] : root.tables("targets")) variant.targets.push_back(read_target(name, table, variant));
   for (const auto& [name, table] : root.tables("buffers")) variant.buffers.push_back(read_buffer(name, table));
   const TomlTable bake = root.table("bake");
-  for (const std::string& option : bake.keys())
-    variant.bake[option] = bake.optional_number(option).value_or(0);
+  for (const std::string& option : bake.keys()) variant.bake[option] = bake.optional_number(option).value_or(0);
   for (const TomlTable& table : root.array_of_tables("pass")) variant.passes.push_back(read_pass(table, variant, shaders));
   if (variant.passes.empty()) throw root.error({}, "a variant needs at least one [[pass]]");
   root.check_keys();

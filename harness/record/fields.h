@@ -3,8 +3,8 @@
 //
 //   constexpr auto fields(const Row*) { return std::tuple(field("name", &Row::member), ...); }
 //
-// in the order in which the line is written. The list is all that writing, checking, reading and the JSON Schema need. What must hold across
-// fields stands beside it, in `void check(const Row&, const At&)`.
+// in the order in which the line is written. The list is all that writing, checking, reading and the JSON Schema need. What
+// must hold across fields stands beside it, in `void check(const Row&, const At&)`.
 #pragma once
 
 #include <tuple>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kinds of values in the record's lines, inside this folder only: the words for each, whether JSON fits it, how it is written and
-// read, and its JSON Schema, which says what fits() does.
+// Kinds of values in the record's lines, inside this folder only: the words for each, whether JSON fits it, how it is written
+// and read, and its JSON Schema, which says what fits() does.
 #pragma once
 
 #include <fmt/format.h>

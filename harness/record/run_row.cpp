@@ -25,9 +25,7 @@ bool is_moment(const Json& value) {
 struct Moment : lines::Kind<std::string> {
   static std::string words() { return "a moment in UTC like \"2026-01-31T23:59:59Z\""; }
   static bool fits(const Json& value) { return is_moment(value); }
-  static Line schema() {
-    return {{"type", "string"}, {"pattern", "^[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:[0-9]{2}Z$"}};
-  }
+  static Line schema() { return {{"type", "string"}, {"pattern", "^[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:[0-9]{2}Z$"}}; }
 };
 struct MomentOrNull : lines::Kind<std::optional<std::string>> {
   static std::string words() { return Moment::words() + " or null"; }

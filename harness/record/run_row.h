@@ -16,9 +16,9 @@ inline constexpr int record_schema = 1;
 
 // A backend that was asked for, and whether it ran.
 struct BackendRow {
-  std::string asked;             // "vulkan"
+  std::string asked;  // "vulkan"
   bool ran = false;
-  std::string device, reason;    // which device ran; why none did
+  std::string device, reason;  // which device ran; why none did
 };
 
 struct RunRow {

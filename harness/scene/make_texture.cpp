@@ -80,7 +80,8 @@ Texels default_alpha(const TextureRequest& request) {
 
 std::string label(const TextureRequest& request, const std::string& owner) { return owner + " " + request.declared.name; }
 
-// Of the model's look, made once for all that ask alike; without alpha of its own, a texture takes any that has the colours.
+// Of the model's look, made once for all that ask alike. A texture that need not be given and has no alpha of its own takes any
+// that has the colours; one that must be given is the model's with the model's alpha.
 Texture texture_of_look(const TextureRequest& request, const Texels& texels) {
   const TextureManifest& declared = request.declared;
   const std::string colours =
@@ -88,7 +89,7 @@ Texture texture_of_look(const TextureRequest& request, const Texels& texels) {
   const std::string asked =
       declared.alpha.empty() ? colours : fmt::format("{}{} {}", colours, declared.alpha_otherwise, declared.alpha_value);
   for (const ModelLook::Made& made : request.look->made)
-    if (made.of == asked || (declared.alpha.empty() && made.of.starts_with(colours))) return made.texture;
+    if (made.of == asked || (declared.alpha.empty() && !declared.required && made.of.starts_with(colours))) return made.texture;
   const Texels with = declared.alpha.empty() ? texels : with_alpha(texels, default_alpha(request));
   const Texture made = make_texture(label(request, request.look->name), with, stored_as(declared.meaning));
   request.look->made.push_back({asked, made});

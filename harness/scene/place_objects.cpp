@@ -3,7 +3,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-
 namespace lamina {
 
 glm::mat4 Placement::applied(const glm::mat4& world_from_object) const {

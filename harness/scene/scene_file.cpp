@@ -18,10 +18,11 @@ namespace {
 
 TomlFormPtr light_form(const char* kind) {
   const bool directional = std::string_view(kind) == "directional";
-  std::vector<TomlKey> keys = {{"kind", "directional or point", {form::word({kind})}, true},
-                               {"color", "linear", {colour_value(max_radiance)}},
-                               {"intensity", "irradiance at normal incidence; a point light's at 1 m", {form::number(0, max_radiance)}},
-                               {"casts", "passes with the view of a light are drawn for it", {form::flag()}}};
+  std::vector<TomlKey> keys = {
+      {"kind", "directional or point", {form::word({kind})}, true},
+      {"color", "linear", {colour_value(max_radiance)}},
+      {"intensity", "irradiance at normal incidence; a point light's at 1 m", {form::number(0, max_radiance)}},
+      {"casts", "passes with the view of a light are drawn for it", {form::flag()}}};
   if (directional) {
     keys.push_back({"direction", "the way the light travels", {vec3_value()}, true});
     keys.push_back({"angular_radius_degrees", "size as seen from the scene", {form::number(0, 90)}});
@@ -78,8 +79,8 @@ Light read_light(const std::string& name, const TomlTable& either) {
     light.position = table.vec3("position");
     light.radius_m = static_cast<float>(table.optional_number("radius").value_or(0));
   }
-  light.radiance = table.optional_vec3("color").value_or(glm::vec3(1)) *
-                   static_cast<float>(table.optional_number("intensity").value_or(1));
+  light.radiance =
+      table.optional_vec3("color").value_or(glm::vec3(1)) * static_cast<float>(table.optional_number("intensity").value_or(1));
   light.casts = table.optional_bool("casts").value_or(false);
   return light;
 }
@@ -158,12 +159,13 @@ void read_effects(Scene& scene, const TomlTable& root, const std::filesystem::pa
 }  // namespace
 
 TomlFormPtr scene_form(const Library& library) {
-  const TomlFormPtr scene = form::make({{"model", "a .glb or .gltf file", {form::text()}},
-                                        {"builtin", "a built-in scene's name", {form::word(builtin_scenes(), "built-in scene")}},
-                                        {"name", "the scene's name in records", {form::text()}},
-                                        {"time", "moment, in seconds", {form::number(-1e6, 1e6)}},
-                                        {"background", "linear colour behind everything", {colour_value(max_radiance)}},
-                                        {"ambient", "irradiance from all around", {colour_value(max_radiance)}}});
+  const TomlFormPtr scene =
+      form::make({{"model", "a .glb or .gltf file", {form::text()}},
+                  {"builtin", "a built-in scene's name", {form::word(builtin_scenes(), "built-in scene")}},
+                  {"name", "the scene's name in records", {form::text()}},
+                  {"time", "moment, in seconds", {form::number(-1e6, 1e6)}},
+                  {"background", "linear colour behind everything", {colour_value(max_radiance)}},
+                  {"ambient", "irradiance from all around", {colour_value(max_radiance)}}});
   const TomlFormPtr view = form::make({{"eye", "metres", {vec3_value()}, true},
                                        {"target", "metres", {vec3_value()}, true},
                                        {"up", "up in the picture", {vec3_value()}},

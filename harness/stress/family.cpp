@@ -235,6 +235,8 @@ TomlFormPtr family_form(const EffectCode& code) {
   for (const auto& [name, made] : code.oracles) oracles.push_back(name);
   for (const auto& [name, made] : code.tables) tables.push_back(name);
   for (const auto& [name, value] : constants) ends.push_back(name);
+  TomlValue tables_value = form::texts(tables);
+  tables_value.what = "table";
   const TomlValue id = form::text(identifier_pattern), words = form::text("."), any = form::number(-infinity, infinity);
   const auto named = [](const char* name, const char* about, TomlFormPtr of, bool required) {
     return TomlKey{name, about, {form::table(form::make({}, TomlKey{"NAME", about, {form::table(std::move(of))}}))}, required};
@@ -248,24 +250,26 @@ TomlFormPtr family_form(const EffectCode& code) {
                                        {"grid", "what --grid holds, for people", {form::text()}},
                                        {"shader", "the file with the functions", {words}, true},
                                        {"oracle", "C++ that knows the exact values", {form::word(oracles)}, true},
-                                       {"tables", "textures that the functions read", {form::texts(tables)}}});
-  const TomlFormPtr input = form::make({{"unit", "its unit", {words}, true},
-                                        {"from", "least", {any, form::word(ends, "constant")}, true},
-                                        {"to", "greatest", {any, form::word(ends, "constant")}, true},
-                                        {"open", "ends that are not in the range", {form::word({"low", "high", "both"}, "end")}}});
+                                       {"tables", "textures that the functions read", {tables_value}}});
+  const TomlFormPtr input =
+      form::make({{"unit", "its unit", {words}, true},
+                  {"from", "least", {any, form::word(ends, "constant")}, true},
+                  {"to", "greatest", {any, form::word(ends, "constant")}, true},
+                  {"open", "ends that are not in the range", {form::word({"low", "high", "both"}, "end")}}});
   const TomlFormPtr set = form::make({{"what", "what is in it, for people", {words}, true}});
-  const TomlFormPtr claim = form::make({{"over", "greatest error at most", {form::number(0, infinity)}, true},
-                                        {"under", "least error at least", {form::number(-infinity, 0)}, true},
-                                        {"eps_kappa", "errors in units of 2^-23 times the condition number", {form::number(0, infinity)}},
-                                        {"sets", "on these sets; on all where it is left out", {form::texts()}}});
+  const TomlFormPtr claim =
+      form::make({{"over", "greatest error at most", {form::number(0, infinity)}, true},
+                  {"under", "least error at least", {form::number(-infinity, 0)}, true},
+                  {"eps_kappa", "errors in units of 2^-23 times the condition number", {form::number(0, infinity)}},
+                  {"sets", "on these sets; on all where it is left out", {form::texts()}}});
   const TomlFormPtr function = form::make({{"baseline", "the others' times are compared to it", {form::flag()}},
                                            {"claims", "what it errs by", {form::tables(claim)}}});
   const TomlFormPtr place = form::make({}, TomlKey{"INPUT", "where this input stands", {any}});
-  const TomlFormPtr slice = form::make({{"right", "the input that runs to the right", {form::text()}, true},
-                                        {"up", "the input that runs upwards", {form::text()}, true},
-                                        {"at", "where the other inputs stand", {form::tables(place)}},
-                                        {"full_error", "the error that has full colour",
-                                         {form::number(std::numeric_limits<double>::min(), infinity)}, true}});
+  const TomlFormPtr slice = form::make(
+      {{"right", "the input that runs to the right", {form::text()}, true},
+       {"up", "the input that runs upwards", {form::text()}, true},
+       {"at", "where the other inputs stand", {form::tables(place)}},
+       {"full_error", "the error that has full colour", {form::number(std::numeric_limits<double>::min(), infinity)}, true}});
   return form::make({{"family", "the family", {form::table(head)}, true},
                      named("inputs", "an input of the functions", input, true),
                      named("sets", "a set of inputs, as the oracle knows it", set, true),

@@ -28,7 +28,8 @@ struct SceneSurfaces::Faces : EmbreeScene {
   Faces() : EmbreeScene("truth", RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION) {}
 };
 
-SceneSurfaces::SceneSurfaces(const Scene& scene, const std::function<bool(const Object&)>& chosen)
+SceneSurfaces::SceneSurfaces(const Scene& scene, const std::function<bool(const Object&)>& chosen,
+                             const std::function<const Texture&(const Object&)>& albedo)
     : scene_(scene), chosen_(std::make_unique<Faces>()), opaque_(std::make_unique<Faces>()), albedos_(scene.objects.size()) {
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
@@ -37,7 +38,7 @@ SceneSurfaces::SceneSurfaces(const Scene& scene, const std::function<bool(const 
     Faces& into = is_chosen ? *chosen_ : *opaque_;
     into.attach(object);
     into.objects.push_back(i);
-    albedos_[i] = std::make_unique<FilteredTexture>(*object.effects.at("surface").textures.at("albedo"));
+    albedos_[i] = std::make_unique<FilteredTexture>(*albedo(object));
   }
   chosen_->commit();
   opaque_->commit();

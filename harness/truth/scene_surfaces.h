@@ -21,8 +21,9 @@ struct SurfaceHit {
 
 class SceneSurfaces {
  public:
-  // The scene outlives this. Objects that are `chosen` are not opaque here.
-  SceneSurfaces(const Scene& scene, const std::function<bool(const Object&)>& chosen);
+  // The scene outlives this. Objects that are `chosen` are not opaque here. `albedo`: what an object shows.
+  SceneSurfaces(const Scene& scene, const std::function<bool(const Object&)>& chosen,
+                const std::function<const Texture&(const Object&)>& albedo);
   ~SceneSurfaces();
 
   // The nearest front face of a chosen object, unless something opaque is nearer.

@@ -9,7 +9,8 @@ namespace {
 
 std::vector<DeviceInfo> named(const std::vector<std::string>& names) {
   std::vector<DeviceInfo> devices;
-  for (const std::string& name : names) devices.push_back({.backend = "vulkan", .device = name, .software = name == "llvmpipe"});
+  for (const std::string& name : names)
+    devices.push_back({.backend = "vulkan", .device = name, .software = name == "llvmpipe"});
   return devices;
 }
 

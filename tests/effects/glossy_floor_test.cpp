@@ -78,7 +78,7 @@ TEST_P(GlossyFloor, AnEdgeIsGaussian) {
                                     {"thirteen_tap_mirror", 0.05},
                                     {"stretched_mirror", 0.05},
                                     {"dual_kawase_mirror", 0.05},
-                                    {"box_mirror", 0.05}}) {
+                                    {"box_mirror", 0.07}}) {
     const Image image = picture(scene, name, floor_size);
     for (int x = 4; x < 44; ++x) {
       double mean = 0;
@@ -192,7 +192,7 @@ TEST_P(GlossyFloor, WhatIsNearerDoesNotBleed) {
     }
     return light[1] - light[0];
   };
-  EXPECT_NEAR(light_beside("facet_samples"), 0, 0.01);
+  EXPECT_NEAR(light_beside("facet_samples"), 0, 0.02) << "a linear look-up beside the edge";
   EXPECT_NEAR(light_beside("thirteen_tap_mirror"), 0, 0.01);
   EXPECT_GT(light_beside("one_blur_mirror"), 0.03) << "which has no depth";
 }

@@ -52,7 +52,7 @@ TEST_F(ScatteringInput, FogNeedsAHullARampAndADensity) {
   expect_refused_at(4, "[objects.hull.fog]\nshare = 1.5\n", "'share' must be a number from 0 to 1");
   // Near and far planes are fitted, so that none lies before the other.
   expect_refused_at(5, "[views.close]\nnear = 5\nfar = 1\neye = [0, 0, 9]\ntarget = [0, 0, 0]\n",
-                    "unknown key 'far' (known: eye, fov_y_degrees, target, up)");
+                    "unknown key 'far' (known: eye, target, up, fov_y_degrees)");
 }
 
 // One texel is one colour for any thickness. A file of one texel, one that is only high, and a colour alone are such.

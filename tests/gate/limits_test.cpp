@@ -82,7 +82,7 @@ TEST_F(GateLimits, ContradictionsAndValuesOutOfRangeAreRefused) {
   expect_refused("[default]\nmax_slowdown = 0\n", "max_slowdown");
   expect_refused("[[limit]]\nmin_ssim = 0.9\n", "belong under [default]");
   expect_refused("max_slowdown = 0.1\n", "max_slowdown");
-  expect_refused("[default]\ntimes = \"decide\"\n", "must be \"must_decide\" or \"may_stay_open\"");
+  expect_refused("[default]\ntimes = \"decide\"\n", "known: must_decide, may_stay_open");
   expect_refused("[default]\nmax_target_bytes = -1\n", "max_target_bytes");
   expect_refused("[default\n", "");
 }

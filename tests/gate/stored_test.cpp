@@ -45,7 +45,7 @@ TEST(Stored, TimesBeyondTheDriftAreSlower) {
 TEST(Stored, AnotherMachineComparesRatiosAloneAndSaysSo) {
   for (const auto& [pointer, value] : std::vector<std::pair<std::string, nlohmann::json>>{{"/machine/cpu", "Other CPU"},
                                                                                           {"/devices/0/driver", "Mesa 25"},
-                                                                                          {"/machine/lp_num_threads", 8},
+                                                                                          {"/machine/lp_num_threads", "8"},
                                                                                           {"/build", "dev"}}) {
     Record now = record(3);
     now.run[nlohmann::json::json_pointer(pointer)] = value;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records that earlier versions wrote, as they wrote them, are read; CHANGELOG.md promises it of every version with this schema.
+// Records that earlier versions wrote, as they wrote them, are read; CHANGELOG.md promises it of every version with this
+// schema.
 #include <gtest/gtest.h>
 
 #include "harness/record/record.h"
@@ -36,7 +37,7 @@ TEST(OldRecords, OfSweepAndGate) {
 
 // What asked and what ran is of records since 1.0.0; the line before them had devices alone.
 TEST(OldRecords, RunLine) {
-  nlohmann::json line = {{"kind", "run"}, {"schema", record_schema}, {"devices", {{{"backend", "vulkan"}}}}};
+  nlohmann::json line = {{"kind", "run"}, {"schema", unsigned{record_schema}}, {"devices", {{{"backend", "vulkan"}}}}};
   const RunRow row = row_of<RunRow>(line, "here");
   EXPECT_TRUE(row.backends.empty());
   EXPECT_EQ(row.devices.at(0).timestamp_bits, 0u);

@@ -63,7 +63,7 @@ inline Record example_record(const std::vector<CellRow>& cells, const std::vecto
                 {"build", build},
                 {"command", "lamina compare heart"},
                 {"scene", "heart"},
-                {"machine", {{"cpu", "Example CPU"}, {"threads", 2}, {"lp_num_threads", 2}}},
+                {"machine", {{"cpu", "Example CPU"}, {"threads", 2}, {"lp_num_threads", "2"}}},
                 {"settings", {{"width", 64}, {"height", 32}, {"rounds", 6}, {"seed", 1}, {"difference_gain", 8}}},
                 {"warnings", nlohmann::json::array()}};
   record.run["devices"] = nlohmann::json::array(

@@ -195,7 +195,7 @@ TEST_F(SceneFile, WrongTypesAndValuesAreRefusedWhereTheyStand) {
   expect_refused_at(4, "[objects.wall]\nscattering = inf\n", {"'scattering'", "number"});
   expect_refused_at(4, "[objects.wall]\nlayers = 0\n", {"'layers'", "true or false"});
   expect_refused_at(4, "[objects.wall]\nscale = 0\n", {"'scale'"});
-  expect_refused_at(4, "[objects.wall]\nscale = [1, -1, 1]\n", {"'scale'", "above 0"});
+  expect_refused_at(4, "[objects.wall]\nscale = [1, -1, 1]\n", {"'scale'", "from 0 to"});
   expect_refused_at(4, "[objects.wall]\nposition = [0, nan, 0]\n", {"'position'", "finite"});
   expect_refused_at(4, "[objects.wall]\nalbedo = [0, 2, 0]\n", {"'albedo'", "from 0 to 1"});
   expect_refused_at(4, "[objects.wall]\nalbedo = 1\n", {"'albedo'", "file"});

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A person writes a shader under `lamina compare --watch`: watch_test.py PROGRAM
+"""A person writes a shader under `lamina compare --watch`: watch_test.py PROGRAM SCENE
 
 The page gets the new picture, the compiler's words with the last good picture, the picture of what was mended; Ctrl-C leaves a record.
 """
@@ -12,7 +12,7 @@ import sys
 import tempfile
 import time
 
-program = sys.argv[1]
+program, scene = sys.argv[1:]
 MANIFEST = """[variant]
 name = "mine"
 effect = "layered_material"
@@ -43,8 +43,8 @@ with tempfile.TemporaryDirectory() as folder:
     mine.mkdir()
     (mine / "mine.toml").write_text(MANIFEST)
     (mine / "mine.frag").write_text(SHADER.replace("RED", "0.25"))
-    watch = subprocess.Popen([program, "compare", "heart", "--watch", "--variants-dir", mine, "--variant", "mine", "--size", "48x48",
-                              "--backend", "osmesa", "--out", out], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    watch = subprocess.Popen([program, "compare", scene, "--watch", "--variants-dir", mine, "--variant", "mine", "--size", "48x48",
+                              "--backend", "vulkan", "--out", out], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
     def page_of(generation):
         """The page of this change, once it is there."""
@@ -106,6 +106,6 @@ with tempfile.TemporaryDirectory() as folder:
 # What cannot be: one message and status 2.
 for arguments, words in ((["--view", "front"], "--watch"), (["--watch", "--view", "frnt"], "did you mean 'front'"),
                          (["--watch", "--variant", "nobody"], "unknown variant")):
-    ran = subprocess.run([program, "compare", "heart", "--size", "16x16", "--backend", "osmesa", *arguments, "--out", "/tmp/unused"],
+    ran = subprocess.run([program, "compare", scene, "--size", "16x16", "--backend", "vulkan", *arguments, "--out", "/tmp/unused"],
                          capture_output=True, text=True)
     check(ran.returncode == 2 and words in ran.stderr + ran.stdout, f"{arguments}: {ran.returncode}: {ran.stderr}")

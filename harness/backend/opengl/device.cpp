@@ -37,7 +37,8 @@ bool has_extension(std::string_view name) {
   GLint count = 0;
   glGetIntegerv(GL_NUM_EXTENSIONS, &count);
   for (GLint i = 0; i < count; ++i)
-    if (const GLubyte* one = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)); one && name == reinterpret_cast<const char*>(one))
+    if (const GLubyte* one = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+        one && name == reinterpret_cast<const char*>(one))
       return true;
   return false;
 }
@@ -50,7 +51,8 @@ uint32_t integer_of(GLenum what) {
 
 void describe_abilities(DeviceInfo& info) {
   info.vertex_storage = integer_of(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS) > 0 && integer_of(GL_MAX_VERTEX_IMAGE_UNIFORMS) > 0;
-  info.fragment_storage = integer_of(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS) > 0 && integer_of(GL_MAX_FRAGMENT_IMAGE_UNIFORMS) > 0;
+  info.fragment_storage =
+      integer_of(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS) > 0 && integer_of(GL_MAX_FRAGMENT_IMAGE_UNIFORMS) > 0;
   info.half_floats = has_extension("GL_AMD_gpu_shader_half_float") || has_extension("GL_NV_gpu_shader5");
   info.doubles = true;              // since OpenGL 4.0
   info.exact_sample_counts = true;  // GL_SAMPLES_PASSED

@@ -141,6 +141,8 @@ Survey survey_beside_one_alive(std::string_view backend) {
 }  // namespace
 
 std::vector<DeviceInfo> list_opengl_devices(std::string_view backend) { return survey_beside_one_alive(backend).usable; }
-std::vector<RefusedDevice> list_refused_opengl_devices(std::string_view backend) { return survey_beside_one_alive(backend).refused; }
+std::vector<RefusedDevice> list_refused_opengl_devices(std::string_view backend) {
+  return survey_beside_one_alive(backend).refused;
+}
 
 }  // namespace lamina

@@ -36,7 +36,8 @@ class FacetRays : public Truth {
       : scene_(setting.scene),
         rays_(setting.rays),
         height_m_(scene_.effects.at("glossy_reflection").numbers.find("height")->second),
-        surfaces_(scene_, is_glossy) {}
+        surfaces_(scene_, is_glossy,
+                  [](const Object& object) -> const Texture& { return object.effects.at("surface").textures.at("albedo"); }) {}
 
   TruthAnswer answer(const Told& told, const std::function<void(double)>& progress) override {
     const Image& picture = told.target("seen_in_mirror", "facet_rays");

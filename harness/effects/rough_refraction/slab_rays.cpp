@@ -23,7 +23,9 @@ class SlabRays : public Truth {
   explicit SlabRays(const TruthSetting& setting)
       : scene_(setting.scene),
         rays_(setting.rays),
-        surfaces_(scene_, [](const Object& object) { return glass_slab(object).has_value(); }) {}
+        surfaces_(
+            scene_, [](const Object& object) { return glass_slab(object).has_value(); },
+            [](const Object& object) -> const Texture& { return object.effects.at("surface").textures.at("albedo"); }) {}
 
   TruthAnswer answer(const Told& told, const std::function<void(double)>& progress) override {
     const Image& picture = told.target("seen_behind", "slab_rays");

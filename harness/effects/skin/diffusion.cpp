@@ -51,7 +51,7 @@ DiffusedLight diffused_light(const SkinSurface& surface, glm::dvec3 position, gl
   const std::array<size_t, 3> count = {each - 2 * quarter, quarter, quarter};
   std::mt19937_64 random(seed);
   const auto next = [&] { return double(random() >> 11) * 0x1p-53; };
-  std::vector<SurfaceHit> hits;
+  std::vector<SkinHit> hits;
   DiffusedLight sum;
   for (int channel = 0; channel < 3; ++channel) {
     const Radii radii(profile, channel);
@@ -66,7 +66,7 @@ DiffusedLight diffused_light(const SkinSurface& surface, glm::dvec3 position, gl
         // Places of a disc that fill it evenly in any order of k (M. Roberts' R2).
         const glm::dvec2 disc =
             on_disc(fraction(shadow_u + 0.7548776662466927 * double(k)), fraction(shadow_v + 0.5698402909980532 * double(k)));
-        for (const SurfaceHit& hit : hits) {
+        for (const SkinHit& hit : hits) {
           const glm::dvec3 apart = (hit.position - position) * 1000.0;
           double density = 0;  // of all lines, mm^-2 of surface
           for (size_t b = 0; b < 3; ++b) {

@@ -52,7 +52,7 @@ SkinSurface::SkinSurface(const Scene& scene, const Occluders& occluders, size_t 
   embree_.commit();
 }
 
-SurfaceHit SkinSurface::hit_of(uint32_t triangle, double u, double v) const {
+SkinHit SkinSurface::hit_of(uint32_t triangle, double u, double v) const {
   const uint32_t* corner = &object_.mesh.indices[size_t{3} * triangle];
   const Vertex *a = &object_.mesh.vertices[corner[0]], *b = &object_.mesh.vertices[corner[1]],
                *c = &object_.mesh.vertices[corner[2]];
@@ -60,7 +60,7 @@ SurfaceHit SkinSurface::hit_of(uint32_t triangle, double u, double v) const {
   const glm::dvec3 position = mixed([](const Vertex&x) { return glm::dvec3(x.position); }),
                    normal = mixed([](const Vertex&x) { return glm::dvec3(x.normal); }),
                    tangent = mixed([](const Vertex&x) { return glm::dvec3(x.tangent); });
-  SurfaceHit hit{
+  SkinHit hit{
       glm::dvec3(object_.world_from_object * glm::vec4(glm::vec3(position), 1)),
       glm::normalize(normal_matrix_ * glm::cross(glm::dvec3(b->position - a->position), glm::dvec3(c->position - a->position))),
       glm::normalize(normal_matrix_ * normal), glm::dvec3(0), mixed([](const Vertex& x) { return glm::dvec2(x.uv); })};
@@ -75,7 +75,7 @@ SurfaceHit SkinSurface::hit_of(uint32_t triangle, double u, double v) const {
   return hit;
 }
 
-void SkinSurface::hits_along(glm::dvec3 middle, glm::dvec3 direction, double reach_m, std::vector<SurfaceHit>& hits) const {
+void SkinSurface::hits_along(glm::dvec3 middle, glm::dvec3 direction, double reach_m, std::vector<SkinHit>& hits) const {
   thread_local std::vector<std::array<float, 2>> weights;
   thread_local std::vector<uint32_t> triangles;
   weights.clear(), triangles.clear(), hits.clear();
@@ -87,13 +87,13 @@ void SkinSurface::hits_along(glm::dvec3 middle, glm::dvec3 direction, double rea
   ray.ray.tfar = static_cast<float>(2 * reach_m);
   rtcIntersect1(embree_.scene, &all.context, &ray);
   // A line through an edge meets both triangles there, which are one place.
-  const auto same = [&](const SurfaceHit& one, const SurfaceHit& other) {
+  const auto same = [&](const SkinHit& one, const SkinHit& other) {
     return glm::dot(one.flat_normal, direction) * glm::dot(other.flat_normal, direction) > 0 &&
            glm::distance(one.position, other.position) < 2e-5;
   };
   for (size_t i = 0; i < triangles.size(); ++i) {
-    const SurfaceHit hit = hit_of(triangles[i], double(weights[i][0]), double(weights[i][1]));
-    if (std::none_of(hits.begin(), hits.end(), [&](const SurfaceHit& known) { return same(known, hit); })) hits.push_back(hit);
+    const SkinHit hit = hit_of(triangles[i], double(weights[i][0]), double(weights[i][1]));
+    if (std::none_of(hits.begin(), hits.end(), [&](const SkinHit& known) { return same(known, hit); })) hits.push_back(hit);
   }
 }
 
@@ -113,7 +113,7 @@ bool SkinSurface::lit(const Light& light, const SkinLight& arriving, glm::dvec3 
   return occluders_.free_rays(glm::vec3(from), rays, 1) != 0;
 }
 
-glm::dvec3 SkinSurface::entering(const SurfaceHit& hit, glm::dvec2 disc) const {
+glm::dvec3 SkinSurface::entering(const SkinHit& hit, glm::dvec2 disc) const {
   glm::dvec3 sum(scene_.ambient);
   const glm::dvec4 map = specular_.base(hit.uv);
   for (const Light& light : scene_.lights) {

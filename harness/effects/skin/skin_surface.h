@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-struct SurfaceHit {
+struct SkinHit {
   glm::dvec3 position, flat_normal, smooth_normal, normal;  // world; unit; `normal`: with the normal map
   glm::dvec2 uv;
 };
@@ -31,17 +31,17 @@ class SkinSurface {
   const DiffusionProfile& profile() const { return profile_; }
   const SurfaceReflection& reflection() const { return reflection_; }
   // All that a line through `middle` meets within this distance of it, in any order.
-  void hits_along(glm::dvec3 middle, glm::dvec3 direction, double reach_m, std::vector<SurfaceHit>& hits) const;
+  void hits_along(glm::dvec3 middle, glm::dvec3 direction, double reach_m, std::vector<SkinHit>& hits) const;
   // Whether a light reaches a place of the disc in which its shadows' edges are softened: `disc` in the unit disc.
   bool lit(const Light& light, const SkinLight& arriving, glm::dvec3 position, glm::dvec3 smooth_normal, glm::dvec2 disc) const;
   // Irradiance that enters, times the albedo's root; `disc`: for all its shadows.
-  glm::dvec3 entering(const SurfaceHit& hit, glm::dvec2 disc) const;
+  glm::dvec3 entering(const SkinHit& hit, glm::dvec2 disc) const;
   // Clement's melanin applied.
   glm::dvec3 albedo(glm::dvec3 plain) const;
   double number(const char* name) const { return values_.numbers.find(name)->second; }
 
  private:
-  SurfaceHit hit_of(uint32_t triangle, double u, double v) const;
+  SkinHit hit_of(uint32_t triangle, double u, double v) const;
 
   const Scene& scene_;
   const Occluders& occluders_;

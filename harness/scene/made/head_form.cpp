@@ -130,6 +130,25 @@ glm::vec2 within_chart(const HeadChart& chart, glm::vec2 uv) {
   return ((uv - chart.from) / (chart.to - chart.from) - chart_margin) / (1 - 2 * chart_margin);
 }
 
+// Where a fold is tighter than triangles are, the form's own normal may look away from them: there the normal is the mean of
+// the triangles around, by their areas.
+void turn_to_faces(Mesh& mesh) {
+  const auto face = [&](size_t first) {
+    const glm::vec3 &a = mesh.vertices[mesh.indices[first]].position, &b = mesh.vertices[mesh.indices[first + 1]].position,
+                    &c = mesh.vertices[mesh.indices[first + 2]].position;
+    return glm::cross(b - a, c - a);
+  };
+  std::vector<glm::vec3> around(mesh.vertices.size());
+  for (size_t i = 0; i < mesh.indices.size(); i += 3)
+    for (size_t k = 0; k < 3; ++k) around[mesh.indices[i + k]] += face(i);
+  for (size_t i = 0; i < mesh.indices.size(); i += 3) {
+    glm::vec3 normals(0);
+    for (size_t k = 0; k < 3; ++k) normals += mesh.vertices[mesh.indices[i + k]].normal;
+    if (glm::dot(face(i), normals) > 0) continue;
+    for (size_t k = 0; k < 3; ++k) mesh.vertices[mesh.indices[i + k]].normal = glm::normalize(around[mesh.indices[i + k]]);
+  }
+}
+
 }  // namespace
 
 HeadPlace head_place(glm::vec2 uv) {
@@ -142,7 +161,7 @@ HeadPlace head_place(glm::vec2 uv) {
 Mesh head_mesh(uint32_t detail) {
   Mesh mesh;
   for (const HeadChart& chart : head_charts) {
-    const bool ear = chart.part == HeadChart::Part::left_ear || chart.part == HeadChart::Part::left_ear;  // its x runs forward
+    const bool ear = chart.part == HeadChart::Part::left_ear || chart.part == HeadChart::Part::right_ear;
     const uint32_t columns = chart.part == HeadChart::Part::head ? detail + 1 : (ear ? detail / 3 : detail / 4) + 1;
     const uint32_t rows = chart.part == HeadChart::Part::head ? detail * 3 / 4 + 1 : columns * 3 / 4;
     const bool mirrored = chart.part == HeadChart::Part::left_ear;  // its x runs forward
@@ -163,6 +182,7 @@ Mesh head_mesh(uint32_t detail) {
     if (mirrored)
       for (size_t i = first; i < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
   }
+  turn_to_faces(mesh);
   compute_tangents(mesh);
   return mesh;
 }
