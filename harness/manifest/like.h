@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A manifest that says like = "NAME": all of the manifest NAME.toml beside it, with what it says otherwise. docs/manifest.md has
-// the rules.
+// A manifest that says like = "NAME": all of the manifest NAME.toml beside it, with what it says otherwise. docs/manifest.md
+// has the rules.
 #pragma once
 
 #include "harness/core/toml_table.h"

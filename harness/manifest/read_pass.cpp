@@ -211,14 +211,14 @@ ReadManifest PassManifest::read_of(const std::string& sampler) const {
   return declared != reads.end() ? declared->second : ReadManifest{sampler, {}, {}};
 }
 
-TomlFormPtr pass_form() {
+TomlFormPtr pass_form(bool whole) {
   const TomlFormPtr read =
       form::make({{"from", "the target or texture that the sampler reads", {form::text()}}, filter_key, wrap_key});
   const std::vector<TomlValue> scalars = {form::text(), form::number(), form::flag()};
   const double most = largest_number;
-  static const TomlFormPtr all = form::make(
+  return form::make(
       {{"name", "the pass's name in records and reports", {form::text()}, true},
-       {"draw", "what is drawn", {form::word({"objects", "unwrapped", "fullscreen", "compute", "mips"})}},  // a manifest with `like` may leave it out
+       {"draw", "what is drawn", {form::word({"objects", "unwrapped", "fullscreen", "compute", "mips"})}, whole},
        {"before", "with `like`: the pass that comes behind this one", {form::text()}},
        {"of", "which objects", {form::word({"own", "all", "opaque"})}},
        {"with", "only objects that have this feature", {form::text()}},
@@ -249,7 +249,6 @@ TomlFormPtr pass_form() {
        {"depth_target", "a target of format d32_float in place of the frame's depth", {form::text()}},
        {"clear_depth", "what the depth is cleared to", {form::number(0, 1)}},
        {"clear_depth_again", "before every repetition", {form::flag()}}});
-  return all;
 }
 
 PassManifest read_pass(const TomlTable& table, const VariantManifest& variant, const fs::path& shaders) {

@@ -23,8 +23,8 @@ std::vector<Setting> read_settings(const TomlTable& table, std::string_view key,
 
 // "$NAME", for forms.
 inline constexpr const char* parameter_pattern = "^\\$.+";
-// What a [[pass]] may hold.
-TomlFormPtr pass_form();
+// What a [[pass]] may hold. Not `whole`: of a manifest that is like another, whose pass may say the rest.
+TomlFormPtr pass_form(bool whole);
 // The variant's targets and parameters are known already.
 PassManifest read_pass(const TomlTable& table, const VariantManifest& variant, const std::filesystem::path& shaders);
 

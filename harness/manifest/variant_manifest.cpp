@@ -114,7 +114,7 @@ ParameterManifest read_parameter(const std::string& name, const TomlTable& table
   return parameter;
 }
 
-TomlFormPtr target_form() {
+TomlFormPtr target_form(bool whole) {
   std::vector<std::string> formats = format_names();
   const TomlFormPtr target =
       form::make({{"scope",
@@ -124,7 +124,7 @@ TomlFormPtr target_form() {
                    "\"frame\", [width, height], or a texture of the object",
                    {form::text(), form::numbers(1, largest_size, {2}), form::texts({}, parameter_pattern)}},
                   {"scale", "factor of the size", {form::number(1.0 / 64, 16), form::text(parameter_pattern)}},
-                  {"format", "of a texel", {form::text(fmt::format("^({}|\\$.+)$", fmt::join(formats, "|")))}},
+                  {"format", "of a texel", {form::text(fmt::format("^({}|\\$.+)$", fmt::join(formats, "|")))}, whole},
                   {"mips", "it has a full mip chain", {form::flag()}},
                   {"buffers", "2: a pass may read what the one before wrote", {form::whole(1, 2)}},
                   {"shared", "one for all effects that declare the same", {form::flag()}},
@@ -141,9 +141,9 @@ TomlFormPtr buffer_form() {
   return form::make({}, TomlKey{"NAME", "a storage buffer", {form::table(buffer)}});
 }
 
-TomlFormPtr parameter_form() {
+TomlFormPtr parameter_form(bool whole) {
   const TomlValue number = form::number(-largest_number, largest_number);
-  const TomlFormPtr parameter = form::make({{"value", "the default", {number, form::text()}},
+  const TomlFormPtr parameter = form::make({{"value", "the default", {number, form::text()}, whole},
                                             {"of", "the words to choose among: it is then a word", {form::texts()}},
                                             {"min", "least", {number}},
                                             {"max", "greatest", {number}},
@@ -153,28 +153,30 @@ TomlFormPtr parameter_form() {
   return form::make({}, TomlKey{"NAME", "a parameter", {form::table(parameter)}});
 }
 
-}  // namespace
-
-TomlFormPtr variant_form() {
+// `whole`: of a manifest that says all itself, or has what it is like laid under it. One that is like another may leave out
+// what that one says.
+TomlFormPtr manifest_form(bool whole) {
   const TomlFormPtr head =
       form::make({{"name", "the variant's name, unique in its effect", {form::text()}, true},
                   {"effect", "what it is a variant of; the folder's effect where it is left out", {form::text()}},
                   {"title", "what it is, for people", {form::text()}},
                   {"baseline", "the others are compared with this one", {form::flag()}},
-                  {"like", "the manifest beside this one that it has all from but what it says itself", {form::text()}},
+                  {"like", "the manifest beside this one that it has all from but what it says itself", {form::text()}, !whole},
                   {"leave_out", "passes of that manifest that this one has not", {form::texts()}},
                   {"closed", "each mesh of the effect must be a closed hull", {form::flag()}}});
   const TomlFormPtr bake =
       form::make({}, TomlKey{"NAME", "an option of the effect's baker", {form::number(-largest_number, largest_number)}});
-  // What a manifest with `like` may leave out is not marked as required: the reader says what is missing.
-  static const TomlFormPtr all = form::make({{"variant", "the variant", {form::table(head)}, true},
-                                             {"parameters", "what users may set", {form::table(parameter_form())}},
-                                             {"targets", "what passes write", {form::table(target_form())}},
-                                             {"buffers", "storage buffers", {form::table(buffer_form())}},
-                                             {"bake", "what the effect's baker is asked for", {form::table(bake)}},
-                                             {"pass", "steps of the frame, in order", {form::tables(pass_form())}}});
-  return all;
+  return form::make({{"variant", "the variant", {form::table(head)}, true},
+                     {"parameters", "what users may set", {form::table(parameter_form(whole))}},
+                     {"targets", "what passes write", {form::table(target_form(whole))}},
+                     {"buffers", "storage buffers", {form::table(buffer_form())}},
+                     {"bake", "what the effect's baker is asked for", {form::table(bake)}},
+                     {"pass", "steps of the frame, in order", {form::tables(pass_form(whole))}, whole}});
 }
+
+}  // namespace
+
+TomlFormPtr variant_form() { return form::one_of({}, {manifest_form(true), manifest_form(false)}); }
 
 std::string ParameterManifest::text(double of) const {
   if (!words.empty()) return words.at(static_cast<size_t>(of));
@@ -210,7 +212,8 @@ Format VariantManifest::format_of(const TargetManifest& of, const Parameters& se
 
 VariantManifest read_variant(const std::filesystem::path& file, const std::string& effect,
                              const std::filesystem::path& shaders) {
-  const TomlTable root = manifest_nodes(file, variant_form());
+  static const TomlFormPtr whole = manifest_form(true);
+  const TomlTable root = manifest_nodes(file, whole);
   const TomlTable head = root.table("variant");
   VariantManifest variant;
   variant.file = file;

@@ -79,11 +79,10 @@ WRONG = {
               SCENE + "[effects.volume_fog]\ndensity = -1\n", SCENE + "[effects.nothing]\nx = 1\n",
               SCENE + "background = [0, 0, 1e6]\n", "[objects.heart]\nthickness = 1\n"],
     "manifest": [MANIFEST.replace('name = "mine"\n', ""), MANIFEST.replace('"objects"', '"object"'),
-                 MANIFEST + 'blend = "addtive"\n', MANIFEST + "repeat = 5000\n",
+                 MANIFEST.replace('draw = "objects"\n', ""), MANIFEST + 'blend = "addtive"\n', MANIFEST + "repeat = 5000\n",
                  MANIFEST + "clear = [0, 0, 0]\n", MANIFEST + "colour = 1\n", MANIFEST + "clear_depth = 2\n",
                  MANIFEST + '[targets.t]\nformat = "rgba8"\n', MANIFEST + '[targets.t]\nformat = "r8_unorm"\nbuffers = 3\n',
-                 # What a manifest with `like` may leave out is not required by the schema: the program alone says that it lacks.
-                 ],
+                 MANIFEST + "[parameters.p]\nmin = 1\n", MANIFEST.split("[[pass]]")[0]],
     "effect": [EFFECT.replace("[effect]\n", "[effect]\nordr = 1\n"), EFFECT.replace("[effect]\n", '[effect]\nbake = "nobody"\n'),
                EFFECT.replace("[effect]\n", '[effect]\nsolid = "no"\n'), EFFECT + "[numbers.x]\nrange = [1]\n",
                EFFECT + '[textures.x]\nmeaning = "color"\n', EFFECT + '[features.X]\nneeds = ["a"]\n'],
