@@ -42,12 +42,27 @@ std::vector<std::string> variant_names(const std::vector<const EffectManifest*>&
   return names;
 }
 
-void make_run_folder(std::string_view stage, const std::filesystem::path& out) {
+namespace {
+
+bool can_be_made(const std::filesystem::path& folder) {
   std::error_code failure;
-  std::filesystem::create_directories(out / "images", failure);
-  if (failure || ::access(out.c_str(), W_OK) != 0 || ::access((out / "images").c_str(), W_OK) != 0)
-    throw Error(ErrorKind::bad_input, std::string(stage), out.string(),
-                "the folder cannot be made or written; choose another with --out");
+  std::filesystem::create_directories(folder, failure);
+  return !failure && ::access(folder.c_str(), W_OK) == 0;
+}
+
+[[noreturn]] void refuse_folder(std::string_view stage, const std::filesystem::path& out) {
+  throw Error(ErrorKind::bad_input, std::string(stage), out.string(),
+              "the folder cannot be made or written; choose another with --out");
+}
+
+}  // namespace
+
+void make_folder(std::string_view stage, const std::filesystem::path& out) {
+  if (!can_be_made(out)) refuse_folder(stage, out);
+}
+
+void make_run_folder(std::string_view stage, const std::filesystem::path& out) {
+  if (!can_be_made(out) || !can_be_made(out / "images")) refuse_folder(stage, out);
 }
 
 Scene load_scene_for(const SceneOptions& options, const Library& library) {

@@ -26,6 +26,8 @@ std::vector<std::string> variant_names(const std::vector<const EffectManifest*>&
 // command.
 void check_variant_names(std::string_view stage, const std::vector<std::string>& wanted, const std::vector<std::string>& known);
 
+// Makes `out`, which may be there. Throws Error(bad_input) where it cannot be made or written.
+void make_folder(std::string_view stage, const std::filesystem::path& out);
 // Makes `out` and its images/, which may be there. Throws Error(bad_input) where they cannot be made or written.
 void make_run_folder(std::string_view stage, const std::filesystem::path& out);
 

@@ -163,9 +163,7 @@ std::string page_named(const CLI::App& program, const std::string& name) {
 }
 
 void write_pages(const CLI::App& program, const std::filesystem::path& out) {
-  std::error_code failure;
-  std::filesystem::create_directories(out, failure);
-  if (failure) throw Error(ErrorKind::bad_input, "man", out.string(), "the folder cannot be made; choose another with --out");
+  make_folder("man", out);
   write_file_atomically(out / "lamina.1", page_of_program(program));
   for (const CLI::App* command : shown_commands(program))
     write_file_atomically(out / fmt::format("lamina-{}.1", command->get_name()), page_of(*command));

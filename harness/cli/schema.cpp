@@ -68,10 +68,7 @@ int run_schema(const SchemaOptions& options) {
     }
     throw Error(ErrorKind::bad_input, "schema", options.kind, unknown_name("kind of file", options.kind, known));
   }
-  std::error_code failure;
-  std::filesystem::create_directories(options.out, failure);
-  if (failure)
-    throw Error(ErrorKind::bad_input, "schema", options.out.string(), "the folder cannot be made; choose another with --out");
+  make_folder("schema", options.out);
   for (const SchemaKind& kind : kinds_of_schemas)
     write_file_atomically(options.out / fmt::format("{}.schema.json", kind.name), text_of(kind, library));
   return 0;
