@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "harness/record/dearness.h"
 #include "reports/words.h"
 
 namespace lamina {
@@ -35,9 +36,8 @@ PassSummary::Line& line_of(PassSummary& pass, const LineRow& row) {
 void keep_dearest_lines(PassSummary& pass, double fetches) {
   constexpr size_t max_lines = 5;
   const double operations = pass.operations_per_pixel();
-  const auto share = [](double part, double all) { return all > 0 ? part / all : 0; };
   std::ranges::stable_sort(pass.lines, std::greater{}, [&](const PassSummary::Line& line) {
-    return share(line.fetches, fetches) + share(line.operations, operations);
+    return dearness(line.fetches, line.operations, fetches, operations);
   });
   pass.lines.resize(std::min(pass.lines.size(), max_lines));
 }

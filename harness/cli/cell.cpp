@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "harness/core/text.h"
+#include "harness/record/dearness.h"
 #include "harness/scene/declare.h"
 
 namespace lamina {
@@ -27,11 +28,9 @@ std::vector<LineRow> dearest_lines(const PassCounts& counts) {
   for (const auto& [line, work] : counts.lines) all.add(work);
   std::vector<LineRow> rows;
   for (const auto& [line, work] : counts.lines) rows.push_back({line.file, line.line, work.fetches, work.operations});
-  const auto share = [](uint64_t part, uint64_t of) {
-    return of == 0 ? 0 : static_cast<double>(part) / static_cast<double>(of);
-  };
   std::ranges::stable_sort(rows, std::greater{}, [&](const LineRow& row) {
-    return share(row.fetches, all.fetches) + share(row.operations, all.operations);
+    return dearness(static_cast<double>(row.fetches), static_cast<double>(row.operations), static_cast<double>(all.fetches),
+                    static_cast<double>(all.operations));
   });
   rows.resize(std::min(rows.size(), max_line_rows));
   return rows;
