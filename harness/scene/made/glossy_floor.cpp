@@ -8,7 +8,6 @@
 #include "harness/scene/made/block_mesh.h"
 #include "harness/scene/made/coloured_object.h"
 #include "harness/scene/made/directional_light.h"
-#include "harness/scene/made/sphere_mesh.h"
 #include "harness/scene/made/tiles.h"
 
 namespace lamina {
@@ -30,12 +29,6 @@ Object column(std::string name, glm::vec2 at, float half_m, float height_m, glm:
   return coloured_object(std::move(name), block_mesh({block}, 1), colour, false);
 }
 
-Object hung_ball(std::string name, glm::vec3 middle, float radius, glm::vec3 colour) {
-  Object object = coloured_object(std::move(name), sphere_mesh(25), colour, false);
-  object.world_from_object = glm::scale(glm::translate(glm::mat4(1), middle), glm::vec3(radius));
-  return object;
-}
-
 }  // namespace
 
 Scene make_glossy_floor() {
@@ -51,9 +44,9 @@ Scene make_glossy_floor() {
   scene.objects.push_back(column("column_1", {-0.6f, -0.75f}, 0.12f, 0.75f, {0.75f, 0.12f, 0.08f}));
   scene.objects.push_back(column("column_2", {0.42f, -0.5f}, 0.08f, 0.9f, {0.82f, 0.62f, 0.10f}));
   scene.objects.push_back(column("column_3", {1.5f, -0.65f}, 0.11f, 0.85f, {0.10f, 0.32f, 0.72f}));
-  scene.objects.push_back(hung_ball("ball_0", {-1.05f, 0.34f, 0.05f}, 0.17f, {0.12f, 0.55f, 0.20f}));
-  scene.objects.push_back(hung_ball("ball_1", {0.0f, 0.18f, 0.25f}, 0.18f, {0.85f, 0.83f, 0.80f}));
-  scene.objects.push_back(hung_ball("ball_2", {1.0f, 0.45f, 0.0f}, 0.2f, {0.75f, 0.20f, 0.45f}));
+  scene.objects.push_back(coloured_ball("ball_0", {-1.05f, 0.34f, 0.05f}, 0.17f, {0.12f, 0.55f, 0.20f}));
+  scene.objects.push_back(coloured_ball("ball_1", {0.0f, 0.18f, 0.25f}, 0.18f, {0.85f, 0.83f, 0.80f}));
+  scene.objects.push_back(coloured_ball("ball_2", {1.0f, 0.45f, 0.0f}, 0.2f, {0.75f, 0.20f, 0.45f}));
   scene.lights.push_back(directional_light("key", glm::normalize(glm::vec3(-0.5f, 0.8f, 0.75f)), {0.95f, 0.9f, 0.82f}));
   scene.lights.push_back(directional_light("fill", glm::normalize(glm::vec3(0.8f, 0.45f, 0.4f)), {0.22f, 0.25f, 0.3f}));
   scene.ambient = {0.22f, 0.23f, 0.25f};

@@ -8,7 +8,6 @@
 #include "harness/scene/made/block_mesh.h"
 #include "harness/scene/made/coloured_object.h"
 #include "harness/scene/made/directional_light.h"
-#include "harness/scene/made/sphere_mesh.h"
 #include "harness/scene/made/tiles.h"
 
 namespace lamina {
@@ -21,12 +20,6 @@ Object glass_pane(std::string name, float left, float roughness, float thickness
   pane.said.values["rough_glass.roughness"] = {double(roughness)};
   pane.said.values["rough_glass.thickness"] = {double(thickness_m)};
   return pane;
-}
-
-Object ball(std::string name, glm::vec3 middle, float radius, glm::vec3 colour) {
-  Object object = coloured_object(std::move(name), sphere_mesh(25), colour, false);
-  object.world_from_object = glm::scale(glm::translate(glm::mat4(1), middle), glm::vec3(radius));
-  return object;
 }
 
 }  // namespace
@@ -43,10 +36,10 @@ Scene make_rough_glass() {
       glm::rotate(glm::translate(glm::mat4(1), {0, 0, 0.2f}), glm::radians(-90.0f), glm::vec3(1, 0, 0)), {5, 3.7f, 1});
   scene.objects.push_back(std::move(wall));
   scene.objects.push_back(std::move(floor));
-  scene.objects.push_back(ball("ball_0", {-0.85f, 0.30f, -0.35f}, 0.22f, {0.75f, 0.10f, 0.07f}));
-  scene.objects.push_back(ball("ball_1", {-0.2f, 0.34f, -0.95f}, 0.26f, {0.85f, 0.62f, 0.08f}));
-  scene.objects.push_back(ball("ball_2", {0.42f, 0.26f, -0.28f}, 0.18f, {0.10f, 0.28f, 0.75f}));
-  scene.objects.push_back(ball("ball_3", {0.98f, 0.32f, -0.8f}, 0.24f, {0.10f, 0.55f, 0.18f}));
+  scene.objects.push_back(coloured_ball("ball_0", {-0.85f, 0.30f, -0.35f}, 0.22f, {0.75f, 0.10f, 0.07f}));
+  scene.objects.push_back(coloured_ball("ball_1", {-0.2f, 0.34f, -0.95f}, 0.26f, {0.85f, 0.62f, 0.08f}));
+  scene.objects.push_back(coloured_ball("ball_2", {0.42f, 0.26f, -0.28f}, 0.18f, {0.10f, 0.28f, 0.75f}));
+  scene.objects.push_back(coloured_ball("ball_3", {0.98f, 0.32f, -0.8f}, 0.24f, {0.10f, 0.55f, 0.18f}));
   scene.objects.push_back(
       coloured_object("rod", block_mesh({{{-0.36f, 0.0f, 0.24f}, {-0.33f, 0.95f, 0.27f}}}, 1), {0.02f, 0.02f, 0.025f}, false));
   scene.lights.push_back(directional_light("key", glm::normalize(glm::vec3(-0.4f, 0.9f, 0.75f)), {0.9f, 0.87f, 0.8f}));
