@@ -10,6 +10,7 @@
 #include "harness/core/bytes.h"
 #include "harness/core/error.h"
 #include "harness/core/text.h"
+#include "harness/truth/pixel_of.h"
 #include "harness/truth/view_rays.h"
 
 namespace lamina {
@@ -46,13 +47,13 @@ class SingleScatteringTruth : public Truth {
     const ViewRays rays(view, point.width, point.height);
     const glm::dvec3 eye = glm::dvec3(view.eye) - glm::dvec3(0, sun("sea_level"), 0);
     const auto shade = [&](size_t i) {
-      const float* there = &point.rgba[4 * i];
-      const glm::dvec3 from_eye = glm::dvec3(there[0], there[1], there[2]) - glm::dvec3(view.eye);
-      const bool solid = there[3] > 0;
+      const glm::dvec4 there = pixel_of(point, i);
+      const glm::dvec3 from_eye = glm::dvec3(there) - glm::dvec3(view.eye);
+      const bool solid = there.a > 0;
       const glm::dvec3 direction = solid ? glm::normalize(from_eye) : rays.direction(i);
       const Scattered scattered = single_scattering(air, {eye, direction}, solid ? glm::length(from_eye) : INFINITY, !solid,
                                                     to_sun.value_or(glm::dvec3(0, 1, 0)));
-      const glm::dvec3 behind(light.rgba[4 * i], light.rgba[4 * i + 1], light.rgba[4 * i + 2]);
+      const glm::dvec3 behind(pixel_of(light, i));
       // A white surface shows its irradiance, pi times its radiance.
       const glm::dvec3 by_air = to_sun ? std::numbers::pi * above_air * scattered.radiance : glm::dvec3(0);
       lit[i] = behind * scattered.transmittance + by_air;

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/effects/glossy_reflection/facet_rays.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <mutex>
 
 #include "harness/truth/beckmann_facets.h"
-#include "harness/truth/scene_surfaces.h"
-#include "harness/truth/seen_picture.h"
-#include "harness/truth/view_rays.h"
+#include "harness/truth/blurred_picture.h"
 
 namespace lamina {
 namespace {
@@ -40,61 +34,34 @@ class FacetRays : public Truth {
                   [](const Object& object) -> const Texture& { return object.effects.at("surface").textures.at("albedo"); }) {}
 
   TruthAnswer answer(const Told& told, const std::function<void(double)>& progress) override {
-    const Image& picture = told.target("seen_in_mirror", "facet_rays");
-    const ViewRays rays(told.view, picture.width, picture.height);
-    const SeenPicture seen(picture, told.view);
-    const glm::dvec3 eye(told.view.eye);
-    TruthAnswer answer;
-    std::vector<SurfaceHit> hits;
-    for (size_t pixel = 0; pixel < size_t(picture.width) * size_t(picture.height); ++pixel)
-      if (const auto hit = surfaces_.chosen(eye, rays.direction(pixel))) {
-        answer.pixels.push_back(pixel);
-        hits.push_back(*hit);
-      }
-    if (hits.empty()) return {};
-    answer.steps = {{"blur", "this variant's blur against rays that show what the mirror's picture shows where they land",
-                     std::vector<glm::vec3>(hits.size())},
-                    {"picture", "the mirror's picture where rays land against what they land on, hidden or not",
-                     std::vector<glm::vec3>(hits.size())}};
-    std::mutex telling;
-    std::atomic<size_t> done = 0;
-    tbb::parallel_for(size_t{0}, hits.size(), [&](size_t i) {
-      const SurfaceHit& hit = hits[i];
-      const auto column = static_cast<int>(answer.pixels[i]) % picture.width,
-                 row = static_cast<int>(answer.pixels[i]) / picture.width;
-      const glm::dvec2 right = surfaces_.uv_beside(hit, eye, rays.direction(column + 1, row)),
-                       down = surfaces_.uv_beside(hit, eye, rays.direction(column, row + 1));
-      const Reflected light = reflected(hit, eye, i, seen);
-      const glm::dvec3 own = own_light(hit, eye, surfaces_.albedo(hit.object).at(hit.uv, right, down));
-      answer.steps[0].light[i] = own + light.shown;
-      answer.steps[1].light[i] = own + light.landed;
-      if (const size_t now = ++done; now % 1024 == 0) {
-        const std::lock_guard lock(telling);
-        progress(static_cast<double>(now) / static_cast<double>(hits.size()));
-      }
-    });
-    progress(1);
-    return answer;
+    return blurred_picture_truth(
+        told.target("seen_in_mirror", "facet_rays"), told.view, surfaces_, "the mirror's picture",
+        [&](const BlurredPixel& pixel) { return light(pixel); }, progress);
   }
 
  private:
+  BlurredLight light(const BlurredPixel& pixel) const {
+    const glm::dvec2 right = surfaces_.uv_beside(pixel.hit, pixel.eye, pixel.rays.direction(pixel.column + 1, pixel.row)),
+                     down = surfaces_.uv_beside(pixel.hit, pixel.eye, pixel.rays.direction(pixel.column, pixel.row + 1));
+    const BlurredLight mirrored = reflected(pixel.hit, pixel.eye, pixel.index, pixel.seen);
+    const glm::dvec3 own = own_light(pixel.hit, pixel.eye, surfaces_.albedo(pixel.hit.object).at(pixel.hit.uv, right, down));
+    return {own + mirrored.shown, own + mirrored.landed};
+  }
+
   double number(size_t object, const char* name) const {
     return scene_.objects[object].effects.find("glossy_reflection")->second.numbers.find(name)->second;
   }
 
-  struct Reflected {
-    glm::dvec3 shown{0}, landed{0};  // Fresnel's share is in both
-  };
-  // Beside the mirror's plane it is the ambient light. In it, facets count by the area that the eye sees of them, over the
-  // surface's.
-  Reflected reflected(const SurfaceHit& hit, glm::dvec3 eye, size_t pixel, const SeenPicture& seen) const {
+  // Fresnel's share is in both. Beside the mirror's plane it is the ambient light. In it, facets count by the area that the eye
+  // sees of them, over the surface's.
+  BlurredLight reflected(const SurfaceHit& hit, glm::dvec3 eye, size_t pixel, const SeenPicture& seen) const {
     const glm::dvec3 to_eye = glm::normalize(eye - hit.position), n = hit.normal;
     const double slope = std::pow(number(hit.object, "roughness"), 2), straight_back = number(hit.object, "reflectance");
     if (!in_mirror(hit, height_m_)) {
       const glm::dvec3 around = glm::dvec3(scene_.ambient) * schlick(straight_back, glm::dot(n, to_eye));
       return {around, around};
     }
-    Reflected sum;
+    BlurredLight sum;
     double weights = 0;
     for (size_t ray = 0; ray < rays_; ++ray) {
       const glm::dvec3 facet = beckmann_facet(slope, n, facet_share(ray, rays_, pixel));

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/effects/hair/hair_truth.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <map>
-#include <mutex>
 
 #include "harness/effects/hair/hair_light.h"
+#include "harness/truth/for_each_on_all_cores.h"
 #include "harness/truth/view_rays.h"
 
 namespace lamina {
@@ -36,9 +33,8 @@ class SortedCards : public Truth {
     const int width = behind.width, height = behind.height;
     const size_t pixels = size_t(width) * size_t(height);
     std::vector<Blended> one(pixels), many(pixels);
-    std::mutex telling;
-    std::atomic<int> done = 0;
-    tbb::parallel_for(0, height, [&](int row) {
+    for_each_on_all_cores(static_cast<size_t>(height), progress, [&](size_t at) {
+      const auto row = static_cast<int>(at);
       const ViewRays middles(told.view, width, height), samples(told.view, width * side_, height * side_);
       for (int column = 0; column < width; ++column) {
         const size_t pixel = size_t(row) * size_t(width) + size_t(column);
@@ -52,8 +48,6 @@ class SortedCards : public Truth {
           mean.met = mean.met || sample.met;
         }
       }
-      const std::lock_guard lock(telling);
-      progress(static_cast<double>(++done) / height);
     });
     TruthAnswer answer;
     answer.steps = {{"coverage", "this variant's coverage, order and shading against sorted cards along one ray a pixel", {}},

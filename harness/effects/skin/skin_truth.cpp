@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/effects/skin/skin_truth.h"
 
-#include <tbb/parallel_for.h>
-
-#include <atomic>
 #include <cmath>
 #include <map>
-#include <mutex>
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/effects/skin/diffusion.h"
+#include "harness/truth/for_each_on_all_cores.h"
+#include "harness/truth/pixel_of.h"
 
 namespace lamina {
 namespace {
@@ -41,10 +39,8 @@ class SkinTruth : public Truth {
     const std::vector<SeenSkin> points = seen(told, answer.pixels);
     if (points.empty()) return {};
     std::vector<glm::vec3> same_side(points.size()), all(points.size());
-    std::mutex telling;
-    std::atomic<size_t> done = 0;
     const glm::dvec3 eye(told.view.eye);
-    tbb::parallel_for(size_t{0}, points.size(), [&](size_t i) {
+    for_each_on_all_cores(points.size(), progress, [&](size_t i) {
       const SeenSkin& point = points[i];
       const SkinSurface& surface = *surfaces_.at(point.object);
       const glm::dvec3 to_eye = glm::normalize(eye - point.position);
@@ -56,12 +52,7 @@ class SkinTruth : public Truth {
       const glm::dvec3 out = glm::sqrt(point.albedo) * (1 - lost), shine = highlights(surface, point, to_eye);
       same_side[i] = glm::vec3(out * light.same_side + shine);
       all[i] = glm::vec3(out * light.all + shine);
-      if (const size_t now = ++done; now % 256 == 0) {
-        const std::lock_guard lock(telling);
-        progress(static_cast<double>(now) / static_cast<double>(points.size()));
-      }
     });
-    progress(1);
     answer.steps = {
         {"diffusion", "this variant's light, shadows and highlights against the profile over this side of the surface",
          std::move(same_side)},
@@ -74,15 +65,13 @@ class SkinTruth : public Truth {
     const Image &point = told.target("seen_point", "skin"), &normal = told.target("seen_normal", "skin"),
                 &albedo = told.target("seen_albedo", "skin");
     std::vector<SeenSkin> points;
-    const auto three = [](const Image& image, size_t i) {
-      return glm::dvec3(double(image.rgba[4 * i]), double(image.rgba[4 * i + 1]), double(image.rgba[4 * i + 2]));
-    };
     for (size_t i = 0; i < size_t(point.width) * size_t(point.height); ++i) {
-      const auto place = static_cast<long>(std::lround(point.rgba[4 * i + 3])) - 1;
+      const glm::dvec4 at = pixel_of(point, i), facing = pixel_of(normal, i), colour = pixel_of(albedo, i);
+      const auto place = static_cast<long>(std::lround(at.a)) - 1;
       if (place < 0 || !surfaces_.contains(size_t(place))) continue;
       pixels.push_back(i);
-      points.push_back({size_t(place), three(point, i), glm::normalize(three(normal, i)), three(albedo, i),
-                        double(normal.rgba[4 * i + 3]), double(albedo.rgba[4 * i + 3])});
+      points.push_back(
+          {size_t(place), glm::dvec3(at), glm::normalize(glm::dvec3(facing)), glm::dvec3(colour), facing.a, colour.a});
     }
     return points;
   }

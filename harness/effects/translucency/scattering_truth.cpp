@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/effects/translucency/scattering_truth.h"
 
-#include <tbb/parallel_for.h>
-
-#include <atomic>
 #include <cstring>
-#include <mutex>
 
 #include "harness/core/bytes.h"
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/effects/translucency/scattered_light.h"
+#include "harness/truth/for_each_on_all_cores.h"
+#include "harness/truth/pixel_of.h"
 
 namespace lamina {
 namespace {
-
-glm::dvec4 pixel_of(const Image& image, size_t i) {
-  return {double(image.rgba[4 * i]), double(image.rgba[4 * i + 1]), double(image.rgba[4 * i + 2]),
-          double(image.rgba[4 * i + 3])};
-}
 
 class ScatteringTruth : public Truth {
  public:
@@ -72,9 +65,7 @@ class ScatteringTruth : public Truth {
 
   void compute(const std::vector<LitPoint>& points, std::vector<std::vector<glm::vec3>>& light,
                const std::function<void(double)>& progress) const {
-    std::mutex telling;
-    std::atomic<size_t> done = 0;
-    tbb::parallel_for(size_t{0}, points.size(), [&](size_t i) {
+    for_each_on_all_cores(points.size(), progress, [&](size_t i) {
       const LitPoint& point = points[i];
       const Scene& scene = setting_.scene;
       const glm::dvec3 rest = unshadowed_light(*solids_.medium(point.object), scene, point);
@@ -83,12 +74,7 @@ class ScatteringTruth : public Truth {
       light[0][i] = rest + single_scattering(solids_, scene, point, Refraction::flat) + flat_slab;
       light[1][i] = rest + once + slab_scattering(solids_, scene, point, Refraction::solved);
       light[2][i] = rest + once + multiple_scattering(solids_, scene, point, setting_.rays, 1 + i);
-      if (const size_t now = ++done; now % 256 == 0) {
-        const std::lock_guard lock(telling);
-        progress(static_cast<double>(now) / static_cast<double>(points.size()));
-      }
     });
-    progress(1);
   }
 
   // All that the light follows from.

@@ -2,14 +2,12 @@
 #include "harness/effects/transparency/transparent_layers.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <mutex>
 
 #include "harness/effects/transparency/layer_shading.h"
+#include "harness/truth/for_each_on_all_cores.h"
 #include "harness/truth/view_rays.h"
 
 namespace lamina {
@@ -98,13 +96,10 @@ class TransparentLayers : public Truth {
   void trace(const View& view, int width, int height, const std::function<void(double)>& progress) {
     const ViewRays rays(view, width, height);
     traced_.resize(size_t(width) * size_t(height));
-    std::mutex telling;
-    std::atomic<int> done = 0;
-    tbb::parallel_for(0, height, [&](int row) {
+    for_each_on_all_cores(static_cast<size_t>(height), progress, [&](size_t at) {
+      const auto row = static_cast<int>(at);
       for (int column = 0; column < width; ++column)
         traced_[size_t(row) * size_t(width) + size_t(column)] = traced_pixel(rays, glm::dvec3(view.eye), column, row);
-      const std::lock_guard lock(telling);
-      progress(static_cast<double>(++done) / height);
     });
   }
 
