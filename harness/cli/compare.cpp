@@ -20,6 +20,7 @@ namespace {
 
 struct CompareOptions : WatchOptions {  // the rounds are of a backend and effect
   bool quick = false;
+  bool times = true;
   bool watch = false;
 };
 
@@ -51,23 +52,27 @@ void bake(const Plan& plan, const std::vector<const EffectManifest*>& effects, c
   for (const std::string& warning : bakes.cache().take_warnings()) fmt::print(stderr, "lamina: warning: {}\n", warning);
 }
 
-// One backend: certificate, then each effect, which is taken off `effects` when its rows are in the record. Appends every row
+// One backend: certificate where times are wanted, then each effect, which is taken off `effects` when its rows are in the record. Appends every row
 // as it is finished. Returns how many messages the API's checker had.
 size_t run_backend(const std::string& name, const Scene& scene, const Library& library, const Plan& plan,
                    std::vector<const EffectManifest*>& effects, Bakes& bakes, const CompareOptions& options,
                    RecordWriter& record) {
   const std::unique_ptr<Backend> backend = open_backend(name, {options.device, options.validation});
   Progress progress(name);
-  progress.show(0, "certifying the timer");
-  const TimerRow timer = certify_timer(*backend, library.shaders);
-  record.append(to_json(timer));
+  bool timed = options.times;
+  if (options.times) {
+    progress.show(0, "certifying the timer");
+    const TimerRow timer = certify_timer(*backend, library.shaders);
+    record.append(to_json(timer));
+    timed = timer.ok;
+  }
   SceneResources resources(*backend, scene, library, options.width_px, options.height_px, &bakes);
   const SceneOnDevice there{&scene, &plan, &bakes, &resources};
   ShaderCache shaders(backend->info().api, library.shaders);
   while (!effects.empty()) {
     const EffectManifest* effect = effects.front();
     EffectRun run(*backend, *effect, shaders, options, "images", progress.tell());
-    run.start(there, {.timed = timer.ok});
+    run.start(there, {.timed = timed});
     run.prepare();
     run.count();
     run.score();
@@ -161,6 +166,7 @@ Command add_compare(CLI::App& program) {
   command.add_flag("--quick", options->quick,
                    "Stop sooner, at wider intervals: 5%, or 4 s a backend, unless --precision or --budget say otherwise");
   add_rounds(command, options->rounds, "a backend");
+  CLI::Option* no_time = command.add_flag("!--no-time", options->times, "Counts, pictures and errors alone");
   add_truth(command, *options);
   add_seed(command, options->rounds.seed);
   add_validation(command, *options);
@@ -171,7 +177,9 @@ Command add_compare(CLI::App& program) {
   command.add_option("--view", options->views, "View that is watched; the first without (may be given again)")
       ->type_name(placeholder::view)
       ->needs(watch);
-  command.add_flag("--timed", options->timed, "Time what is watched, within 1 s unless --budget says otherwise")->needs(watch);
+  command.add_flag("--timed", options->timed, "Time what is watched, within 1 s unless --budget says otherwise")
+      ->needs(watch)
+      ->excludes(no_time);
   return {&command, [=, &command](const std::string& typed) {
             options->command = typed;
             const auto quick_default = [&](const char* name) { return options->quick && command.count(name) == 0; };

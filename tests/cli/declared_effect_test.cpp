@@ -13,7 +13,7 @@ namespace {
 
 const std::string data = LAMINA_SOURCE_DIR "/tests/data/effects";
 const std::string with_effect = " --variants-dir " + data;
-const std::string small = with_effect + " --size 96x96 --quick --cache \"\" --budget 0.2";
+const std::string small = with_effect + " --size 96x96 --cache \"\" --no-time";
 
 class DeclaredEffect : public ProgramTest {
  protected:

@@ -93,20 +93,21 @@ WRONG = {
 
 def refusal(kind, folder, text):
     """What the program says of the text as a file of that kind, and its status."""
+    reads_variants = ["schema", "--out", folder / "schemas"]  # and neither makes a scene nor looks for devices
     (folder / "variants").mkdir()
     if kind == "scene":
         (folder / "mine.toml").write_text(text)
         command = ["plan", folder / "mine.toml"]
     elif kind == "manifest":
         (folder / "variants/mine.toml").write_text(text)
-        command = ["list", "--variants-dir", folder / "variants"]
+        command = [*reads_variants, "--variants-dir", folder / "variants"]
     elif kind == "effect":
         (folder / "variants/lantern").mkdir()
         for file in (source / "tests/data/effects/lantern").iterdir():
             if file.is_file():
                 (folder / "variants/lantern" / file.name).write_bytes(file.read_bytes())
         (folder / "variants/lantern/effect.toml").write_text(text)
-        command = ["list", "--variants-dir", folder / "variants"]
+        command = [*reads_variants, "--variants-dir", folder / "variants"]
     else:
         (folder / "gate.toml").write_text(text)
         command = ["gate", source / "tests/data/scenes/square.toml", "--limits", folder / "gate.toml", "--against", source, "--out", folder / "out", "--size", "16x16",
