@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Skin on screen: diffused light from the light map, times the rest of the albedo, and highlights, which are not diffused.
+// Skin on screen: diffused light from the light map, times the rest of the albedo, and highlights, which are not diffused. The map
+// has one level: the light of a point is asked for, and diffusion has smoothed it already. Mips wiped the features off a small face.
 #include "material.glsl"
 #include "soft_shadow.glsl"
 #include "surface_light.glsl"
@@ -12,7 +13,7 @@ void main() {
   SkinPoint point = skin_point();
   vec2 map = specular_map(point.uv);
   vec3 to_eye = normalize(eye_world.xyz - point.position);
-  vec3 color = texture(diffused, point.uv).rgb * sqrt(point.albedo) * entering(dot(point.normal, to_eye), map);
+  vec3 color = textureLod(diffused, point.uv, 0.0).rgb * sqrt(point.albedo) * entering(dot(point.normal, to_eye), map);
 #if defined(SPECULAR) || defined(OIL) || defined(RIM) || defined(BACK_SCATTERING)
   for (int i = 0; i < light_count.x; ++i) {
     ArrivingLight light = arriving_light(i, point.position);
