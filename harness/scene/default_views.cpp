@@ -2,6 +2,7 @@
 #include "harness/scene/default_views.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "harness/core/error.h"
@@ -24,7 +25,7 @@ void for_each_world_position(const std::vector<Object>& objects, const Visit& vi
       visit(glm::vec3(object.world_from_object * glm::vec4(vertex.position, 1)));
 }
 
-View seen_from(std::string name, const BoundingSphere& bounds, glm::vec3 direction) {
+View seen_from(std::string name, const BoundingSphere& bounds, glm::vec3 direction, glm::vec3 up) {
   View view;
   view.name = std::move(name);
   view.fov_y_degrees = fov_y_degrees;
@@ -32,8 +33,36 @@ View seen_from(std::string name, const BoundingSphere& bounds, glm::vec3 directi
   const float distance = margin * bounds.radius / std::sin(glm::radians(fov_y_degrees) / 2);
   view.eye = bounds.centre + distance * glm::normalize(direction);
   view.target = bounds.centre;
+  view.up = up;
   fit_depth(view, bounds);
   return view;
+}
+
+const std::array<glm::vec3, 3> view_sides = {glm::vec3(0, 0, 1), glm::vec3(0.75f, 0.45f, 0.9f), grazing_side};
+
+// What turns the directions of views so that they meet the side that is drawn. The identity, unless nearly all surfaces face one
+// way (a leaf, a relief), and that way is away from every view: then "front" looks at that side.
+glm::mat3 world_from_sides(const std::vector<Object>& objects) {
+  constexpr float one_way = 0.5f;  // of the sum of areas: the length of the sum of area vectors, 0 for closed surfaces
+  constexpr float seen = 0.05f;    // cosine
+  glm::vec3 sum(0);
+  float area = 0;
+  for (const Object& object : objects)
+    for (size_t i = 0; i + 2 < object.mesh.indices.size(); i += 3) {
+      const auto corner = [&](size_t k) {
+        return glm::vec3(object.world_from_object * glm::vec4(object.mesh.vertices[object.mesh.indices[i + k]].position, 1));
+      };
+      const glm::vec3 doubled = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+      sum += doubled, area += glm::length(doubled);
+    }
+  const float length = glm::length(sum);
+  if (!(length > one_way * area)) return glm::mat3(1);
+  const glm::vec3 faces = sum / length;
+  if (std::ranges::any_of(view_sides, [&](const glm::vec3& side) { return glm::dot(glm::normalize(side), faces) > seen; }))
+    return glm::mat3(1);
+  const glm::vec3 up = std::abs(faces.y) > 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+  const glm::vec3 right = glm::normalize(glm::cross(up, faces));
+  return {right, glm::cross(faces, right), faces};
 }
 
 }  // namespace
@@ -61,21 +90,24 @@ void fit_depth(View& view, const BoundingSphere& bounds) {
 
 std::vector<View> default_views(const std::vector<Object>& objects) {
   const BoundingSphere bounds = bounding_sphere(objects);
+  const glm::mat3 turned = world_from_sides(objects);
+  const glm::vec3 side = turned * grazing_side;
   glm::vec3 touched = bounds.centre;
   float furthest = -INFINITY;
   for_each_world_position(objects, [&](glm::vec3 p) {
-    const float along = glm::dot(p - bounds.centre, grazing_side);
+    const float along = glm::dot(p - bounds.centre, side);
     if (along > furthest) furthest = along, touched = p;
   });
-  const glm::vec3 across = glm::normalize(glm::cross(glm::vec3(0, 1, 0), grazing_side));
+  const glm::vec3 across = glm::normalize(glm::cross(turned * glm::vec3(0, 1, 0), side));
   View grazing;
   grazing.name = "grazing";
   grazing.fov_y_degrees = fov_y_degrees;
-  grazing.eye = touched + bounds.radius * (grazing_height * grazing_side - grazing_distance * across);
+  grazing.eye = touched + bounds.radius * (grazing_height * side - grazing_distance * across);
   grazing.target = touched;
-  grazing.up = grazing_side;
+  grazing.up = side;
   fit_depth(grazing, bounds);
-  return {seen_from("front", bounds, {0, 0, 1}), seen_from("three_quarter", bounds, {0.75f, 0.45f, 0.9f}), grazing};
+  return {seen_from("front", bounds, turned * view_sides[0], turned[1]),
+          seen_from("three_quarter", bounds, turned * view_sides[1], turned[1]), grazing};
 }
 
 std::vector<Light> default_lights(const BoundingSphere& bounds) {

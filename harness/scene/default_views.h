@@ -18,7 +18,8 @@ struct BoundingSphere {
 BoundingSphere bounding_sphere(const std::vector<Object>& objects);
 
 // "front" and "three_quarter" see the whole bounding sphere at any aspect of 1 or wider; "grazing" stands close to the surface
-// and looks along it: just outside a plane that touches the objects, at the point where it does.
+// and looks along it: just outside a plane that touches the objects, at the point where it does. All three are turned to the
+// side that is drawn where the surfaces all face away from them.
 std::vector<View> default_views(const std::vector<Object>& objects);
 
 // A key and a fill light from afar, and a point light behind, as strong at any size of scene.

@@ -43,6 +43,30 @@ TEST(MoveToUnitTile, LeavesWhatFitsAndBearsRounding) {
   EXPECT_EQ(unwrap_problem(above), "");
 }
 
+// Two rectangles of equal size in space; the texture coordinates of the second are shrunk.
+Mesh with_shrunk_half(float factor) {
+  Mesh mesh;
+  add_rectangle(mesh, {0, 0}, {0.5f, 1});
+  add_rectangle(mesh, {0.5f, 0}, {1, 1});
+  for (size_t i = 4; i < 8; ++i) mesh.vertices[i].uv = glm::vec2(0.75f) + factor * (mesh.vertices[i].uv - glm::vec2(0.75f));
+  return mesh;
+}
+
+TEST(UnwrapProblem, ASurfaceWithoutTexels) {
+  EXPECT_EQ(share_without_texels(with_shrunk_half(1)), 0);
+  EXPECT_EQ(share_without_texels(with_shrunk_half(0.1f)), 0) << "a hundredth of the texels is few, not none";
+  EXPECT_EQ(unwrap_problem(with_shrunk_half(0.1f)), "");
+  for (const float factor : {0.005f, 0.0f}) {
+    EXPECT_NEAR(share_without_texels(with_shrunk_half(factor)), 0.5, 1e-6) << factor;
+    EXPECT_EQ(unwrap_problem(with_shrunk_half(factor)),
+              "texture coordinates have no area on 50% of its surface; unwrap the mesh so that every face has texels");
+  }
+  Mesh point = rectangle({0, 0}, {1, 1});
+  for (Vertex& vertex : point.vertices) vertex.uv = {0.25f, 0.5f};
+  EXPECT_EQ(share_without_texels(point), 1);
+  EXPECT_EQ(unwrap_problem(point), "it has no texture coordinates, or all of them are one point; unwrap the mesh");
+}
+
 TEST(UnwrapProblem, NamesTheTilesThatAreSpanned) {
   Object object;
   object.mesh = rectangle({0, 0}, {3, 1});

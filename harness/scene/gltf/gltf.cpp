@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/scene/gltf/gltf.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -11,6 +12,7 @@
 #include "harness/scene/gltf/gltf_file.h"
 #include "harness/scene/gltf/gltf_material.h"
 #include "harness/scene/gltf/gltf_mesh.h"
+#include "harness/scene/mesh/vertex_colours.h"
 
 namespace lamina {
 namespace {
@@ -103,34 +105,105 @@ std::optional<Placement> placement(const PlacedNode& node, const std::string& la
   return Placement{world_from_object, mirrored};
 }
 
+// Each joint's place over its place when the skin was bound (glTF 2.0, section 3.7.3.1). The pose is that of the nodes at rest.
+std::vector<glm::dmat4> world_from_bind(const tinygltf::Model& model, int skin_index, const std::map<int, glm::dmat4>& places,
+                                        const std::string& by) {
+  if (size_t(skin_index) >= model.skins.size())
+    refuse_gltf(by, fmt::format("refers to skin {}; the file has {}", skin_index, model.skins.size()));
+  const tinygltf::Skin& skin = model.skins[size_t(skin_index)];
+  const std::string subject = fmt::format("skin {}", skin_index);
+  std::vector<double> inverse_bind;
+  if (skin.inverseBindMatrices >= 0) {
+    inverse_bind = read_accessor(model, skin.inverseBindMatrices, 16, subject + ", inverseBindMatrices");
+    if (inverse_bind.size() < 16 * skin.joints.size())
+      refuse_gltf(subject, fmt::format("has {} inverseBindMatrices for {} joints", inverse_bind.size() / 16, skin.joints.size()));
+  }
+  std::vector<glm::dmat4> matrices;
+  for (size_t i = 0; i < skin.joints.size(); ++i) {
+    glm::dmat4 bind(1);
+    for (size_t k = 0; k < 16 && !inverse_bind.empty(); ++k) bind[int(k / 4)][int(k % 4)] = inverse_bind[16 * i + k];
+    const auto place = places.find(skin.joints[i]);
+    if (place == places.end()) refuse_gltf(subject, fmt::format("joint {} is no node of the shown scene", skin.joints[i]));
+    matrices.push_back(place->second * bind);
+  }
+  return matrices;
+}
+
 class ObjectMaker {
  public:
   ObjectMaker(const tinygltf::Model& model, LoadedModel& result) : model_(model), result_(result) {}
 
-  void add_mesh(int mesh_index, const std::string& node_name, const std::string& by, const Placement& place) {
+  void add_mesh(int mesh_index, const std::string& node_name, const std::string& by, const Placement& place,
+                PrimitiveUse use) {
     if (size_t(mesh_index) >= model_.meshes.size())
       refuse_gltf(by, fmt::format("refers to mesh {}; the file has {}", mesh_index, model_.meshes.size()));
     const tinygltf::Mesh& mesh = model_.meshes[size_t(mesh_index)];
-    const std::string mesh_name = mesh.name.empty() ? fmt::format("mesh {}", mesh_index) : mesh.name;
-    const std::string base = node_name.empty() ? mesh_name : node_name;
+    use.name = mesh.name.empty() ? fmt::format("mesh {}", mesh_index) : mesh.name;
+    use.mirrored = place.mirrored;
+    if (use.morph_weights.empty()) use.morph_weights = mesh.weights;
+    const std::string base = node_name.empty() ? use.name : node_name;
     for (size_t i = 0; i < mesh.primitives.size(); ++i) {
       const tinygltf::Primitive& primitive = mesh.primitives[i];
-      std::optional<Mesh> triangles = mesh_from_primitive(model_, primitive, mesh_name, place.mirrored, result_.warnings);
+      const Material& material = material_of(primitive.material);
+      use.uv_set = material.asks.uv_set, use.texture_from_uv = material.asks.texture_from_uv;
+      use.double_sided = material.asks.double_sided;
+      std::optional<GltfMesh> triangles = mesh_from_primitive(model_, primitive, use, result_.warnings);
       if (!triangles) continue;
       Object object;
       object.name = unique(mesh.primitives.size() == 1 ? base : fmt::format("{}_{}", base, i));
-      object.mesh = std::move(*triangles);
       object.world_from_object = place.world_from_object;
-      object.look = look_of(primitive.material);
+      object.look = look_of(material, *triangles, object.name);
+      object.mesh = std::move(triangles->mesh);
       result_.objects.push_back(std::move(object));
     }
   }
 
  private:
-  const std::shared_ptr<const ModelLook>& look_of(int material) {
-    std::shared_ptr<const ModelLook>& look = looks_[material];
-    if (!look) look = std::make_shared<const ModelLook>(read_material(model_, material, result_.warnings));
+  struct Material {
+    GltfMaterial asks;
+    std::shared_ptr<const ModelLook> look;
+  };
+
+  const Material& material_of(int index) {
+    const auto known = materials_.find(index);
+    if (known != materials_.end()) return known->second;
+    Material material{read_material(model_, index, result_.warnings), nullptr};
+    material.look = std::make_shared<const ModelLook>(material.asks.look);
+    return materials_.emplace(index, std::move(material)).first->second;
+  }
+
+  // The material's look as it is on this mesh; shared where the mesh adds nothing to it.
+  std::shared_ptr<const ModelLook> look_of(const Material& material, GltfMesh& of, const std::string& object) {
+    const GltfMaterial& asks = material.asks;
+    if (!asks.repeats && of.has_uv && leaves_unit_square(of.mesh))
+      result_.warnings.push_back(fmt::format(
+          "The texture of '{}' is to be held or mirrored at its border, beyond which its texture coordinates go; it is repeated.",
+          object));
+    const bool without_pictures = !of.has_uv && asks.textured;
+    if (of.colours.empty() && !without_pictures) return material.look;
+    auto look = std::make_shared<ModelLook>(asks.look);
+    look->made.clear();
+    if (without_pictures) {
+      look->base_colour = Texels{1, 1, {asks.factor}};
+      look->normal.reset();
+      result_.warnings.push_back(fmt::format("The textures of '{}' are left out: it has no texture coordinates.", object));
+    }
+    if (of.colours.empty()) return look;
+    const bool textured = asks.textured && of.has_uv;
+    const size_t vertices = of.mesh.vertices.size();
+    const std::string why =
+        apply_vertex_colours(of.mesh, of.colours, textured, !look->opaque && !asks.masked, *look);
+    if (!why.empty())
+      result_.warnings.push_back(fmt::format("The colours of the vertices of '{}' are not applied: {}.", object, why));
+    if (of.mesh.vertices.size() != vertices) of.has_uv = true;  // its own patches
     return look;
+  }
+
+  static bool leaves_unit_square(const Mesh& mesh) {
+    constexpr float tolerance = 1e-3f;  // as unwrap_check.cpp's
+    return std::ranges::any_of(mesh.vertices, [](const Vertex& v) {
+      return v.uv.x < -tolerance || v.uv.y < -tolerance || v.uv.x > 1 + tolerance || v.uv.y > 1 + tolerance;
+    });
   }
 
   std::string unique(const std::string& wanted) {
@@ -141,7 +214,7 @@ class ObjectMaker {
 
   const tinygltf::Model& model_;
   LoadedModel& result_;
-  std::map<int, std::shared_ptr<const ModelLook>> looks_;
+  std::map<int, Material> materials_;
   std::set<std::string> names_;
 };
 
@@ -150,18 +223,26 @@ class ObjectMaker {
 LoadedModel load_gltf(const std::filesystem::path& file) {
   LoadedModel result;
   const tinygltf::Model model = read_gltf_file(file, result.warnings);
-  if (!model.skins.empty() || !model.animations.empty())
-    result.warnings.push_back(fmt::format("{}: skins and animations are not applied.", file.string()));
   ObjectMaker maker(model, result);
-  for (const PlacedNode& node : placed_nodes(model, file.string())) {
+  const std::vector<PlacedNode> placed = placed_nodes(model, file.string());
+  std::map<int, glm::dmat4> places;
+  for (const PlacedNode& node : placed) places.emplace(node.node, node.world_from_node);
+  for (const PlacedNode& node : placed) {
     const tinygltf::Node& from = model.nodes[size_t(node.node)];
     if (from.mesh < 0) continue;
     const std::string label = node_label(model, node.node);
-    if (const std::optional<Placement> place = placement(node, label, result.warnings))
-      maker.add_mesh(from.mesh, from.name, label, *place);
+    PrimitiveUse use{.morph_weights = from.weights};
+    if (from.skin >= 0) {  // joints place it, its own node does not (section 3.7.3.3)
+      use.world_from_bind = world_from_bind(model, from.skin, places, label);
+      result.warnings.push_back(fmt::format("The {} is posed by its skin at rest.", label));
+      maker.add_mesh(from.mesh, from.name, label, Placement{}, use);
+    } else if (const std::optional<Placement> place = placement(node, label, result.warnings)) {
+      maker.add_mesh(from.mesh, from.name, label, *place, use);
+    }
   }
   if (model.nodes.empty())  // a file of meshes alone
-    for (size_t i = 0; i < model.meshes.size(); ++i) maker.add_mesh(static_cast<int>(i), "", file.string(), Placement{});
+    for (size_t i = 0; i < model.meshes.size(); ++i)
+      maker.add_mesh(static_cast<int>(i), "", file.string(), Placement{}, PrimitiveUse{});
   if (result.objects.empty()) refuse_gltf(file.string(), "has no triangles to draw");
   return result;
 }

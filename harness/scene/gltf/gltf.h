@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A glTF 2.0 model as objects: its scene's nodes, each primitive with triangles an object of its own, named after its node (or
-// mesh), with the look of its material. Skins, animations, cameras and lights are left out.
+// mesh), with the look of its material. Skins and morph targets stand in their rest pose;
+// animations, cameras and lights are left out.
 #pragma once
 
 #include <filesystem>

@@ -2,69 +2,23 @@
 #include "harness/scene/gltf/gltf_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
+#include <limits>
+#include <new>
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
+#include "harness/scene/gltf/gltf_json.h"
 
 namespace lamina {
 namespace {
+
+constexpr size_t max_gltf_bytes = std::numeric_limits<uint32_t>::max();  // what a .glb's header can say
 
 std::string trimmed(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text;
-}
-
-uint32_t little_endian(const std::string& bytes, size_t offset) {
-  uint32_t value = 0;
-  for (size_t i = 0; i < 4; ++i) value |= uint32_t(uint8_t(bytes[offset + i])) << (8 * i);
-  return value;
-}
-
-// glTF 2.0, section 4.4. tinygltf 2.7 checks most of this, but reads up to 8 bytes behind a binary chunk that is cut short, and
-// says only "Invalid glTF binary". Returns the JSON chunk.
-std::string_view checked_glb_json(const std::string& bytes, const std::string& subject) {
-  constexpr size_t header_bytes = 12, chunk_header_bytes = 8;
-  if (bytes.size() < header_bytes + chunk_header_bytes)
-    refuse_gltf(subject, fmt::format("truncated: {} bytes are too few for a .glb's header", bytes.size()));
-  if (const uint32_t version = little_endian(bytes, 4); version != 2)
-    refuse_gltf(subject, fmt::format("is glTF version {}; only version 2 is read", version));
-  const uint64_t promised = little_endian(bytes, 8);
-  if (promised > bytes.size())
-    refuse_gltf(subject, fmt::format("truncated: its header promises {} bytes, the file has {}", promised, bytes.size()));
-  size_t offset = header_bytes;
-  for (size_t chunk = 0; offset < promised; ++chunk) {
-    if (offset + chunk_header_bytes > promised) refuse_gltf(subject, fmt::format("chunk {} is cut short", chunk));
-    const uint64_t length = little_endian(bytes, offset);
-    offset += chunk_header_bytes;
-    if (offset + length > promised)
-      refuse_gltf(subject, fmt::format("chunk {} promises {} bytes, {} are left", chunk, length, promised - offset));
-    offset += length;
-  }
-  const uint32_t json_bytes = little_endian(bytes, header_bytes);
-  return std::string_view(bytes).substr(header_bytes + chunk_header_bytes, json_bytes);
-}
-
-// tinygltf parses nested values by recursion; a hostile file must not end the process by exhausting its stack.
-void refuse_deep_nesting(std::string_view json, const std::string& subject) {
-  constexpr int deepest = 200;  // glTF itself needs about ten levels
-  int depth = 0;
-  bool in_string = false;
-  for (size_t i = 0; i < json.size(); ++i) {
-    const char c = json[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      if (c == '"') in_string = false;
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == '{' || c == '[') {
-      if (++depth > deepest) refuse_gltf(subject, fmt::format("its JSON is nested deeper than {} levels", deepest));
-    } else if (c == '}' || c == ']') {
-      --depth;
-    }
-  }
 }
 
 // Keeps what came from a file or a data URI encoded. Pictures in buffer views stay there: see encoded_picture().
@@ -73,14 +27,6 @@ bool keep_encoded(tinygltf::Image* image, int, std::string*, std::string*, int, 
   if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
   image->as_is = true;
   return true;
-}
-
-// Extensions that add to the look only, or that this loader reads or warns about; any other that a file requires changes what
-// its data means.
-bool readable_without(const std::string& extension) {
-  static constexpr std::array<std::string_view, 3> readable = {"KHR_texture_transform", "KHR_mesh_quantization",
-                                                               "KHR_lights_punctual"};
-  return extension.starts_with("KHR_materials_") || std::find(readable.begin(), readable.end(), extension) != readable.end();
 }
 
 // Bytes of a buffer view from `offset`. tinygltf leaves all of these indices and lengths unchecked.
@@ -162,36 +108,38 @@ std::vector<double> read_elements(std::span<const std::byte> bytes, size_t count
 
 }  // namespace
 
-void refuse_gltf(const std::string& subject, const std::string& message) {
-  throw Error(ErrorKind::bad_input, "gltf", subject, message);
-}
-
 tinygltf::Model read_gltf_file(const std::filesystem::path& file, std::vector<std::string>& warnings) {
   const std::string subject = file.string();
   const std::string bytes = read_file(file, "gltf");
-  const bool binary = bytes.starts_with("glTF");
-  refuse_deep_nesting(binary ? checked_glb_json(bytes, subject) : std::string_view(bytes), subject);
-  if (bytes.size() > std::numeric_limits<uint32_t>::max()) refuse_gltf(subject, "is larger than 4 GiB");
+  if (bytes.size() > max_gltf_bytes) refuse_gltf(subject, "is larger than 4 GiB");
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const GltfSource source = prepared_gltf(bytes, subject, folder, warnings);
+  if (source.text.size() > max_gltf_bytes) refuse_gltf(subject, "is larger than 4 GiB");
 
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(keep_encoded, nullptr);
   tinygltf::Model model;
   std::string error, warning;
-  const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
-  const auto length = static_cast<unsigned>(bytes.size());
   bool read = false;
   try {
-    read = binary ? reader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
-                                                length, folder)
-                  : reader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), length, folder);
-  } catch (const std::exception& thrown) {  // an empty buffer, and what else tinygltf's at() and resize() find
-    error = thrown.what();
+    const auto length = static_cast<unsigned>(source.text.size());
+    read = source.text.starts_with("glTF")
+               ? reader.LoadBinaryFromMemory(&model, &error, &warning,
+                                             reinterpret_cast<const unsigned char*>(source.text.data()), length, folder.string())
+               : reader.LoadASCIIFromString(&model, &error, &warning, source.text.data(), length, folder.string());
+  } catch (const std::bad_alloc&) {
+    error = "a part of it asks for more memory than there is";
+  } catch (const std::exception&) {  // an empty buffer, and what else tinygltf's at() and resize() find
+    error = "a length, an index or a type in it does not fit the rest";
   }
   if (!read || !error.empty()) refuse_gltf(subject, "is not a glTF 2.0 file that can be read: " + trimmed(error));
-  if (!warning.empty()) warnings.push_back(subject + ": " + trimmed(warning) + ".");
-  for (const std::string& extension : model.extensionsRequired)
-    if (!readable_without(extension))
-      refuse_gltf(subject, fmt::format("requires the extension {}, which is not read; export the model without it", extension));
+  for (const GltfSkin& skin : source.skins) {
+    tinygltf::Skin& to = model.skins.emplace_back();
+    to.inverseBindMatrices = skin.inverse_bind;
+    to.joints = skin.joints;
+  }
+  for (size_t node = 0; node < std::min(model.nodes.size(), source.node_skins.size()); ++node)
+    model.nodes[node].skin = source.node_skins[node];
   return model;
 }
 

@@ -11,12 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "harness/scene/gltf/gltf_json.h"
+
 namespace lamina {
 
-// Throws Error(bad_input, "gltf", ...) about a part of a model.
-[[noreturn]] void refuse_gltf(const std::string& subject, const std::string& message);
-
-// .glb or .gltf, told apart by their first bytes. tinygltf's warnings go to `warnings`. Throws Error(bad_input) naming the
+// .glb or .gltf, told apart by their first bytes. What is left out is said in `warnings`. Throws Error(bad_input) naming the
 // file.
 tinygltf::Model read_gltf_file(const std::filesystem::path& file, std::vector<std::string>& warnings);
 

@@ -9,20 +9,86 @@
 namespace lamina {
 namespace {
 
+// Up to this many texels on a side, NEAREST is kept by repeating texels: then only 1 / repetition of a texel's width is blended.
+constexpr uint32_t nearest_side = 1024;
+
+Texels with_repeated_texels(const Texels& from, uint32_t times) {
+  Texels to{from.width * times, from.height * times, {}};
+  to.rgba.resize(size_t{to.width} * to.height);
+  for (uint32_t y = 0; y < to.height; ++y)
+    for (uint32_t x = 0; x < to.width; ++x)
+      to.rgba[size_t{y} * to.width + x] = from.rgba[size_t{y / times} * from.width + x / times];
+  return to;
+}
+
+void keep_nearest(Texels& texels, const tinygltf::Sampler& sampler, const std::string& subject,
+                  std::vector<std::string>& warnings) {
+  if (sampler.magFilter != TINYGLTF_TEXTURE_FILTER_NEAREST) return;
+  const uint32_t times = nearest_side / std::max(texels.width, texels.height);
+  if (times >= 4)
+    texels = with_repeated_texels(texels, times);
+  else
+    warnings.push_back(fmt::format("The {} of {} x {} texels asks for the nearest texel; it is filtered linearly.", subject,
+                                   texels.width, texels.height));
+}
+
+// Where a texture reference reads its picture.
+struct UvUse {
+  int set = 0;
+  glm::dmat3 texture_from_uv{1};
+  bool operator==(const UvUse&) const = default;
+};
+
+double number_in(const tinygltf::Value& value, const std::string& subject) {
+  const double number = value.IsNumber() ? value.GetNumberAsDouble() : std::nan("");
+  if (!std::isfinite(number)) refuse_gltf(subject, "its KHR_texture_transform holds something that is not a finite number");
+  return number;
+}
+
+glm::dvec2 pair_in(const tinygltf::Value& transform, const char* name, glm::dvec2 otherwise, const std::string& subject) {
+  if (!transform.Has(name)) return otherwise;
+  const tinygltf::Value& pair = transform.Get(name);
+  if (!pair.IsArray() || pair.ArrayLen() != 2)
+    refuse_gltf(subject, fmt::format("its KHR_texture_transform's {} is not two numbers", name));
+  return {number_in(pair.Get(0), subject), number_in(pair.Get(1), subject)};
+}
+
+// KHR_texture_transform (Khronos Group): translation * rotation * scale, where the rotation runs counter-clockwise as the
+// picture is seen, whose v runs down.
+template <class TextureInfo>
+UvUse uv_use(const TextureInfo& info, const std::string& subject) {
+  UvUse use{.set = info.texCoord};
+  const auto found = info.extensions.find("KHR_texture_transform");
+  if (found == info.extensions.end()) return use;
+  const tinygltf::Value& transform = found->second;
+  if (!transform.IsObject()) refuse_gltf(subject, "its KHR_texture_transform is not an object");
+  const glm::dvec2 offset = pair_in(transform, "offset", {0, 0}, subject), scale = pair_in(transform, "scale", {1, 1}, subject);
+  const double angle = transform.Has("rotation") ? number_in(transform.Get("rotation"), subject) : 0;
+  if (transform.Has("texCoord")) use.set = static_cast<int>(number_in(transform.Get("texCoord"), subject));
+  const double c = std::cos(angle), s = std::sin(angle);
+  use.texture_from_uv = glm::dmat3(1, 0, 0, 0, 1, 0, offset.x, offset.y, 1) * glm::dmat3(c, -s, 0, s, c, 0, 0, 0, 1) *
+                        glm::dmat3(scale.x, 0, 0, 0, scale.y, 0, 0, 0, 1);
+  return use;
+}
+
 // The picture that a texture reference names, decoded. Works for both kinds of reference that tinygltf has.
 template <class TextureInfo>
 Texels decode(const tinygltf::Model& model, const TextureInfo& info, bool srgb_colour, const std::string& subject,
-              std::vector<std::string>& warnings) {
+              GltfMaterial& material, std::vector<std::string>& warnings) {
   if (size_t(info.index) >= model.textures.size())
     refuse_gltf(subject, fmt::format("refers to texture {}; the file has {}", info.index, model.textures.size()));
-  if (info.texCoord != 0)
-    warnings.push_back(fmt::format("The {} uses texture coordinates {}; set 0 is used instead.", subject, info.texCoord));
-  if (info.extensions.contains("KHR_texture_transform"))
-    warnings.push_back(fmt::format("The {} has a KHR_texture_transform, which is not applied.", subject));
-  const int image = model.textures[size_t(info.index)].source;
-  if (image < 0)
-    refuse_gltf(subject, "its texture names no picture in a format of glTF 2.0 (PNG or JPEG); export it as one of these");
-  return decode_texels(encoded_picture(model, image, subject), subject, srgb_colour);
+  const tinygltf::Texture& texture = model.textures[size_t(info.index)];
+  if (texture.source < 0)
+    refuse_gltf(subject, "its texture names no picture in PNG, JPEG or WebP; export it as one of these");
+  Texels texels = decode_texels(encoded_picture(model, texture.source, subject), subject, srgb_colour);
+  material.textured = true;
+  if (texture.sampler >= 0 && size_t(texture.sampler) < model.samplers.size()) {
+    const tinygltf::Sampler& sampler = model.samplers[size_t(texture.sampler)];
+    keep_nearest(texels, sampler, subject, warnings);
+    if (sampler.wrapS != TINYGLTF_TEXTURE_WRAP_REPEAT || sampler.wrapT != TINYGLTF_TEXTURE_WRAP_REPEAT)
+      material.repeats = false;
+  }
+  return texels;
 }
 
 glm::vec4 base_colour_factor(const tinygltf::Material& material, const std::string& subject,
@@ -42,12 +108,13 @@ float opacity(const tinygltf::Material& material, float alpha) {
 }
 
 Texels base_colour(const tinygltf::Model& model, const tinygltf::Material& material, const std::string& subject,
-                   std::vector<std::string>& warnings) {
+                   GltfMaterial& to, std::vector<std::string>& warnings) {
   Texels texels{1, 1, {glm::vec4(1)}};
   const tinygltf::TextureInfo& reference = material.pbrMetallicRoughness.baseColorTexture;
-  if (reference.index >= 0) texels = decode(model, reference, true, subject + ", base colour texture", warnings);
+  if (reference.index >= 0) texels = decode(model, reference, true, subject + ", base colour texture", to, warnings);
   const glm::vec4 factor = base_colour_factor(material, subject, warnings);
   const bool opaque = material.alphaMode == "OPAQUE";
+  to.factor = glm::vec4(glm::vec3(factor), opaque ? 1 : opacity(material, factor.a));
   for (glm::vec4& texel : texels.rgba) {
     texel *= factor;
     texel.a = opaque ? 1 : opacity(material, texel.a);
@@ -56,10 +123,10 @@ Texels base_colour(const tinygltf::Model& model, const tinygltf::Material& mater
 }
 
 std::optional<Texels> normal_map(const tinygltf::Model& model, const tinygltf::Material& material, const std::string& subject,
-                                 std::vector<std::string>& warnings) {
+                                 GltfMaterial& to, std::vector<std::string>& warnings) {
   const tinygltf::NormalTextureInfo& reference = material.normalTexture;
   if (reference.index < 0) return std::nullopt;
-  Texels texels = decode(model, reference, false, subject + ", normal texture", warnings);
+  Texels texels = decode(model, reference, false, subject + ", normal texture", to, warnings);
   const auto scale = static_cast<float>(reference.scale);
   if (!std::isfinite(scale)) refuse_gltf(subject, "the normal texture's scale is not a finite number");
   for (glm::vec4& texel : texels.rgba) {
@@ -90,11 +157,12 @@ std::optional<float> volume_thickness(const tinygltf::Material& material, const 
 
 }  // namespace
 
-ModelLook read_material(const tinygltf::Model& model, int material, std::vector<std::string>& warnings) {
+GltfMaterial read_material(const tinygltf::Model& model, int material, std::vector<std::string>& warnings) {
   if (material >= 0 && size_t(material) >= model.materials.size())
     refuse_gltf(fmt::format("material {}", material), fmt::format("is referred to; the file has {}", model.materials.size()));
   const tinygltf::Material& from = material < 0 ? tinygltf::Material() : model.materials[size_t(material)];
-  ModelLook look;
+  GltfMaterial result;
+  ModelLook& look = result.look;
   look.name = fmt::format("material '{}'", !from.name.empty() ? from.name
                                            : material < 0     ? "default"
                                                               : std::to_string(material));
@@ -102,9 +170,23 @@ ModelLook read_material(const tinygltf::Model& model, int material, std::vector<
     refuse_gltf(look.name, fmt::format("alphaMode '{}' is none of OPAQUE, BLEND, MASK", from.alphaMode));
   look.thickness = volume_thickness(from, look.name, warnings);
   look.opaque = from.alphaMode == "OPAQUE";
-  look.base_colour = base_colour(model, from, look.name, warnings);
-  look.normal = normal_map(model, from, look.name, warnings);
-  return look;
+  result.masked = from.alphaMode == "MASK";
+  result.double_sided = from.doubleSided;
+  look.base_colour = base_colour(model, from, look.name, result, warnings);
+  const bool has_picture = result.textured;
+  UvUse use = uv_use(from.pbrMetallicRoughness.baseColorTexture, look.name);
+  if (from.normalTexture.index >= 0) {
+    const UvUse of_normal = uv_use(from.normalTexture, look.name);
+    if (!has_picture) use = of_normal;
+    if (use == of_normal)
+      look.normal = normal_map(model, from, look.name, result, warnings);
+    else
+      warnings.push_back(fmt::format("The {}'s normal map has other texture coordinates than its base colour; it is left out.",
+                                     look.name));
+  }
+  result.uv_set = use.set;
+  result.texture_from_uv = use.texture_from_uv;
+  return result;
 }
 
 }  // namespace lamina

@@ -38,13 +38,39 @@ void move_to_unit_tile(Mesh& mesh) {
   for (Vertex& vertex : mesh.vertices) vertex.uv -= shift;
 }
 
+double share_without_texels(const Mesh& mesh) {
+  constexpr double least_of_even = 1e-4;
+  struct Areas {
+    double surface, unwrapped;
+  };
+  std::vector<Areas> areas;
+  double surface = 0, unwrapped = 0;
+  for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Vertex *a = &mesh.vertices[mesh.indices[i]], *b = &mesh.vertices[mesh.indices[i + 1]],
+                 *c = &mesh.vertices[mesh.indices[i + 2]];
+    const glm::dvec3 ab(glm::dvec3(b->position) - glm::dvec3(a->position)), ac(glm::dvec3(c->position) - glm::dvec3(a->position));
+    const glm::dvec2 u(glm::dvec2(b->uv) - glm::dvec2(a->uv)), v(glm::dvec2(c->uv) - glm::dvec2(a->uv));
+    areas.push_back({glm::length(glm::cross(ab, ac)), std::abs(u.x * v.y - u.y * v.x)});
+    surface += areas.back().surface, unwrapped += areas.back().unwrapped;
+  }
+  if (!(unwrapped > 0)) return 1;
+  double without = 0;
+  for (const Areas& triangle : areas)
+    if (triangle.unwrapped * surface < least_of_even * triangle.surface * unwrapped) without += triangle.surface;
+  return surface > 0 ? without / surface : 0;
+}
+
 std::string unwrap_problem(const Mesh& mesh) {
   const Bounds bounds = uv_bounds(mesh);
   const glm::vec2 span = bounds.high - bounds.low;
+  if (span == glm::vec2(0)) return "it has no texture coordinates, or all of them are one point; unwrap the mesh";
   if (span.x > 1 + 2 * tolerance || span.y > 1 + 2 * tolerance)
     return fmt::format("texture coordinates span {:.4g} x {:.4g} tiles; unwrap the mesh into one", span.x, span.y);
   if (bounds.low.x < -tolerance || bounds.low.y < -tolerance || bounds.high.x > 1 + tolerance || bounds.high.y > 1 + tolerance)
     return "texture coordinates cross the border of a tile; unwrap the mesh into one";
+  if (const double share = share_without_texels(mesh); share > max_share_without_texels)
+    return fmt::format("texture coordinates have no area on {:.3g}% of its surface; unwrap the mesh so that every face has texels",
+                       100 * share);
   return "";
 }
 

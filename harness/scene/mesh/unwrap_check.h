@@ -13,7 +13,13 @@ namespace lamina {
 // more than that.
 void move_to_unit_tile(Mesh& mesh);
 
-// Empty, or why the mesh cannot be drawn unwrapped: its texture coordinates leave the unit square by more than a thousandth.
+// The share of the surface (by area in space) whose texture coordinates have no area: a triangle that gets less than a
+// ten-thousandth of the texels that an even unwrap of the same texture would give it. 1 where nothing has any.
+double share_without_texels(const Mesh& mesh);
+inline constexpr double max_share_without_texels = 0.01;
+
+// Empty, or why the mesh cannot be drawn unwrapped: its texture coordinates leave the unit square by more than a thousandth, or
+// leave more than max_share_without_texels of its surface without texels, such as a palette's, where a face is one point.
 std::string unwrap_problem(const Mesh& mesh);
 
 // The share of texels covered by more than one triangle, among those covered by any; 0 where none is covered. Counted on 512 x
