@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <thread>
 
+#include "harness/core/usable_threads.h"
 #include "harness/gate/child.h"
 #include "harness/record/row_of.h"
 #include "harness/record/run_row.h"
@@ -69,7 +69,7 @@ void check_size(std::string_view stage, const CellOptions& options, const std::v
                               device.max_texture_size, device.backend));
 }
 
-uint32_t thread_for_each_core() { return std::min(std::max(std::thread::hardware_concurrency(), 1u), 32u); }
+uint32_t thread_for_each_core() { return std::min(static_cast<uint32_t>(usable_threads()), 32u); }
 
 void pin_rasterizer_threads(uint32_t threads) { ::setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 0); }
 
