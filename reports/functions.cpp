@@ -46,8 +46,6 @@ void add_set(std::vector<FunctionReport>& reports, const FunctionRow& row) {
   summary.sets.push_back(&row);
 }
 
-bool beats(const FunctionSummary& a, const FunctionSummary& b) { return beats({a.ns, a.error}, Contender{b.ns, b.error}); }
-
 void compare(FunctionBackend& backend) {
   std::ranges::stable_sort(backend.variants, [](const auto& a, const auto& b) { return a.baseline > b.baseline; });
   const FunctionSummary& first = backend.variants.front();
@@ -57,9 +55,13 @@ void compare(FunctionBackend& backend) {
       row.error = std::max(*row.main_set->max_over, -*row.main_set->max_under);
     if (row.ns && baseline_ns > 0) row.ratio = row.ns->median / baseline_ns;
   }
-  for (FunctionSummary& row : backend.variants)
-    row.frontier = row.ns && row.error &&
-                   std::ranges::none_of(backend.variants, [&](const FunctionSummary& other) { return beats(other, row); });
+  std::vector<Contender> contenders;
+  for (const FunctionSummary& row : backend.variants) contenders.push_back({row.ns, row.error, row.samples});
+  const std::vector<Place> places = places_of(contenders, as_fast);
+  for (size_t i = 0; i < places.size(); ++i) {
+    backend.variants[i].standing = places[i].standing;
+    if (places[i].by != i) backend.variants[i].by = backend.variants[places[i].by].variant;
+  }
 }
 
 uint64_t sum_of(const FunctionSummary& row, uint64_t FunctionRow::*count) {
@@ -83,12 +85,13 @@ std::string joined(const ByBackend& all, size_t backends) {
 std::string verdict(const FunctionSummary& row, const FunctionBackend& backend) {
   if (!row.error) return "gives values that are not finite, so its greatest error is not known";
   if (!row.ns) return "was not timed";
-  if (row.frontier) return "is worth having: nothing closer is as fast";
-  const FunctionSummary* better = nullptr;  // of what beats it, what errs the least
-  for (const FunctionSummary& other : backend.variants)
-    if (beats(other, row) && (!better || *other.error < *better->error)) better = &other;
-  return fmt::format("is beaten by {}, which errs by up to {:.3g} and is not measurably slower", better->variant,
-                     *better->error);
+  if (row.frontier()) return "is worth having: nothing closer is as fast";
+  const FunctionSummary& other = *std::ranges::find(backend.variants, row.by, &FunctionSummary::variant);
+  if (row.standing == Standing::not_told_apart)
+    return fmt::format("is not told apart in time from {}, which errs by up to {:.3g}; more rounds would tell", row.by,
+                       *other.error);
+  const char* how = *other.error < *row.error ? "is no slower" : "is faster";
+  return fmt::format("is beaten by {}, which errs by up to {:.3g} and {}", row.by, *other.error, how);
 }
 
 }  // namespace

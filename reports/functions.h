@@ -19,9 +19,9 @@ struct FunctionSummary {
   std::string reason;           // why there is no time
   std::optional<double> ratio;  // median over the baseline's median
   std::optional<double> error;  // the greatest |error| over the main set; absent where a value was not finite
-  // Worth having: it is timed and has an error, no function with a smaller error is as fast, and none with the same error is
-  // faster. Two are as fast as each other where their intervals overlap.
-  bool frontier = false;
+  Standing standing = Standing::unknown;  // by time and greatest error; its rounds are paired with the others'
+  std::string by;                         // what dominates it, or what it is not told from; "" else
+  bool frontier() const { return standing == Standing::on_frontier; }
   const FunctionRow* main_set = nullptr;  // may be absent in a record put together by hand
   std::vector<const FunctionRow*> sets;   // every set, the main one included
   std::vector<const FunctionPictureRow*> pictures;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/quality/judged_picture.h"
 #include "reports/words.h"
 
 namespace lamina {
@@ -51,13 +52,20 @@ std::string untimed_words(const SummaryRow& row, const SummaryRow* baseline) {
 }
 
 std::string clause(const SummaryRow& row, const SummaryRow* baseline, const std::string& loss) {
-  if (row.failed_views == row.views) return fmt::format("failed on {}: {}", row.backend, row.reason);
+  if (row.failed_views == row.views) {
+    if (row.reason.starts_with(no_picture))
+      return fmt::format("is not a picture on {}: {}", row.backend, row.reason.substr(no_picture.size()));
+    return fmt::format("failed on {}: {}", row.backend, row.reason);
+  }
   std::string words =
       row.ratio ? speed_words(*row.ratio, baseline ? baseline->variant : "the baseline") : untimed_words(row, baseline);
   words += fmt::format(" on {}", row.backend) + loss;
   if (row.ratio && row.ratio->coverage < report_confidence)
     words += fmt::format(", by {} round{} only", row.ratio->rounds, row.ratio->rounds == 1 ? "" : "s");
-  if (row.failed_views > 0) words += fmt::format("; {} of {} views failed there", row.failed_views, row.views);
+  if (row.failed_views > 0)
+    words += row.reason.starts_with(no_picture)
+                 ? fmt::format("; in {} of {} views it is not a picture there", row.failed_views, row.views)
+                 : fmt::format("; {} of {} views failed there", row.failed_views, row.views);
   return words;
 }
 

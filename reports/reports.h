@@ -22,6 +22,7 @@ struct SummaryRow {
   uint64_t nonfinite_pixels = 0;     // over all views; a view with any has no error figures, nor has one whose baseline has
   std::string reason;                // of the first failure
   std::optional<Interval> frame_ms;  // per view: the median over rounds of the mean over views of the frame's time
+  std::vector<double> rounds_ms;     // that mean of each round
   std::optional<Interval> ratio;  // to the baseline, paired by round, over all views' times together; both must have the view
   std::optional<double> fetches_per_pixel;  // over all views: fetches / covered pixels; absent where some view's are not known
   // Over views, covered pixels. Mean PSNR is that of the mean squared error, so that one identical view does not make it
@@ -29,6 +30,7 @@ struct SummaryRow {
   std::optional<ErrorFigures> mean, worst;
   std::string worst_view;                                     // by FLIP
   std::optional<ErrorFigures> mean_to_truth, worst_to_truth;  // the same against the truth, over the views that have one
+  std::string beyond_limit;  // "SSIM 0.3004, limit 0.7": the first of the run's limits that the mean does not keep; "" where it keeps all
 };
 // By effect and backend in order of appearance, each group's baseline first.
 std::vector<SummaryRow> summarize(const Record& record);

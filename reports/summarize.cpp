@@ -37,13 +37,12 @@ std::vector<double> sum_ms(const Samples& samples, const std::vector<Shot>& shot
   return sums;
 }
 
-std::optional<Interval> mean_frame_ms(const Samples& samples) {
+std::vector<double> mean_frame_ms(const Samples& samples) {
   std::vector<Shot> shots;
   for (const auto& [shot, unused] : samples) shots.push_back(shot);
   std::vector<double> means = sum_ms(samples, shots);
-  if (means.empty()) return std::nullopt;
   for (double& mean : means) mean /= static_cast<double>(shots.size());
-  return interval_or_range(std::move(means));
+  return means;
 }
 
 std::optional<Interval> ratio_of(const Samples& variant, const Samples& baseline) {
@@ -161,12 +160,14 @@ std::vector<SummaryRow> summarize(const Record& record) {
   std::vector<SummaryRow> rows;
   for (Group& group : groups) {
     SummaryRow& row = group.row;
-    row.frame_ms = mean_frame_ms(group.samples);
+    row.rounds_ms = mean_frame_ms(group.samples);
+    if (!row.rounds_ms.empty()) row.frame_ms = interval_or_range(row.rounds_ms);
     row.fetches_per_pixel = fetches_per_pixel(group.good);
     const Errors to_baseline = errors_of(group.good, &CellRow::error_covered),
                  to_truth = errors_of(group.good, &CellRow::error_truth);
     row.mean = to_baseline.mean, row.worst = to_baseline.worst, row.worst_view = to_baseline.worst_view;
     row.mean_to_truth = to_truth.mean, row.worst_to_truth = to_truth.worst;
+    if (row.mean) row.beyond_limit = beyond_limit(record, *row.mean);
     if (!row.baseline) {
       const auto baseline = std::find_if(groups.begin(), groups.end(), [&](const Group& other) {
         return other.row.baseline && other.row.effect == row.effect && other.row.backend == row.backend;

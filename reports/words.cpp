@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/quality/judged_picture.h"
+
 namespace lamina {
 namespace {
 
@@ -29,13 +31,13 @@ std::vector<Column> summary_columns(bool truth) {
 
 std::vector<std::string> summary_cells(const SummaryRow& row, bool truth) {
   const bool failed = row.failed_views == row.views;
-  const std::string unknown = failed ? "failed" : "-";
+  const std::string unknown = failed ? words_for_failure(row) : "-";
   const auto psnr = [](const ErrorFigures& mean, const ErrorFigures& worst) {
     return fmt::format("{} ({})", words_for_psnr(mean.psnr_db), words_for_psnr(worst.psnr_db));
   };
   std::vector<std::string> cells = {row.variant, row.backend,
                                     row.frame_ms ? words_for_ms(*row.frame_ms)
-                                    : failed     ? "failed"
+                                    : failed     ? words_for_failure(row)
                                                  : "not timed",
                                     row.baseline ? "baseline"
                                     : row.ratio  ? words_for_ratio(*row.ratio)
@@ -63,6 +65,10 @@ bool has_truth(const std::vector<SummaryRow>& rows, const std::string& effect) {
 }
 
 }  // namespace
+
+std::string words_for_failure(const SummaryRow& row) {
+  return row.reason.starts_with(no_picture) ? "not a picture" : "failed";
+}
 
 Interval interval_or_range(std::vector<double> samples) {
   if (samples.size() >= min_rounds_for_95) return median_interval(samples);
@@ -112,6 +118,8 @@ std::vector<Table> summary_tables(const std::vector<SummaryRow>& rows, bool trut
 std::string trouble_of(const SummaryRow& row) {
   std::string words;
   if (row.failed_views > 0) words = fmt::format("failed in {} of {} views: {}", row.failed_views, row.views, row.reason);
+  if (!row.beyond_limit.empty())
+    words += fmt::format("{}not recommended: {}", words.empty() ? "" : "; ", row.beyond_limit);
   if (row.nonfinite_pixels > 0)
     words += fmt::format("{}{} pixels are not finite, and no error figure is made of such a picture", words.empty() ? "" : "; ",
                          row.nonfinite_pixels);

@@ -38,10 +38,17 @@ struct Headline {
   std::string variant, words;
 };
 std::vector<Headline> headlines(const std::vector<SummaryRow>& rows);
-// One sentence an effect and reference (baseline, truth): the variants worth having and the dominated ones, by time (by fetches
-// where nothing is timed) and mean SSIM; `variant` holds the effect's name. None for an effect with nothing to weigh.
+// A paragraph an effect and reference (baseline, truth): the variants worth having, the dominated ones, those not told apart and
+// those beyond a limit, by time (by fetches where nothing is timed) and mean SSIM; `variant` holds the effect's name. None for
+// an effect with nothing to weigh.
 std::vector<Headline> worth_having(const std::vector<SummaryRow>& rows);
-// A row as the frontier weighs it; a baseline without trouble has no error against itself.
+// "not a picture" where the first failure says so, else "failed".
+std::string words_for_failure(const SummaryRow& row);
+// The run's limits, in words: "SSIM of at least 0.7"; none in a record of before.
+std::vector<std::string> limit_words(const Record& record);
+// "SSIM 0.3004, limit 0.7": the first limit that these figures to the baseline do not keep; "" where they keep all.
+std::string beyond_limit(const Record& record, const ErrorFigures& to_baseline);
+// A row as the frontier weighs it; a baseline without trouble has no error against itself, a row with failed views none at all.
 CostAndErrors figures_of(const SummaryRow& row);
 
 // What was swept, a parameter a line.

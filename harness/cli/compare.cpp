@@ -10,15 +10,23 @@
 #include "harness/cli/devices.h"
 #include "harness/cli/effect_run.h"
 #include "harness/cli/run_line.h"
+#include "harness/cli/stop_signals.h"
 #include "harness/cli/watch.h"
+#include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
 #include "harness/measure/timer_certificate.h"
+#include "harness/sweep/answers.h"
+#include "reports/frontier.h"
 #include "reports/reports.h"
 
 namespace lamina {
 namespace {
 
+// Below it people see another picture at a glance; no built-in variant that is meant to be used is.
+constexpr const char* default_limit = "ssim=0.7";
+
 struct CompareOptions : WatchOptions {  // the rounds are of a backend and effect
+  std::vector<std::string> limits = {default_limit};  // METRIC=NUMBER, against the baseline
   bool quick = false;
   bool times = true;
   bool watch = false;
@@ -52,17 +60,44 @@ void bake(const Plan& plan, const std::vector<const EffectManifest*>& effects, c
   for (const std::string& warning : bakes.cache().take_warnings()) fmt::print(stderr, "lamina: warning: {}\n", warning);
 }
 
+// Where the time of a run went, s by the host's clock.
+struct WallTimes {
+  double loading = 0, baking = 0, certifying = 0, drawing = 0, timing = 0, errors = 0, report = 0;
+  std::string words(double all_s) const {
+    const double rest = std::max(0.0, all_s - loading - baking - certifying - drawing - timing - errors - report);
+    return fmt::format(
+        "{:.1f} s: loading {:.1f}, baking {:.1f}, certifying the timer {:.1f}, compiling, drawing and counting {:.1f}, errors and truth "
+        "{:.1f}, timing {:.1f}, report {:.1f}, rest {:.1f}",
+        all_s, loading, baking, certifying, drawing, errors, timing, report, rest);
+  }
+};
+
+// Thrown where Ctrl-C is heeded; no std::exception, so that it is nobody's failure.
+struct StopRequested {};
+
+// What is known of an effect whose measuring was stopped before the end: cells that have their picture.
+void append_rows_so_far(const EffectRun& run, RecordWriter& record) {
+  for (CellRow& row : run.rows()) {
+    if (!row.failed && row.image_hash.empty()) continue;
+    row.timed = false;
+    row.notes.emplace_back("stopped before it was timed");
+    append_row(record, row);
+  }
+}
+
 // One backend: certificate where times are wanted, then each effect, which is taken off `effects` when its rows are in the record. Appends every row
 // as it is finished. Returns how many messages the API's checker had.
 size_t run_backend(const std::string& name, const Scene& scene, const Library& library, const Plan& plan,
                    std::vector<const EffectManifest*>& effects, Bakes& bakes, const CompareOptions& options,
-                   RecordWriter& record) {
+                   RecordWriter& record, WallTimes& spent) {
   const std::unique_ptr<Backend> backend = open_backend(name, {options.device, options.validation});
   Progress progress(name);
   bool timed = options.times;
   if (options.times) {
     progress.show(0, "certifying the timer");
+    const Stopwatch watch;
     const TimerRow timer = certify_timer(*backend, library.shaders);
+    spent.certifying += watch.elapsed_s();
     record.append(to_json(timer));
     timed = timer.ok;
   }
@@ -71,13 +106,26 @@ size_t run_backend(const std::string& name, const Scene& scene, const Library& l
   ShaderCache shaders(backend->info().api, library.shaders);
   while (!effects.empty()) {
     const EffectManifest* effect = effects.front();
-    EffectRun run(*backend, *effect, shaders, options, "images", progress.tell());
+    const Tell tell = [told = progress.tell()](double fraction, const std::string& what) {
+      if (StopSignals::stopped_by() != 0) throw StopRequested();
+      told(fraction, what);
+    };
+    EffectRun run(*backend, *effect, shaders, options, "images", tell);
     run.start(there, {.timed = timed});
-    run.prepare();
-    run.count();
-    run.score();
-    const RoundsResult rounds = run.time(options.rounds);
+    RoundsResult rounds;
+    try {
+      run.prepare();
+      run.count();
+      run.score();
+      rounds = run.time(options.rounds);
+    } catch (const StopRequested&) {
+      append_rows_so_far(run, record);
+      throw;
+    }
     for (const CellRow& row : run.rows()) append_row(record, row);
+    spent.drawing += (run.spent().device - rounds.wall_ms + run.spent().read_back) / 1000;
+    spent.errors += run.spent().metrics / 1000;
+    spent.timing += rounds.wall_ms / 1000;
     effects.erase(effects.begin());
     if (!(rounds.device_ms > 0)) continue;
     record.append(to_json(PhaseRow{name, effect->name, rounds.rounds, rounds.wall_ms, rounds.device_ms}));
@@ -101,8 +149,24 @@ std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene,
   return rows;
 }
 
+// The run line's settings.limits.
+nlohmann::ordered_json limit_settings(const std::vector<std::string>& texts) {
+  nlohmann::ordered_json settings = nlohmann::ordered_json::object();
+  for (const std::string& text : texts) {
+    const Limit limit = parse_limit("compare", text);
+    if (std::ranges::none_of(error_metrics, [&](const ErrorMetric& metric) { return metric.name == limit.metric; }))
+      throw Error(ErrorKind::bad_input, "compare", "--limit " + text,
+                  "limits the error to the baseline: ssim, psnr_db, flip, max_linear or rmse_linear");
+    settings[limit.metric] = limit.value;
+  }
+  return settings;
+}
+
 int run_compare(const CompareOptions& options) {
   pin_rasterizer_threads();
+  const Stopwatch watch;
+  WallTimes spent;
+  const nlohmann::ordered_json limits = limit_settings(options.limits);
   const Library library = load_library_for(options.scene);
   const Scene scene = load_scene_for(options.scene, library);
   const Plan plan = make_plan(library, scene, options.aspect());
@@ -120,21 +184,31 @@ int run_compare(const CompareOptions& options) {
   std::filesystem::remove_all(options.out / "images", not_there);  // an earlier run's
   make_run_folder("compare", options.out);
   RecordWriter record(options.out / "record.jsonl");
-  record.append(run_line(options, options.rounds, options.quick, scene, backends));
+  nlohmann::ordered_json run = run_line(options, options.rounds, options.quick, scene, backends);
+  run["settings"]["limits"] = limits;
+  record.append(run);
   record.append(to_json(planned));
   for (const std::string& warning : scene.warnings) fmt::print(stderr, "lamina: note: {}\n", warning);
 
+  spent.loading = watch.elapsed_s();
   Progress baking("baking");
   Bakes bakes(scene, *library.code, DiskCache(options.cache),
               [&](double fraction, const std::string& what) { baking.show(fraction, what); });
   bake(plan, effects, scene, options, bakes, record);
+  spent.baking = watch.elapsed_s() - spent.loading;
 
+  CompareOptions stoppable = options;
+  stoppable.rounds.stop = [] { return StopSignals::stopped_by() != 0; };
+  const StopSignals signals("\nlamina: writing the report of what is measured; a second Ctrl-C stops at once\n");
   size_t messages = 0;
   for (const ProbedBackend& backend : backends) {
+    if (StopSignals::stopped_by() != 0) break;
     std::string failure = backend.failure;
     std::vector<const EffectManifest*> left = effects;
     try {
-      if (failure.empty()) messages += run_backend(backend.name, scene, library, plan, left, bakes, options, record);
+      if (failure.empty()) messages += run_backend(backend.name, scene, library, plan, left, bakes, stoppable, record, spent);
+    } catch (const StopRequested&) {
+      break;
     } catch (const Error& error) {
       failure = error.what();
     }
@@ -144,9 +218,16 @@ int run_compare(const CompareOptions& options) {
         record.append(to_json(row));
   }
 
+  const double before_report_s = watch.elapsed_s();
   write_reports(options.out);
   const Record written = read_record(options.out / "record.jsonl");
-  fmt::print("{}\nreport: {}\n", terminal_table(written, ::isatty(STDOUT_FILENO) == 1), (options.out / "index.html").string());
+  spent.report = watch.elapsed_s() - before_report_s;
+  fmt::print("{}\ntook {}\nreport: {}\n", terminal_table(written, ::isatty(STDOUT_FILENO) == 1), spent.words(watch.elapsed_s()),
+             (options.out / "index.html").string());
+  if (StopSignals::stopped_by() != 0) {
+    fmt::print(stderr, "lamina: stopped; the record and the report hold what was measured until then\n");
+    return 128 + StopSignals::stopped_by();
+  }
   const bool failed = std::ranges::any_of(written.cells, &CellRow::failed);
   const bool uncertified = !std::ranges::all_of(written.timers, &TimerRow::ok);
   return failed || uncertified || messages > 0 ? 1 : 0;
@@ -167,6 +248,10 @@ Command add_compare(CLI::App& program) {
                    "Stop sooner, at wider intervals: 5%, or 4 s a backend, unless --precision or --budget say otherwise");
   add_rounds(command, options->rounds, "a backend");
   CLI::Option* no_time = command.add_flag("!--no-time", options->times, "Counts, pictures and errors alone");
+  command.add_option("--limit", options->limits,
+                     "METRIC=NUMBER that a variant must keep against the baseline to be recommended (may be given again)")
+      ->type_name(placeholder::limit)
+      ->capture_default_str();
   add_truth(command, *options);
   add_seed(command, options->rounds.seed);
   add_validation(command, *options);

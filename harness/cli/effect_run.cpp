@@ -7,6 +7,7 @@
 
 #include "harness/core/stopwatch.h"
 #include "harness/graph/inputs.h"
+#include "harness/quality/judged_picture.h"
 
 namespace lamina {
 namespace {
@@ -217,20 +218,35 @@ void EffectRun::count(Variant& variant) {
   if (point_.params.empty()) prepared.counting.reset();  // no other point follows
 }
 
+// The time of an effect that covers no pixel is that of an empty frame: none is given. Returns whether it is so.
+bool EffectRun::note_nothing_covered() {
+  const auto covers = [](const CellRow& row) { return row.failed || row.covered_pixels.value_or(1) > 0; };
+  for (const Variant& variant : variants_)
+    if (!is_at_work(variant) || std::ranges::any_of(variant.rows, covers)) return false;
+  const std::string note = fmt::format("{} covers no pixel in any view, so no time or ratio is given", effect_.name);
+  for (Variant& variant : variants_)
+    for (CellRow& row : variant.rows) row.timed = false, row.notes.push_back(note);
+  fmt::print(stderr, "lamina: note: {}; check the views\n", note);
+  return true;
+}
+
 // Ratios are to the baseline, where it has not failed.
 RoundsResult EffectRun::time(const RoundOptions& rounds) {
-  if (!point_.timed) return {};
+  if (!point_.timed || note_nothing_covered()) return {};
   const Clock clock(spent_.device);
   std::vector<Arm> arms;
   std::vector<std::pair<const Variant*, CellRow*>> cells;  // beside arms
+  std::map<size_t, size_t> baseline_arms;                  // by view
   for (Variant& variant : variants_) {
     if (is_at_work(variant)) attempt(variant, [&] { variant.once_ms = time_once(variant.prepared.front().ready->frame); });
     if (!variant.failure.empty()) continue;
     variant.first_is_drawn = false;
     Frame& frame = variant.prepared.front().ready->frame;
     for (size_t view = 0; view < variant.rows.size(); ++view) {
+      if (variant.rows[view].failed) continue;  // what is not a picture has no time worth measuring
+      if (variant.manifest->baseline) baseline_arms[view] = arms.size();  // it is the first variant
       Arm& arm = arms.emplace_back(Arm{[&frame, view] { return frame.run(view, Timing::bracketed); }, std::nullopt});
-      if (variants_.front().failure.empty()) arm.baseline = view;  // the baseline's come first, one a view
+      if (const auto known = baseline_arms.find(view); known != baseline_arms.end()) arm.baseline = known->second;
       cells.emplace_back(&variant, &variant.rows[view]);
     }
   }
@@ -265,6 +281,13 @@ EffectRun::Drawn EffectRun::draw(Variant& variant, size_t view) {
   return {prepared.ready->frame.picture(), prepared.covered[view]};
 }
 
+// `baseline` may be null: then there is nothing to hold the frame against.
+std::string EffectRun::why_no_picture_of(const CellRow& row, const JudgedFrame& frame, const Drawn* baseline) const {
+  if (row.nonfinite_pixels > 0) return why_not_finite(frame.picture);
+  if (!baseline || nonfinite_pixels(baseline->picture) > 0) return "";
+  return why_no_picture(frame, {baseline->picture, baseline->covered}, scene_.scene->background);
+}
+
 void EffectRun::score(Variant& variant, size_t view, const Drawn* baseline, const Scoring& scoring) {
   CellRow& row = variant.rows[view];
   std::vector<std::pair<std::string, DisplayImage>> pictures;  // by path
@@ -284,6 +307,8 @@ void EffectRun::score(Variant& variant, size_t view, const Drawn* baseline, cons
     const Clock clock(spent_.metrics);
     const CellRow* known = scoring.known ? scoring.known({*variant.manifest, view, picture, covered}) : nullptr;
     fill_picture(row, picture, covered, keep);
+    if (const std::string why = why_no_picture_of(row, {picture, covered}, own ? baseline : nullptr); !why.empty())
+      return fail(row, std::string(no_picture) + why);
     if (row.nonfinite_pixels == 0)
       truth_->score(*variant.manifest, view, picture, row, keep,
                     [&](double fraction) { tell_(fraction, "casting rays for the truth of view " + row.view); });

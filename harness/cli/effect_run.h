@@ -16,6 +16,7 @@
 #include "harness/cli/scene_on_device.h"
 #include "harness/cli/truth_run.h"
 #include "harness/measure/rounds.h"
+#include "harness/quality/judged_picture.h"
 
 namespace lamina {
 
@@ -110,6 +111,8 @@ class EffectRun {
   void prepare(Variant& variant);
   void count(Variant& variant);
   Drawn draw(Variant& variant, size_t view);
+  bool note_nothing_covered();
+  std::string why_no_picture_of(const CellRow& row, const JudgedFrame& frame, const Drawn* baseline) const;
   void score(Variant& variant, size_t view, const Drawn* baseline, const Scoring& scoring);
 
   Backend& backend_;

@@ -2,6 +2,7 @@
 // Finds the command that is called, and turns errors into exit statuses: 0 well; 1 a cell or gate failed; 2 bad input or usage;
 // 3 ambiguous; 4 no usable device.
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "harness/cli/exit_status.h"
 #include "harness/cli/run_line.h"
 #include "harness/core/error.h"
+#include "harness/core/usable_threads.h"
 
 namespace {
 
@@ -23,8 +25,9 @@ using namespace lamina;
 class PrivateShaderCache {
  public:
   PrivateShaderCache() {
-    std::string pattern = (fs::temp_directory_path() / "lamina-shaders-XXXXXX").string();
-    if (!::mkdtemp(pattern.data())) return;
+    std::error_code none;  // TMPDIR may name what is no folder, be full or be read-only: then there is no such cache
+    std::string pattern = (fs::temp_directory_path(none) / "lamina-shaders-XXXXXX").string();
+    if (none || !::mkdtemp(pattern.data())) return;
     folder_ = pattern;
     ::setenv("MESA_SHADER_CACHE_DIR", folder_.c_str(), 1);
   }
@@ -48,7 +51,7 @@ int run(int argc, char** argv) {
                        fmt::format("lamina {} (commit {}, build {})", LAMINA_VERSION, LAMINA_COMMIT, LAMINA_BUILD_NAME));
   app.require_subcommand(1);
   const Command commands[] = {add_compare(app), add_gate(app),   add_sweep(app), add_merge(app),
-                              add_stress(app),  add_plan(app),   add_list(app),  add_report(app),
+                              add_stress(app),  add_diff(app),   add_plan(app), add_list(app),  add_report(app),
                               add_history(app), add_schema(app), add_man(app),   add_complete(app)};
   try {
     app.parse(argc, argv);
@@ -63,6 +66,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   const PrivateShaderCache cache;
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, usable_threads());
   try {
     return run(argc, argv);
   } catch (const Error& error) {

@@ -245,7 +245,7 @@ int run_sweep(const SweepOptions& options) {
   const std::vector<const EffectManifest*> effects = compared_effects(plan);
   check_variant_names("sweep", options.compare.variants, variant_names(effects));
   std::vector<Limit> limits;
-  for (const std::string& text : options.limits) limits.push_back(parse_limit(text));
+  for (const std::string& text : options.limits) limits.push_back(parse_limit("sweep", text));
   const std::vector<DeviceInfo> devices = all_devices(options);
 
   make_run_folder("sweep", options.compare.out);

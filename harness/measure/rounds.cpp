@@ -49,6 +49,7 @@ RoundsResult run_rounds(const std::vector<Arm>& arms, const RoundOptions& option
   while (result.rounds < options.max_rounds) {
     const double elapsed_s = watch.elapsed_s();
     if (result.rounds >= least && (elapsed_s > options.budget_s || precise_enough(arms, result.arms, options.precision))) break;
+    if (result.rounds > 0 && options.stop && options.stop()) break;
     if (progress) progress(std::max(elapsed_s / options.budget_s, 0.0));
     for (size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);  // Fisher and Yates
     for (const size_t arm : order)

@@ -279,7 +279,7 @@ class Pairs {
 
 }  // namespace
 
-Limit parse_limit(const std::string& text) {
+Limit parse_limit(const std::string& stage, const std::string& text) {
   const size_t equals = text.find('=');
   std::vector<std::string> names;
   for (const Metric& metric : metrics)
@@ -287,11 +287,11 @@ Limit parse_limit(const std::string& text) {
   Limit limit;
   limit.metric = text.substr(0, equals);
   if (std::find(names.begin(), names.end(), limit.metric) == names.end())
-    throw Error(ErrorKind::bad_input, "sweep", "--limit " + text, unknown_name("metric", limit.metric, names));
+    throw Error(ErrorKind::bad_input, stage, "--limit " + text, unknown_name("metric", limit.metric, names));
   char rest = 0;
   if (equals == std::string::npos || std::sscanf(text.c_str() + equals + 1, "%lf%c", &limit.value, &rest) != 1 ||
       !std::isfinite(limit.value))
-    throw Error(ErrorKind::bad_input, "sweep", "--limit " + text, "takes METRIC=NUMBER, as in ssim=0.98");
+    throw Error(ErrorKind::bad_input, stage, "--limit " + text, "takes METRIC=NUMBER, as in ssim=0.98");
   return limit;
 }
 

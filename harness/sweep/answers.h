@@ -10,7 +10,7 @@ namespace lamina {
 
 using Limit = SweepRow::Limit;  // on a metric of curves.h, but for "ratio"
 // "ssim=0.98". Throws Error(bad_input) with the nearest metric.
-Limit parse_limit(const std::string& text);
+Limit parse_limit(const std::string& stage, const std::string& text);
 
 // How every claim of a curve ends: ", at elevation 20 degrees", "" where no other parameter is held.
 std::string place_words(const Curve& curve);

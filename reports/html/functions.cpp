@@ -74,7 +74,8 @@ std::string html_function_chart(const FunctionReport& report, const std::string&
                         {"low", row.ns->low},
                         {"high", row.ns->high},
                         {"y", *row.error},
-                        {"frontier", row.frontier}});
+                        {"frontier", row.frontier()},
+                        {"not_told", row.standing == Standing::not_told_apart}});
     }
   if (points.empty()) return "";
   const Json data = {{"x", "time of a call, ns (log scale)"},
@@ -86,7 +87,8 @@ std::string html_function_chart(const FunctionReport& report, const std::string&
       "needs JavaScript. The tables below hold its figures.</p></noscript>"
       "<script type=\"application/json\">{}</script>"
       "<figcaption>Error against time: left is faster, down is closer. The line joins the variants worth "
-      "having: nothing closer is as fast, by the 95% intervals of the time, which the bars show.{}</figcaption></figure>\n",
+      "having: nothing closer is as fast, by the ratios of the rounds. Half-filled ones are not told apart from a closer one. The bars are "
+      "95% intervals of the time.{}</figcaption></figure>\n",
       for_script(data),
       left_out.empty() ? ""
                        : escaped_html(fmt::format(" Without a place on these axes (no error, values that are not finite, or a "

@@ -41,11 +41,13 @@ Json figures(const std::optional<ErrorFigures>& error) {
   return numbers;
 }
 
-Json costs_and_errors(const CostAndErrors& all, uint32_t bits) {
+Json costs_and_errors(const CostAndErrors& all, const FrontierBits& bits) {
   Json one = {{"ms", interval(all.frame_ms)},
               {"fetches", or_null(all.fetches_per_pixel)},
               {"baseline", figures(all.to_baseline)},
-              {"frontier", bits}};
+              {"frontier", bits.on_frontier}};
+  if (bits.not_told_apart != 0) one["not_told"] = bits.not_told_apart;
+  if (all.beyond_limit) one["beyond_limit"] = true;
   if (all.to_truth) one["truth"] = figures(all.to_truth);
   return one;
 }
@@ -53,11 +55,11 @@ Json costs_and_errors(const CostAndErrors& all, uint32_t bits) {
 void add_summary_rows(Json& rows, const std::vector<SummaryRow>& summary, size_t record) {
   std::map<std::pair<std::string, std::string>, std::vector<const SummaryRow*>> groups;
   for (const SummaryRow& row : summary) groups[{row.effect, row.backend}].push_back(&row);
-  std::map<const SummaryRow*, uint32_t> bits;
+  std::map<const SummaryRow*, FrontierBits> bits;
   for (const auto& [unused, group] : groups) {
     std::vector<CostAndErrors> all;
     for (const SummaryRow* row : group) all.push_back(figures_of(*row));
-    const std::vector<uint32_t> of_group = frontier_bits(all);
+    const std::vector<FrontierBits> of_group = frontier_bits(all);
     for (size_t i = 0; i < group.size(); ++i) bits[group[i]] = of_group[i];
   }
   for (const SummaryRow& row : summary) {
@@ -68,14 +70,18 @@ void add_summary_rows(Json& rows, const std::vector<SummaryRow>& summary, size_t
                 {"backend", row.backend},
                 {"is_baseline", row.baseline},
                 {"ratio", interval(row.ratio)}});
+    if (row.failed_views > 0) one["failed"] = row.reason;
     rows.push_back(std::move(one));
   }
 }
 
-CostAndErrors figures_of_cell(const CellRow& cell, const std::vector<double>& samples_ms) {
+CostAndErrors figures_of_cell(const Record& record, const CellRow& cell, const std::vector<double>& samples_ms) {
   CostAndErrors all;
   if (cell.failed) return all;
   if (!samples_ms.empty()) all.frame_ms = interval_or_range(samples_ms);
+  all.rounds_ms = samples_ms;
+  all.baseline = cell.baseline;
+  if (cell.error_covered) all.beyond_limit = !beyond_limit(record, *cell.error_covered).empty();
   all.fetches_per_pixel = cell.fetches_per_pixel;
   all.to_baseline = cell.baseline && cell.nonfinite_pixels == 0 ? no_error : cell.error_covered;
   all.to_truth = cell.error_truth;
@@ -107,13 +113,13 @@ void add_cells(Json& cells, const Record& record, size_t number, NamesOfCells& n
   for (size_t i = 0; i < record.cells.size(); ++i) {
     shots[shot_key(record.cells[i])].push_back(i);
     samples.push_back(shown_samples_ms(record, record.cells[i]));
-    all.push_back(figures_of_cell(record.cells[i], samples[i]));
+    all.push_back(figures_of_cell(record, record.cells[i], samples[i]));
   }
-  std::vector<uint32_t> bits(all.size());
+  std::vector<FrontierBits> bits(all.size());
   for (const auto& [unused, shot] : shots) {
     std::vector<CostAndErrors> group;
     for (const size_t cell : shot) group.push_back(all[cell]);
-    const std::vector<uint32_t> of_group = frontier_bits(group);
+    const std::vector<FrontierBits> of_group = frontier_bits(group);
     for (size_t i = 0; i < shot.size(); ++i) bits[shot[i]] = of_group[i];
   }
   for (size_t i = 0; i < record.cells.size(); ++i) {

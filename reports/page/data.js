@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the page draws, and what of it is chosen. page.rows are variants over all their views, page.cells single pictures; both
 // have {record, effect, variant, backend, is_baseline, frontier, ms, ratio: [median, low, high, rounds, coverage], fetches,
-// baseline, truth: figures in the order of page.metrics}; what is not known is null, "truth" is left out. A cell has
+// baseline, truth: figures in the order of page.metrics}; what is not known is null, "truth" is left out, and so are not_told
+// (bits, as frontier), beyond_limit (true) and failed (the first reason) where they do not hold. A cell has
 // besides {view, point: an index of page.points, samples in ms, size, worst_tile, failed: the reason, and the paths image,
 // difference, flip, truth_image, before_image}. page.crossovers are the record's lines, with the values of the other parameters
 // at which each was found, by path, in `held`.

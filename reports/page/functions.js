@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws the data of each figure.chart, the functions': y over x, both logarithmic, a plot for each group on common axes.
-// Data: {x, y: the axes' labels, points: [{group, name, x, low, high, y, frontier}]}; low and high are x's interval.
+// Data: {x, y: the axes' labels, points: [{group, name, x, low, high, y, frontier, not_told}]}; low and high are x's interval.
 for (const figure of document.querySelectorAll('figure.chart')) {
   const data = JSON.parse(figure.querySelector('script').textContent);
   const x = [d3.min(data.points, p => p.low) / 1.5, d3.max(data.points, p => p.high) * 1.5];
@@ -34,7 +34,9 @@ for (const figure of document.querySelectorAll('figure.chart')) {
           y: 'y',
           r: 4.5,
           stroke: 'var(--accent)',
-          fill: p => p.frontier ? 'var(--accent)' : 'var(--page)',
+          fill: p => p.frontier ? 'var(--accent)' :
+              p.not_told        ? 'color-mix(in srgb, var(--accent) 45%, var(--page))' :
+                                  'var(--page)',
           tip: true,
           title: words,
         }),

@@ -76,6 +76,7 @@ if (page && section_of('pareto')) {
                    one,
                    name: one.variant,
                    frontier: (one.frontier >>> bit_of() & 1) === 1,
+                   not_told: ((one.not_told ?? 0) >>> bit_of() & 1) === 1,
                    x: shown.cost === 'ms' ? one.ms[0] : one.fetches,
                    low: shown.cost === 'ms' ? one.ms[1] : one.fetches,
                    high: shown.cost === 'ms' ? one.ms[2] : one.fetches,
@@ -86,13 +87,17 @@ if (page && section_of('pareto')) {
     return [points, axis];
   }
 
+  const standing_words = point => point.frontier ? 'worth having' :
+      point.not_told                             ? 'not told apart from a closer one: more rounds would tell' :
+      point.one.beyond_limit                     ? 'beyond the limit of error: not recommended' :
+                                                   'dominated';
   const words_of = point => {
     const metric = page.metrics[shown.metric];
     const cost = shown.cost === 'ms' ? interval_words(point.one.ms, 'ms') : `${digits(point.x)} fetches/px`;
     const error = point.value === null ? `the same picture as the ${shown.against}` :
                                          `${metric.words} ${figure_words(metric, point.value)} to the ${shown.against}`;
     return `${point.name}${point.one.is_baseline ? ' (baseline)' : ''}\n${cost}\n${error}\n${
-        point.frontier ? 'worth having' : 'dominated'}`;
+        standing_words(point)}`;
   };
   const lead_to_pictures = point => {
     const view = shown.view ?? chosen.view;
@@ -137,7 +142,10 @@ if (page && section_of('pareto')) {
           y: 'y',
           r: 5,
           stroke: 'var(--accent)',
-          fill: p => p.frontier ? 'var(--accent)' : 'var(--page)',
+          fill: p => p.frontier ? 'var(--accent)' :
+              p.not_told        ? 'color-mix(in srgb, var(--accent) 45%, var(--page))' :
+                                  'var(--page)',
+          strokeOpacity: p => p.one.beyond_limit && !p.frontier ? 0.35 : 1,
           title: words_of,
           tip: true,
         }),
@@ -172,7 +180,8 @@ if (page && section_of('pareto')) {
       for (const row of page.rows)
         if (row.effect === effect &&
             !points.some(p => p.name === row.variant && p.one.record === row.record && p.one.backend === row.backend))
-          left_out.push([name_of_record(row.record), `${row.variant} on ${row.backend}`].filter(Boolean).join(', '));
+          left_out.push([name_of_record(row.record), `${row.variant} on ${row.backend}${
+              row.failed?.startsWith('not a picture') ? ' (not a picture)' : row.failed ? ' (failed)' : ''}`].filter(Boolean).join(', '));
       if (!points.length) continue;
       const low = d3.min(points, p => p.low), high = d3.max(points, p => p.high);
       const cost_domain = low > 0 && high > 5 * low ? [low / 1.3, high * (high / low) ** 0.3] : [0, high * 1.3];
@@ -189,7 +198,8 @@ if (page && section_of('pareto')) {
         '';
     section.append(element('p', {
       className: 'note caption',
-      textContent: drawn ? 'Filled dots on the line are worth having: nothing closer is as cheap. Hollow ones are dominated. ' +
+      textContent: drawn ? 'Filled dots on the line are worth having: nothing closer is as cheap. Hollow ones are dominated; ' +
+              'half-filled ones are not told apart from a closer one, and faint ones are beyond the limit of error. ' +
               'Bars are 95% intervals of the time; a dot leads to its pictures. The axis of errors is stretched so that small ' +
               'ones stay apart; what is perfect stands at its end.' + at_point + without_place :
                            'The record has nothing to draw here: no such cost or error is known.' + at_point

@@ -52,7 +52,16 @@ if (page) {
             unique(shares.map(s => s.key)));
       const costs = passes.filter(p => p.ns_per_fetch !== null).map(p => ({...p, label: p.pass + (p.once ? ' (once)' : '')}));
       const labels = unique(costs.map(p => p.label));
-      if (costs.length)
+      // Where passes of the same kind of work pay very different prices, fetches are not what costs there.
+      const max_price_ratio = 4;
+      const [least, most] = d3.extent(costs, p => p.ns_per_fetch);
+      if (costs.length && most > max_price_ratio * least)
+        all.append(element('p', {
+          className: 'note',
+          textContent: `Fetches are not what costs here: a pass takes from ${digits(least)} to ${
+              digits(most)} ns for each of its fetches, so their price is not drawn.`
+        }));
+      else if (costs.length)
         draw_plot(plot_place(grid), 'What a fetch costs, all of its pass counted in', {
           height: 110 + 34 * unique(costs.map(p => p.variant)).length,
           marginLeft: 130,

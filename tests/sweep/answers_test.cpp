@@ -199,13 +199,13 @@ TEST(Answers, WhatIsHeldIsToldWithItsUnitAndItsOwnerWhereNamesMeet) {
 
 TEST(Answers, UnknownMetricsAreRefusedWithTheNearest) {
   try {
-    parse_limit("sim=0.98");
+    parse_limit("sweep", "sim=0.98");
     FAIL();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("did you mean 'ssim'"), std::string::npos) << error.what();
   }
-  for (const char* bad : {"ssim", "ssim=", "ssim=x", "ratio=1"}) EXPECT_THROW(parse_limit(bad), Error) << bad;
-  EXPECT_EQ(parse_limit("truth.flip=0.1").value, 0.1);
+  for (const char* bad : {"ssim", "ssim=", "ssim=x", "ratio=1"}) EXPECT_THROW(parse_limit("sweep", bad), Error) << bad;
+  EXPECT_EQ(parse_limit("sweep", "truth.flip=0.1").value, 0.1);
 }
 
 TEST(Curves, TheWorstViewCountsAndRatiosAreAveragedGeometrically) {
