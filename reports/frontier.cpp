@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pareto's rule on costs that are known by pairs.
-// Sources: the interval of a pair's ratio is median_interval()'s (David and Nagaraja 2003), or Student's (Biometrika 6, 1908); one error rate over all pairs by
-// C. E. Bonferroni, "Teoria statistica delle classi e calcolo delle probabilita", 1936.
+// Sources: the interval of a pair's ratio is median_interval()'s (David and Nagaraja 2003), or Student's (Biometrika 6, 1908);
+// one error rate over all pairs by C. E. Bonferroni, "Teoria statistica delle classi e calcolo delle probabilita", 1936.
 #include "reports/frontier.h"
 
 #include <algorithm>
@@ -139,8 +139,8 @@ std::vector<FrontierBits> frontier_bits(std::span<const CostAndErrors> group) {
   for (const Reference reference : {Reference::baseline, Reference::truth})
     for (const ErrorMetric& metric : error_metrics)
       for (const Cost cost : {Cost::time, Cost::fetches}) {
-        const std::vector<Place> places = places_by(contenders_of(group, cost, metric, reference),
-                                                    cost == Cost::time ? by_time : by_fetches, slack_of(cost));
+        const std::vector<Place> places =
+            places_by(contenders_of(group, cost, metric, reference), cost == Cost::time ? by_time : by_fetches, slack_of(cost));
         for (size_t i = 0; i < group.size(); ++i) {
           if (places[i].standing == Standing::on_frontier) bits[i].on_frontier |= bit;
           if (places[i].standing == Standing::not_told_apart) bits[i].not_told_apart |= bit;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which variants are worth having: those that no other dominates in cost and error. One rule for words, charts and tables. Costs
-// are compared pair by pair, by the ratio of the two in each round, since what slows a round down slows both; so the answer is
-// one of three: on the frontier, dominated, not told apart.
+// Which variants are worth having: those that no other dominates in cost and error. One rule for words, charts and tables.
+// Costs are compared pair by pair, by the ratio of the two in each round, since what slows a round down slows both; so the
+// answer is one of three: on the frontier, dominated, not told apart.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ enum class Reference { baseline, truth };
 // One of those that are weighed against each other.
 struct Contender {
   std::optional<Interval> cost;
-  std::optional<double> error;  // less is closer
+  std::optional<double> error;   // less is closer
   std::vector<double> rounds{};  // the cost of each round, paired with the others'; empty: the interval is all that is known
   bool acceptable = true;        // false: beyond a limit, so that no cost makes it worth having
 };

@@ -14,11 +14,11 @@ namespace lamina {
 struct FunctionSummary {
   std::string variant;
   bool baseline = false;
-  std::optional<Interval> ns;   // of a call
-  std::vector<double> samples;  // of each round, ns; none in a record of before they were kept
-  std::string reason;           // why there is no time
-  std::optional<double> ratio;  // median over the baseline's median
-  std::optional<double> error;  // the greatest |error| over the main set; absent where a value was not finite
+  std::optional<Interval> ns;             // of a call
+  std::vector<double> samples;            // of each round, ns; none in a record of before they were kept
+  std::string reason;                     // why there is no time
+  std::optional<double> ratio;            // median over the baseline's median
+  std::optional<double> error;            // the greatest |error| over the main set; absent where a value was not finite
   Standing standing = Standing::unknown;  // by time and greatest error; its rounds are paired with the others'
   std::string by;                         // what dominates it, or what it is not told from; "" else
   bool frontier() const { return standing == Standing::on_frontier; }

@@ -32,8 +32,8 @@ std::vector<ReportLimit> limits_of(const Record& record) {
 std::vector<std::string> limit_words(const Record& record) {
   std::vector<std::string> words;
   for (const ReportLimit& limit : limits_of(record))
-    words.push_back(fmt::format("{} of at {} {:.6g}", limit.metric->words, limit.metric->more_is_closer ? "least" : "most",
-                                limit.value));
+    words.push_back(
+        fmt::format("{} of at {} {:.6g}", limit.metric->words, limit.metric->more_is_closer ? "least" : "most", limit.value));
   return words;
 }
 

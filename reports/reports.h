@@ -30,7 +30,8 @@ struct SummaryRow {
   std::optional<ErrorFigures> mean, worst;
   std::string worst_view;                                     // by FLIP
   std::optional<ErrorFigures> mean_to_truth, worst_to_truth;  // the same against the truth, over the views that have one
-  std::string beyond_limit;  // "SSIM 0.3004, limit 0.7": the first of the run's limits that the mean does not keep; "" where it keeps all
+  std::string beyond_limit;  // "SSIM 0.3004, limit 0.7": the first of the run's limits that the mean does not keep; "" where it
+                             // keeps all
 };
 // By effect and backend in order of appearance, each group's baseline first.
 std::vector<SummaryRow> summarize(const Record& record);

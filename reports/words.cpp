@@ -66,9 +66,7 @@ bool has_truth(const std::vector<SummaryRow>& rows, const std::string& effect) {
 
 }  // namespace
 
-std::string words_for_failure(const SummaryRow& row) {
-  return row.reason.starts_with(no_picture) ? "not a picture" : "failed";
-}
+std::string words_for_failure(const SummaryRow& row) { return row.reason.starts_with(no_picture) ? "not a picture" : "failed"; }
 
 Interval interval_or_range(std::vector<double> samples) {
   if (samples.size() >= min_rounds_for_95) return median_interval(samples);
@@ -118,8 +116,7 @@ std::vector<Table> summary_tables(const std::vector<SummaryRow>& rows, bool trut
 std::string trouble_of(const SummaryRow& row) {
   std::string words;
   if (row.failed_views > 0) words = fmt::format("failed in {} of {} views: {}", row.failed_views, row.views, row.reason);
-  if (!row.beyond_limit.empty())
-    words += fmt::format("{}not recommended: {}", words.empty() ? "" : "; ", row.beyond_limit);
+  if (!row.beyond_limit.empty()) words += fmt::format("{}not recommended: {}", words.empty() ? "" : "; ", row.beyond_limit);
   if (row.nonfinite_pixels > 0)
     words += fmt::format("{}{} pixels are not finite, and no error figure is made of such a picture", words.empty() ? "" : "; ",
                          row.nonfinite_pixels);

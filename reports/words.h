@@ -38,9 +38,9 @@ struct Headline {
   std::string variant, words;
 };
 std::vector<Headline> headlines(const std::vector<SummaryRow>& rows);
-// A paragraph an effect and reference (baseline, truth): the variants worth having, the dominated ones, those not told apart and
-// those beyond a limit, by time (by fetches where nothing is timed) and mean SSIM; `variant` holds the effect's name. None for
-// an effect with nothing to weigh.
+// A paragraph an effect and reference (baseline, truth): the variants worth having, the dominated ones, those not told apart
+// and those beyond a limit, by time (by fetches where nothing is timed) and mean SSIM; `variant` holds the effect's name. None
+// for an effect with nothing to weigh.
 std::vector<Headline> worth_having(const std::vector<SummaryRow>& rows);
 // "not a picture" where the first failure says so, else "failed".
 std::string words_for_failure(const SummaryRow& row);

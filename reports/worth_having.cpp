@@ -131,13 +131,13 @@ std::optional<Headline> answer(const std::vector<SummaryRow>& rows, const std::s
     if (!one.unknown_on.empty()) unknown.push_back(one.variant + on(one.unknown_on, backends.size()));
   }
   if (worth.size() < 2 && dominated.empty() && not_told.empty() && beyond.empty()) return std::nullopt;
-  std::string words = fmt::format("worth having, by {} and SSIM to the {}: {}.", timed ? "time" : "fetches",
-                                  reference == Reference::baseline ? "baseline" : "truth",
-                                  worth.empty() ? "none" : listed(worth));
+  std::string words =
+      fmt::format("worth having, by {} and SSIM to the {}: {}.", timed ? "time" : "fetches",
+                  reference == Reference::baseline ? "baseline" : "truth", worth.empty() ? "none" : listed(worth));
   if (!dominated.empty())
-    words += fmt::format(" Dominated, since another is closer and {}: {}.",
-                         timed ? fmt::format("at most {:.2g}% slower", 100 * (as_fast - 1)) : "no more expensive",
-                         dominated.text());
+    words +=
+        fmt::format(" Dominated, since another is closer and {}: {}.",
+                    timed ? fmt::format("at most {:.2g}% slower", 100 * (as_fast - 1)) : "no more expensive", dominated.text());
   if (!not_told.empty())
     words += fmt::format(" Not told apart in {}, so that more rounds are needed (--precision, --budget): {}.",
                          timed ? "time" : "fetches", not_told.text());
@@ -156,8 +156,10 @@ CostAndErrors figures_of(const SummaryRow& row) {
                         .rounds_ms = row.rounds_ms,
                         .baseline = row.baseline,
                         .beyond_limit = !row.beyond_limit.empty()};
-  if (row.failed_views > 0) figures.to_baseline.reset(), figures.to_truth.reset();  // of fewer pictures than the others' are
-  else if (row.baseline && row.nonfinite_pixels == 0) figures.to_baseline = no_error;
+  if (row.failed_views > 0)
+    figures.to_baseline.reset(), figures.to_truth.reset();  // of fewer pictures than the others' are
+  else if (row.baseline && row.nonfinite_pixels == 0)
+    figures.to_baseline = no_error;
   return figures;
 }
 

@@ -25,7 +25,7 @@ namespace {
 // Below it people see another picture at a glance; no built-in variant that is meant to be used is.
 constexpr const char* default_limit = "ssim=0.7";
 
-struct CompareOptions : WatchOptions {  // the rounds are of a backend and effect
+struct CompareOptions : WatchOptions {                // the rounds are of a backend and effect
   std::vector<std::string> limits = {default_limit};  // METRIC=NUMBER, against the baseline
   bool quick = false;
   bool times = true;
@@ -66,8 +66,8 @@ struct WallTimes {
   std::string words(double all_s) const {
     const double rest = std::max(0.0, all_s - loading - baking - certifying - drawing - timing - errors - report);
     return fmt::format(
-        "{:.1f} s: loading {:.1f}, baking {:.1f}, certifying the timer {:.1f}, compiling, drawing and counting {:.1f}, errors and truth "
-        "{:.1f}, timing {:.1f}, report {:.1f}, rest {:.1f}",
+        "{:.1f} s: loading {:.1f}, baking {:.1f}, certifying the timer {:.1f}, compiling, drawing and counting {:.1f}, errors "
+        "and truth {:.1f}, timing {:.1f}, report {:.1f}, rest {:.1f}",
         all_s, loading, baking, certifying, drawing, errors, timing, report, rest);
   }
 };
@@ -85,8 +85,8 @@ void append_rows_so_far(const EffectRun& run, RecordWriter& record) {
   }
 }
 
-// One backend: certificate where times are wanted, then each effect, which is taken off `effects` when its rows are in the record. Appends every row
-// as it is finished. Returns how many messages the API's checker had.
+// One backend: certificate where times are wanted, then each effect, which is taken off `effects` when its rows are in the
+// record. Appends every row as it is finished. Returns how many messages the API's checker had.
 size_t run_backend(const std::string& name, const Scene& scene, const Library& library, const Plan& plan,
                    std::vector<const EffectManifest*>& effects, Bakes& bakes, const CompareOptions& options,
                    RecordWriter& record, WallTimes& spent) {
@@ -248,8 +248,9 @@ Command add_compare(CLI::App& program) {
                    "Stop sooner, at wider intervals: 5%, or 4 s a backend, unless --precision or --budget say otherwise");
   add_rounds(command, options->rounds, "a backend");
   CLI::Option* no_time = command.add_flag("!--no-time", options->times, "Counts, pictures and errors alone");
-  command.add_option("--limit", options->limits,
-                     "METRIC=NUMBER that a variant must keep against the baseline to be recommended (may be given again)")
+  command
+      .add_option("--limit", options->limits,
+                  "METRIC=NUMBER that a variant must keep against the baseline to be recommended (may be given again)")
       ->type_name(placeholder::limit)
       ->capture_default_str();
   add_truth(command, *options);

@@ -95,9 +95,10 @@ int run_diff(const DiffOptions& options, const std::string& typed) {
   if (test.width != reference.width || test.height != reference.height) refuse_sizes(options.test, test, reference);
   const Mask mask = mask_of(options, reference);
   const ErrorReport report = measure_error(test, reference, mask);
-  fmt::print("{} x {} pixels; whole numbers are read as sRGB, floating-point ones as linear light.\n"
-             "PSNR, SSIM and FLIP are taken on 8-bit sRGB, RMSE and max on linear light.\n",
-             reference.width, reference.height);
+  fmt::print(
+      "{} x {} pixels; whole numbers are read as sRGB, floating-point ones as linear light.\n"
+      "PSNR, SSIM and FLIP are taken on 8-bit sRGB, RMSE and max on linear light.\n",
+      reference.width, reference.height);
   if (!options.mask.empty()) fmt::print("{}", figure_line("masked", count_on(mask), report.covered));
   fmt::print("{}", figure_line("whole", mask.on.size(), report.frame));
   if (const auto interior = ssim_interior(to_display(test), to_display(reference)))

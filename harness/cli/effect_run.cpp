@@ -243,7 +243,7 @@ RoundsResult EffectRun::time(const RoundOptions& rounds) {
     variant.first_is_drawn = false;
     Frame& frame = variant.prepared.front().ready->frame;
     for (size_t view = 0; view < variant.rows.size(); ++view) {
-      if (variant.rows[view].failed) continue;  // what is not a picture has no time worth measuring
+      if (variant.rows[view].failed) continue;                            // what is not a picture has no time worth measuring
       if (variant.manifest->baseline) baseline_arms[view] = arms.size();  // it is the first variant
       Arm& arm = arms.emplace_back(Arm{[&frame, view] { return frame.run(view, Timing::bracketed); }, std::nullopt});
       if (const auto known = baseline_arms.find(view); known != baseline_arms.end()) arm.baseline = known->second;

@@ -54,8 +54,8 @@ size_t threads_of_quota(const fs::path& root) {
       for (const fs::path& part : path) least = least_limit(least, limit_of_version_2((group /= part) / "cpu.max"));
     } else if (controllers.find(",cpu,") != std::string::npos) {
       for (const fs::path& group : {mounted / "cpu" / path, mounted / "cpu"})
-        least = least_limit(least, rounded_up(number_in_file(group / "cpu.cfs_quota_us"),
-                                              number_in_file(group / "cpu.cfs_period_us")));
+        least = least_limit(
+            least, rounded_up(number_in_file(group / "cpu.cfs_quota_us"), number_in_file(group / "cpu.cfs_period_us")));
     }
   }
   return least;

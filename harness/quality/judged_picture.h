@@ -32,7 +32,8 @@ inline constexpr int outside_steps = 8;
 // "", or why the picture is none: "617 of 262144 pixels are not finite numbers, the first at (256, 0)".
 std::string why_not_finite(const Image& picture);
 // "", or why a finite picture is none beside its baseline's finite picture of the same size: all that either covers is the
-// background, or is one colour where the baseline's is not, or it draws where the baseline covers nothing. `background`: linear.
+// background, or is one colour where the baseline's is not, or it draws where the baseline covers nothing. `background`:
+// linear.
 std::string why_no_picture(const JudgedFrame& frame, const JudgedFrame& baseline, glm::vec3 background);
 
 }  // namespace lamina

@@ -40,8 +40,8 @@ View seen_from(std::string name, const BoundingSphere& bounds, glm::vec3 directi
 
 const std::array<glm::vec3, 3> view_sides = {glm::vec3(0, 0, 1), glm::vec3(0.75f, 0.45f, 0.9f), grazing_side};
 
-// What turns the directions of views so that they meet the side that is drawn. The identity, unless nearly all surfaces face one
-// way (a leaf, a relief), and that way is away from every view: then "front" looks at that side.
+// What turns the directions of views so that they meet the side that is drawn. The identity, unless nearly all surfaces face
+// one way (a leaf, a relief), and that way is away from every view: then "front" looks at that side.
 glm::mat3 world_from_sides(const std::vector<Object>& objects) {
   constexpr float one_way = 0.5f;  // of the sum of areas: the length of the sum of area vectors, 0 for closed surfaces
   constexpr float seen = 0.05f;    // cosine

@@ -87,7 +87,8 @@ std::string html_function_chart(const FunctionReport& report, const std::string&
       "needs JavaScript. The tables below hold its figures.</p></noscript>"
       "<script type=\"application/json\">{}</script>"
       "<figcaption>Error against time: left is faster, down is closer. The line joins the variants worth "
-      "having: nothing closer is as fast, by the ratios of the rounds. Half-filled ones are not told apart from a closer one. The bars are "
+      "having: nothing closer is as fast, by the ratios of the rounds. Half-filled ones are not told apart from a closer one. "
+      "The bars are "
       "95% intervals of the time.{}</figcaption></figure>\n",
       for_script(data),
       left_out.empty() ? ""

@@ -11,10 +11,11 @@ class NotAPicture : public ProgramTest {
  protected:
   void add_variant(const std::string& name, const std::string& main) {
     std::filesystem::create_directories(folder_ / "mine");
-    write("mine/" + name + ".toml", "[variant]\nname = \"" + name +
-                                        "\"\neffect = \"layered_material\"\n[[pass]]\nname = \"composite\"\ndraw = \"objects\"\n"
-                                        "vertex = \"common/object.vert\"\nfragment = \"" +
-                                        name + ".frag\"\nwrite = [\"frame\"]\ndepth = \"read_write\"\n");
+    write("mine/" + name + ".toml",
+          "[variant]\nname = \"" + name +
+              "\"\neffect = \"layered_material\"\n[[pass]]\nname = \"composite\"\ndraw = \"objects\"\n"
+              "vertex = \"common/object.vert\"\nfragment = \"" +
+              name + ".frag\"\nwrite = [\"frame\"]\ndepth = \"read_write\"\n");
     write("mine/" + name + ".frag",
           "#include \"common/frame.glsl\"\n#include \"common/surface.glsl\"\n#include \"common/mesh_in.glsl\"\n"
           "layout(binding = 4) uniform sampler2D inner_albedo;\nlayout(location = 0) out vec4 color;\nvoid main() { " +
@@ -27,9 +28,10 @@ class NotAPicture : public ProgramTest {
 };
 
 TEST_F(NotAPicture, FramesOfNoPictureFailAndAreNeverFast) {
-  add_variant("nan_pixel",
-              "vec3 c = texture(inner_albedo, in_uv).rgb; float z = int(gl_FragCoord.x) == int(frame_size_px.x) / 2 ? c.x - c.x "
-              ": 1.0; color = vec4(c / z, 1.0);");
+  add_variant(
+      "nan_pixel",
+      "vec3 c = texture(inner_albedo, in_uv).rgb; float z = int(gl_FragCoord.x) == int(frame_size_px.x) / 2 ? c.x - c.x "
+      ": 1.0; color = vec4(c / z, 1.0);");
   add_variant("discard_all", "if (texture(inner_albedo, in_uv).a >= -1.0) discard; color = vec4(1);");
   add_variant("one_colour", "color = vec4(0.2, 0.2, 0.2, 1.0);");
   const Outcome outcome = compare("heart --variants-dir " + (folder_ / "mine").string());

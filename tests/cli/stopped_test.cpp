@@ -19,15 +19,16 @@ class Surroundings : public ProgramTest {
     return outcome;
   }
   std::string compare_square(const std::string& more) {
-    return std::string(LAMINA_PROGRAM) + " compare " + square_model() +
-           " --backend vulkan --size 32x32 --truth-rays 0 --out " + out().string() + " " + more;
+    return std::string(LAMINA_PROGRAM) + " compare " + square_model() + " --backend vulkan --size 32x32 --truth-rays 0 --out " +
+           out().string() + " " + more;
   }
 };
 
 TEST_F(Surroundings, CtrlCLeavesTheReportOfWhatWasMeasured) {
   const std::string record_file = (out() / "record.jsonl").string();
-  const Outcome outcome = shell(compare_square("--budget 300 --precision 0.000001") + " & pid=$!; until grep -qs '\"timer\"' " +
-                                record_file + "; do kill -0 $pid || exit 99; sleep 0.1; done; sleep 2; kill -INT $pid; wait $pid");
+  const Outcome outcome =
+      shell(compare_square("--budget 300 --precision 0.000001") + " & pid=$!; until grep -qs '\"timer\"' " + record_file +
+            "; do kill -0 $pid || exit 99; sleep 0.1; done; sleep 2; kill -INT $pid; wait $pid");
   EXPECT_EQ(outcome.status, 130) << outcome.output;
   EXPECT_SAYS(outcome.output, "stopped; the record and the report hold what was measured until then");
   EXPECT_TRUE(std::filesystem::exists(out() / "index.html"));

@@ -19,8 +19,7 @@ class UsableThreads : public testing::Test {
     std::ofstream(root_ / file) << text;
   }
   size_t quota() const { return threads_of_quota(root_); }
-  const std::filesystem::path root_ =
-      std::filesystem::temp_directory_path() / ("lamina_cgroup_" + std::to_string(::getpid()));
+  const std::filesystem::path root_ = std::filesystem::temp_directory_path() / ("lamina_cgroup_" + std::to_string(::getpid()));
 };
 
 TEST_F(UsableThreads, WithoutGroupsThereIsNoQuota) { EXPECT_EQ(quota(), 0u); }

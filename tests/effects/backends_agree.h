@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "harness/graph/frame.h"
 #include "harness/quality/quality.h"
@@ -15,8 +17,9 @@ namespace lamina {
 inline constexpr double min_agreement_db = 45;
 
 // Small pictures of each scene's first view: 45 dB at least, no value that is not finite, no message of an API's checker. Skips
-// the test where one of the two is not here.
-inline void expect_backends_agree(std::string_view effect, const std::vector<Scene>& scenes, uint32_t size = 48) {
+// the test where one of the two is not here. `said` are values of parameters by name, for the variants that have them.
+inline void expect_backends_agree(std::string_view effect, const std::vector<Scene>& scenes, uint32_t size = 48,
+                                  const std::map<std::string, double>& said = {}) {
   std::vector<std::unique_ptr<Backend>> backends;
   for (const std::string_view name : {"vulkan", "osmesa"}) {
     try {
@@ -37,9 +40,12 @@ inline void expect_backends_agree(std::string_view effect, const std::vector<Sce
     }
     for (const VariantManifest& variant : library.effect(effect).variants) {
       SCOPED_TRACE(scene.name + " " + variant.name);
+      Parameters parameters;
+      for (const auto& [name, value] : said)
+        if (variant.parameter(name)) parameters[variant.name + "." + name] = value;
       std::vector<Image> pictures;
       for (size_t i = 0; i < backends.size(); ++i) {
-        const Graph graph = make_graph(plan, configuration_with(plan, variant), scene, *shaders[i]);
+        const Graph graph = make_graph(plan, configuration_with(plan, variant), scene, *shaders[i], nullptr, parameters);
         Frame frame(*resources[i], graph, Build::timed);
         frame.run_once(Timing::off);
         frame.run(0, Timing::off);

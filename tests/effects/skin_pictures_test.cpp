@@ -57,6 +57,14 @@ TEST_P(SkinPictures, AnEdgeOfLightFallsAsTheProfileSays) {
   EXPECT_GT(edge_error(scene, with(scene, "plain_lambert", {{"shadow_texels", 2048}}, 128)).r, 0.15);
 }
 
+// A pixel is 16 texels of the light map. Diffusion has smoothed what lies between: a point's light is asked for, not the mean
+// of the texels around it, which wipes the features off a small face.
+TEST_P(SkinPictures, WhatIsFarAwayIsNotBlurredAgain) {
+  const Scene scene = edge_of_light_scene();
+  const glm::dvec3 error = edge_error(scene, with(scene, "six_gaussians", {{"map_texels", 256}, {"precision", 1}}, 16));
+  EXPECT_LT(std::max({error.r, error.g, error.b}), .005);
+}
+
 TEST_P(SkinPictures, ConstantLightIsUnchanged) {
   std::vector<Object> objects;
   objects.push_back(skin_plate());
@@ -162,6 +170,17 @@ TEST_P(SkinPictures, AWrongProfileIsBadInput) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, SkinPictures, backend_parameters, backend_test_name);
+
+// An edge of light, highlights and all that can be asked for.
+TEST(SkinBackends, AgreeAndHaveNoNaN) {
+  const Scene plate = edge_of_light_scene({{"skin.specular", 0.34},
+                                           {"skin.penumbra", 3},
+                                           {"skin.oil", 0.3},
+                                           {"skin.melanin", 0.2},
+                                           {"skin.rim", 0.3},
+                                           {"skin.back_scattering", 0.3}});
+  expect_backends_agree("skin", {plate}, 48, {{"map_texels", 64}});
+}
 
 }  // namespace
 }  // namespace lamina

@@ -36,7 +36,9 @@ Image ramp_from(int first) {
 
 class JudgedPicture : public testing::Test {
  protected:
-  std::string why(const Image& picture, const Mask& covered) { return why_no_picture({picture, covered}, {ramp_, right_}, sky); }
+  std::string why(const Image& picture, const Mask& covered) {
+    return why_no_picture({picture, covered}, {ramp_, right_}, sky);
+  }
   const Image ramp_ = ramp_from(8);
   const Mask right_ = columns_from(8);
 };

@@ -33,8 +33,8 @@ TEST(Frontier, OfWhatErrsAlikeTheMeasurablyCheaperDominates) {
   EXPECT_EQ(standing_of(at(1, 2, 0.1), at(3, 4, 0.1)), Standing::on_frontier);
 }
 
-// Ten rounds in which both slow down and speed up together by a factor of 3: the intervals overlap almost whole, and yet one was
-// the faster in every round.
+// Ten rounds in which both slow down and speed up together by a factor of 3: the intervals overlap almost whole, and yet one
+// was the faster in every round.
 std::vector<double> rounds_of(double ms) {
   std::vector<double> all;
   for (const double load : {1.0, 1.9, 1.2, 3.0, 1.1, 2.2, 1.0, 1.6, 2.8, 1.3}) all.push_back(ms * load);

@@ -108,12 +108,11 @@ TEST(Functions, WordsSayWhatIsWorthHavingAndWhatBeatsTheRest) {
   EXPECT_EQ(words(report, "fitted_cap"),
             "is worth having: nothing closer is as fast. It errs by up to 0.02 of the smaller cap's area; a call takes 4 "
             "ns (10.0 times faster than exact_cap).");
-  EXPECT_TRUE(
-      has(words(report, "naive_cap"), "is beaten by fitted_cap, which errs by up to 0.02 and is no slower."))
+  EXPECT_TRUE(has(words(report, "naive_cap"), "is beaten by fitted_cap, which errs by up to 0.02 and is no slower."))
       << words(report, "naive_cap");
   EXPECT_TRUE(has(words(report, "naive_cap"), "Over all sets it gives 41 negative and 0 non-finite values."));
-  EXPECT_TRUE(
-      has(words(report, "smoothstep_cap"), "is not told apart in time from linear_cap, which errs by up to 0.1; more rounds would tell."))
+  EXPECT_TRUE(has(words(report, "smoothstep_cap"),
+                  "is not told apart in time from linear_cap, which errs by up to 0.1; more rounds would tell."))
       << words(report, "smoothstep_cap");
 }
 

@@ -90,8 +90,9 @@ TEST(Answers, SayWhatIsNotToldApartAndWhatWouldTell) {
   cells.push_back(example_cell("normal_map_taps", "grazing", {11, 11, 13, 11, 13, 13}));
   for (CellRow* cell : {&cells[4], &cells[5]}) cell->error_covered->ssim = 0.95;
   const std::string words = answers_of(cells, {example_timer("vulkan")}).at(0).words;
-  EXPECT_TRUE(has(words, "Not told apart in time, so that more rounds are needed (--precision, --budget): normal_map_taps (from "
-                         "light_map)."))
+  EXPECT_TRUE(has(words,
+                  "Not told apart in time, so that more rounds are needed (--precision, --budget): normal_map_taps (from "
+                  "light_map)."))
       << words;
 }
 
@@ -101,8 +102,9 @@ TEST(Answers, WhatIsBeyondTheLimitIsShownAndNotRecommended) {
   record.run["settings"]["limits"] = {{"ssim", 0.95}};
   const std::vector<SummaryRow> rows = summarize(record);
   const std::string words = worth_having(rows).at(0).words;
-  EXPECT_TRUE(has(words, "baseline: light_map (the baseline). Beyond the limit of error, and not recommended: vertex_normal "
-                         "(SSIM 0.9000, limit 0.95)."))
+  EXPECT_TRUE(has(words,
+                  "baseline: light_map (the baseline). Beyond the limit of error, and not recommended: vertex_normal "
+                  "(SSIM 0.9000, limit 0.95)."))
       << words;
   EXPECT_EQ(trouble_of(rows.at(1)), "not recommended: SSIM 0.9000, limit 0.95");
   EXPECT_EQ(limit_words(record), (std::vector<std::string>{"SSIM of at least 0.95"}));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a model is applied: vertex colours, texture transforms and sets, samplers, both sides, skins and morph targets at rest.
-// Every model is made here; the answers follow from the specification.
+// What of a model is applied: vertex colours, texture transforms and sets, samplers, both sides, skins and morph targets at
+// rest. Every model is made here; the answers follow from the specification.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,10 +39,10 @@ struct QuadModel {
   void picture(const Folder& folder, const std::string& reference, const std::string& sampler = "{}",
                const std::string& material = "") {
     write_png(folder / "four.png", 2, 2, 3, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255});
-    maker.more = fmt::format(
-        R"(,"materials":[{{"pbrMetallicRoughness":{{"baseColorTexture":{{"index":0{}}}}}{}}}],"samplers":[{}],)"
-        R"("textures":[{{"source":0,"sampler":0}}],"images":[{{"uri":"four.png"}}])",
-        reference, material, sampler);
+    maker.more =
+        fmt::format(R"(,"materials":[{{"pbrMetallicRoughness":{{"baseColorTexture":{{"index":0{}}}}}{}}}],"samplers":[{}],)"
+                    R"("textures":[{{"source":0,"sampler":0}}],"images":[{{"uri":"four.png"}}])",
+                    reference, material, sampler);
     members = R"(,"material":0)";
   }
   LoadedModel load(const Folder& folder, const std::string& node = R"({"mesh":0,"name":"thing"})") {

@@ -142,7 +142,8 @@ TEST(GltfBadInput, TruncatedGlb) {
 TEST(GltfBadInput, FilesThatAreNoModels) {
   const Folder folder;
   expect_refused([&] { load_bytes(folder, "", "a.gltf"); }, {"a.gltf"});
-  expect_refused([&] { load_bytes(folder, "{\"asset\": {", "a.gltf"); }, {"a.gltf", "breaks off or is damaged at line 1, column"});
+  expect_refused([&] { load_bytes(folder, "{\"asset\": {", "a.gltf"); },
+                 {"a.gltf", "breaks off or is damaged at line 1, column"});
   expect_refused([&] { load_bytes(folder, "[]  ", "a.gltf"); }, {"a.gltf"});
   expect_refused([&] { load_bytes(folder, "{}  ", "a.gltf"); }, {"a.gltf", "asset"});
   expect_refused([&] { load_bytes(folder, R"({"asset":{"version":"2.0"}})", "a.gltf"); }, {"a.gltf", "no triangles"});
@@ -176,7 +177,8 @@ TEST(GltfBadInput, WhatTheFileSaysOfItself) {
                                   {R"("version":"2.1","minVersion":"2.1")", "version '2.1'"}})
     expect_refused([&] { load_bytes(folder, with(version, to), "a.gltf"); }, {"a.gltf", words});
   EXPECT_NO_THROW(load_bytes(folder, with(version, R"("version":"2.7","minVersion":"2.0")"), "a.gltf"));
-  expect_refused([&] { load_bytes(folder, with("{", R"({"extensionsRequired":"KHR_x",)"), "a.gltf"); }, {"not a list of names"});
+  expect_refused([&] { load_bytes(folder, with("{", R"({"extensionsRequired":"KHR_x",)"), "a.gltf"); },
+                 {"not a list of names"});
   expect_refused([&] { load_bytes(folder, with("application/octet-stream;base64", "text/plain"), "a.gltf"); },
                  {"buffer 0", "not base64"});
   for (const char* written : {"", "application/gltf-buffer;charset=utf-8;", "application/octet-stream;name=a;"})

@@ -35,7 +35,8 @@ TEST_F(GltfCases, WhatIsValidIsDrawn) {
 TEST_F(GltfCases, WhatIsNotIsRefusedInWordsAboutTheModel) {
   expect_refused([&] { load_case("models/x04_req_str.gltf"); }, {"'extensionsRequired' is not a list of names"});
   expect_refused([&] { load_case("models/c12_version_3_0.gltf"); }, {"glTF version '3.0'"});
-  expect_refused([&] { load_case("models/u14_dir.gltf"); }, {"buffer 0", "'sub'"});  // a folder, where there is one of that name
+  expect_refused([&] { load_case("models/u14_dir.gltf"); },
+                 {"buffer 0", "'sub'"});  // a folder, where there is one of that name
 }
 
 TEST_F(GltfCases, APaletteHasNoUnwrap) {
@@ -56,8 +57,7 @@ TEST_F(GltfCases, WhatIsLeftOutIsSaid) {
 
 TEST_F(GltfCases, AQuantizedSquareHasASideOfTwo) {
   const LoadedModel model = load_case("quantized.gltf");
-  for (const Vertex& vertex : model.objects.at(0).mesh.vertices)
-    EXPECT_NEAR(std::abs(vertex.position.x), 1, 1e-6);
+  for (const Vertex& vertex : model.objects.at(0).mesh.vertices) EXPECT_NEAR(std::abs(vertex.position.x), 1, 1e-6);
 }
 
 }  // namespace

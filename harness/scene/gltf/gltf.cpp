@@ -116,7 +116,8 @@ std::vector<glm::dmat4> world_from_bind(const tinygltf::Model& model, int skin_i
   if (skin.inverseBindMatrices >= 0) {
     inverse_bind = read_accessor(model, skin.inverseBindMatrices, 16, subject + ", inverseBindMatrices");
     if (inverse_bind.size() < 16 * skin.joints.size())
-      refuse_gltf(subject, fmt::format("has {} inverseBindMatrices for {} joints", inverse_bind.size() / 16, skin.joints.size()));
+      refuse_gltf(subject,
+                  fmt::format("has {} inverseBindMatrices for {} joints", inverse_bind.size() / 16, skin.joints.size()));
   }
   std::vector<glm::dmat4> matrices;
   for (size_t i = 0; i < skin.joints.size(); ++i) {
@@ -133,8 +134,7 @@ class ObjectMaker {
  public:
   ObjectMaker(const tinygltf::Model& model, LoadedModel& result) : model_(model), result_(result) {}
 
-  void add_mesh(int mesh_index, const std::string& node_name, const std::string& by, const Placement& place,
-                PrimitiveUse use) {
+  void add_mesh(int mesh_index, const std::string& node_name, const std::string& by, const Placement& place, PrimitiveUse use) {
     if (size_t(mesh_index) >= model_.meshes.size())
       refuse_gltf(by, fmt::format("refers to mesh {}; the file has {}", mesh_index, model_.meshes.size()));
     const tinygltf::Mesh& mesh = model_.meshes[size_t(mesh_index)];
@@ -176,9 +176,10 @@ class ObjectMaker {
   std::shared_ptr<const ModelLook> look_of(const Material& material, GltfMesh& of, const std::string& object) {
     const GltfMaterial& asks = material.asks;
     if (!asks.repeats && of.has_uv && leaves_unit_square(of.mesh))
-      result_.warnings.push_back(fmt::format(
-          "The texture of '{}' is to be held or mirrored at its border, beyond which its texture coordinates go; it is repeated.",
-          object));
+      result_.warnings.push_back(
+          fmt::format("The texture of '{}' is to be held or mirrored at its border, beyond which its texture coordinates go; "
+                      "it is repeated.",
+                      object));
     const bool without_pictures = !of.has_uv && asks.textured;
     if (of.colours.empty() && !without_pictures) return material.look;
     auto look = std::make_shared<ModelLook>(asks.look);
@@ -191,8 +192,7 @@ class ObjectMaker {
     if (of.colours.empty()) return look;
     const bool textured = asks.textured && of.has_uv;
     const size_t vertices = of.mesh.vertices.size();
-    const std::string why =
-        apply_vertex_colours(of.mesh, of.colours, textured, !look->opaque && !asks.masked, *look);
+    const std::string why = apply_vertex_colours(of.mesh, of.colours, textured, !look->opaque && !asks.masked, *look);
     if (!why.empty())
       result_.warnings.push_back(fmt::format("The colours of the vertices of '{}' are not applied: {}.", object, why));
     if (of.mesh.vertices.size() != vertices) of.has_uv = true;  // its own patches

@@ -123,10 +123,11 @@ tinygltf::Model read_gltf_file(const std::filesystem::path& file, std::vector<st
   bool read = false;
   try {
     const auto length = static_cast<unsigned>(source.text.size());
-    read = source.text.starts_with("glTF")
-               ? reader.LoadBinaryFromMemory(&model, &error, &warning,
-                                             reinterpret_cast<const unsigned char*>(source.text.data()), length, folder.string())
-               : reader.LoadASCIIFromString(&model, &error, &warning, source.text.data(), length, folder.string());
+    read =
+        source.text.starts_with("glTF")
+            ? reader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(source.text.data()),
+                                          length, folder.string())
+            : reader.LoadASCIIFromString(&model, &error, &warning, source.text.data(), length, folder.string());
   } catch (const std::bad_alloc&) {
     error = "a part of it asks for more memory than there is";
   } catch (const std::exception&) {  // an empty buffer, and what else tinygltf's at() and resize() find

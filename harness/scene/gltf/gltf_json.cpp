@@ -116,9 +116,14 @@ void check_version(const Json& root, const std::string& subject) {
 constexpr std::array<std::string_view, 4> read_extensions = {"KHR_texture_transform", "KHR_mesh_quantization",
                                                              "KHR_lights_punctual", "EXT_texture_webp"};
 // Those that change no picture of the model at rest.
-constexpr std::array<std::string_view, 8> unseen_extensions = {
-    "KHR_xmp",                 "KHR_xmp_json_ld",         "KHR_materials_variants",     "KHR_animation_pointer",
-    "KHR_node_selectability",  "KHR_node_hoverability",   "KHR_interactivity",          "AGI_articulations"};
+constexpr std::array<std::string_view, 8> unseen_extensions = {"KHR_xmp",
+                                                               "KHR_xmp_json_ld",
+                                                               "KHR_materials_variants",
+                                                               "KHR_animation_pointer",
+                                                               "KHR_node_selectability",
+                                                               "KHR_node_hoverability",
+                                                               "KHR_interactivity",
+                                                               "AGI_articulations"};
 
 void check_extensions(Json& root, const std::string& subject, std::vector<std::string>& warnings) {
   for (const char* list : {"extensionsUsed", "extensionsRequired"}) {

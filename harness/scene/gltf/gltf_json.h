@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A glTF 2.0 file before it is parsed: its container (Khronos Group, "glTF 2.0 Specification", 2021, section 4.4), its JSON, and
-// of that what a scene uses. What is not used must not be able to refuse a model: animations, cameras and extensions that change
-// no picture are dropped here, and data URIs are brought into the one form that every parser reads.
+// A glTF 2.0 file before it is parsed: its container (Khronos Group, "glTF 2.0 Specification", 2021, section 4.4), its JSON,
+// and of that what a scene uses. What is not used must not be able to refuse a model: animations, cameras and extensions that
+// change no picture are dropped here, and data URIs are brought into the one form that every parser reads.
 #pragma once
 
 #include <filesystem>

@@ -9,7 +9,8 @@
 namespace lamina {
 namespace {
 
-// Up to this many texels on a side, NEAREST is kept by repeating texels: then only 1 / repetition of a texel's width is blended.
+// Up to this many texels on a side, NEAREST is kept by repeating texels: then only 1 / repetition of a texel's width is
+// blended.
 constexpr uint32_t nearest_side = 1024;
 
 Texels with_repeated_texels(const Texels& from, uint32_t times) {
@@ -78,8 +79,7 @@ Texels decode(const tinygltf::Model& model, const TextureInfo& info, bool srgb_c
   if (size_t(info.index) >= model.textures.size())
     refuse_gltf(subject, fmt::format("refers to texture {}; the file has {}", info.index, model.textures.size()));
   const tinygltf::Texture& texture = model.textures[size_t(info.index)];
-  if (texture.source < 0)
-    refuse_gltf(subject, "its texture names no picture in PNG, JPEG or WebP; export it as one of these");
+  if (texture.source < 0) refuse_gltf(subject, "its texture names no picture in PNG, JPEG or WebP; export it as one of these");
   Texels texels = decode_texels(encoded_picture(model, texture.source, subject), subject, srgb_colour);
   material.textured = true;
   if (texture.sampler >= 0 && size_t(texture.sampler) < model.samplers.size()) {
@@ -181,8 +181,8 @@ GltfMaterial read_material(const tinygltf::Model& model, int material, std::vect
     if (use == of_normal)
       look.normal = normal_map(model, from, look.name, result, warnings);
     else
-      warnings.push_back(fmt::format("The {}'s normal map has other texture coordinates than its base colour; it is left out.",
-                                     look.name));
+      warnings.push_back(
+          fmt::format("The {}'s normal map has other texture coordinates than its base colour; it is left out.", look.name));
   }
   result.uv_set = use.set;
   result.texture_from_uv = use.texture_from_uv;

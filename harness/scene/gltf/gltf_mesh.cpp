@@ -199,8 +199,7 @@ void pose_by_skin(const tinygltf::Model& model, const tinygltf::Primitive& primi
     if (glm::determinant(turned) == 0) continue;
     if (!normals.empty())
       put(normals, 3, glm::inverseTranspose(turned) * glm::dvec3(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]));
-    if (!tangents.empty())
-      put(tangents, 4, turned * glm::dvec3(tangents[4 * i], tangents[4 * i + 1], tangents[4 * i + 2]));
+    if (!tangents.empty()) put(tangents, 4, turned * glm::dvec3(tangents[4 * i], tangents[4 * i + 1], tangents[4 * i + 2]));
   }
 }
 
@@ -208,8 +207,8 @@ std::vector<glm::vec4> read_colours(const tinygltf::Model& model, const tinygltf
                                     const std::string& name) {
   const auto found = primitive.attributes.find("COLOR_0");
   if (found == primitive.attributes.end()) return {};
-  const bool has_alpha = size_t(found->second) < model.accessors.size() &&
-                         model.accessors[size_t(found->second)].type == TINYGLTF_TYPE_VEC4;
+  const bool has_alpha =
+      size_t(found->second) < model.accessors.size() && model.accessors[size_t(found->second)].type == TINYGLTF_TYPE_VEC4;
   const size_t width = has_alpha ? 4 : 3;
   const std::vector<double> values = read_attribute(model, primitive, "COLOR_0", int(width), name);
   if (values.size() != width * count)

@@ -14,12 +14,12 @@ namespace lamina {
 
 // How a primitive is used where it stands.
 struct PrimitiveUse {
-  std::string name;      // the mesh's, for messages
+  std::string name;  // the mesh's, for messages
   bool mirrored = false;
-  int uv_set = 0;                    // TEXCOORD_n of its textures; where the primitive has no such set, the first that it has
-  glm::dmat3 texture_from_uv{1};     // KHR_texture_transform
-  bool double_sided = false;         // an open surface gets a second one for its back
-  std::vector<double> morph_weights;        // of its targets; fewer: the rest is 0
+  int uv_set = 0;                     // TEXCOORD_n of its textures; where the primitive has no such set, the first that it has
+  glm::dmat3 texture_from_uv{1};      // KHR_texture_transform
+  bool double_sided = false;          // an open surface gets a second one for its back
+  std::vector<double> morph_weights;  // of its targets; fewer: the rest is 0
   std::vector<glm::dmat4> world_from_bind;  // of each joint; empty: it has no skin
 };
 

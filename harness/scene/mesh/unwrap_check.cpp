@@ -48,7 +48,8 @@ double share_without_texels(const Mesh& mesh) {
   for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     const Vertex *a = &mesh.vertices[mesh.indices[i]], *b = &mesh.vertices[mesh.indices[i + 1]],
                  *c = &mesh.vertices[mesh.indices[i + 2]];
-    const glm::dvec3 ab(glm::dvec3(b->position) - glm::dvec3(a->position)), ac(glm::dvec3(c->position) - glm::dvec3(a->position));
+    const glm::dvec3 ab(glm::dvec3(b->position) - glm::dvec3(a->position)),
+        ac(glm::dvec3(c->position) - glm::dvec3(a->position));
     const glm::dvec2 u(glm::dvec2(b->uv) - glm::dvec2(a->uv)), v(glm::dvec2(c->uv) - glm::dvec2(a->uv));
     areas.push_back({glm::length(glm::cross(ab, ac)), std::abs(u.x * v.y - u.y * v.x)});
     surface += areas.back().surface, unwrapped += areas.back().unwrapped;
@@ -69,8 +70,9 @@ std::string unwrap_problem(const Mesh& mesh) {
   if (bounds.low.x < -tolerance || bounds.low.y < -tolerance || bounds.high.x > 1 + tolerance || bounds.high.y > 1 + tolerance)
     return "texture coordinates cross the border of a tile; unwrap the mesh into one";
   if (const double share = share_without_texels(mesh); share > max_share_without_texels)
-    return fmt::format("texture coordinates have no area on {:.3g}% of its surface; unwrap the mesh so that every face has texels",
-                       100 * share);
+    return fmt::format(
+        "texture coordinates have no area on {:.3g}% of its surface; unwrap the mesh so that every face has texels",
+        100 * share);
   return "";
 }
 

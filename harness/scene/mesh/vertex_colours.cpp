@@ -15,7 +15,7 @@ namespace lamina {
 namespace {
 
 constexpr uint32_t least_side = 512, greatest_side = 2048;  // of a texture that colours are drawn into
-constexpr double most_shared = 0.02;                       // as unwrap_check.h warns from
+constexpr double most_shared = 0.02;                        // as unwrap_check.h warns from
 constexpr uint32_t atlas_side = 4096;
 // A patch of at least 2 texels between corners and one around, so that a linear filter stays inside it.
 constexpr uint32_t least_patch = 4, greatest_patch = 16;
@@ -25,7 +25,9 @@ bool all_equal(std::span<const glm::vec4> colours) {
 }
 
 // Twice the signed area of a triangle in the plane of texture coordinates.
-double doubled_uv_area(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+double doubled_uv_area(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
 // Texels that no triangle covers take the mean of covered neighbours, ring by ring, so that filters find nothing strange at the
 // borders of charts.
@@ -63,7 +65,8 @@ Texels over_unwrap(const Mesh& mesh, std::span<const glm::vec4> colours, uint32_
     if (area == 0) continue;
     for (const uint32_t texel : covered_texels(mesh, triangle, side)) {
       const glm::dvec2 at((texel % side + 0.5) / side, (texel / side + 0.5) / side);
-      const auto wb = static_cast<float>(doubled_uv_area(a, at, c) / area), wc = static_cast<float>(doubled_uv_area(a, b, at) / area);
+      const auto wb = static_cast<float>(doubled_uv_area(a, at, c) / area),
+                 wc = static_cast<float>(doubled_uv_area(a, b, at) / area);
       texels.rgba[texel] = (1 - wb - wc) * colours[corner[0]] + wb * colours[corner[1]] + wc * colours[corner[2]];
       known[texel] = 1;
     }
@@ -80,7 +83,8 @@ Texels in_patches(Mesh& mesh, std::span<const glm::vec4> colours, uint32_t colum
   for (size_t triangle = 0; triangle < mesh.indices.size() / 3; ++triangle) {
     const uint32_t* corner = &mesh.indices[3 * triangle];
     const glm::vec4 a = colours[corner[0]], b = colours[corner[1]] - a, c = colours[corner[2]] - a;
-    const auto left = static_cast<uint32_t>(triangle % columns) * patch, top = static_cast<uint32_t>(triangle / columns) * patch;
+    const auto left = static_cast<uint32_t>(triangle % columns) * patch,
+               top = static_cast<uint32_t>(triangle / columns) * patch;
     const auto between = static_cast<float>(patch - 3);  // texels from corner to corner, whose colours lie at texels' centres
     for (uint32_t y = 0; y < patch; ++y)
       for (uint32_t x = 0; x < patch; ++x)
