@@ -130,17 +130,18 @@ TEST_F(SweepTest, EveryPointIsThePictureThatItWouldBeAlone) {
   ASSERT_EQ(sweep("grid", grid).status, 0);
   const Record record = read_record(file("grid"));
   ASSERT_EQ(record.cells.size(), 4u * 3 * 2);
-  std::map<std::map<std::string, double>, std::vector<CellRow>> of_point;
-  for (const CellRow& cell : record.cells) of_point[cell.params].push_back(cell);
+  std::map<std::pair<double, double>, std::vector<CellRow>> of_point;  // by the light and the place
+  for (const CellRow& cell : record.cells)
+    of_point[{cell.params.at("lights.key.intensity"), cell.params.at("objects.square.position.x")}].push_back(cell);
   ASSERT_EQ(of_point.size(), 4u);
-  for (const auto& [params, cells] : of_point) {
-    const double light = params.at("lights.key.intensity"), place = params.at("objects.square.position.x");
+  for (const auto& [point, cells] : of_point) {
+    const auto& [light, place] = point;
     const std::string out = fmt::format("alone-{}-{}", light, place);
-    ASSERT_EQ(sweep(out,
-                    fmt::format("--set lights.key.intensity={} --set objects.square.position.x={} --fetches all", light, place),
-                    "--pictures none")
-                  .status,
-              0);
+    ASSERT_EQ(
+        sweep(out, fmt::format("--set lights.key.intensity={} --set objects.square.position.x={} --fetches all", light, place),
+              "--pictures none")
+            .status,
+        0);
     const Record alone = read_record(file(out));
     ASSERT_EQ(alone.cells.size(), cells.size()) << out;
     for (size_t i = 0; i < cells.size(); ++i) EXPECT_EQ(to_json(alone.cells[i]), to_json(cells[i])) << out;
