@@ -283,6 +283,7 @@ EffectRun::Drawn EffectRun::draw(Variant& variant, size_t view) {
 
 // `baseline` may be null: then there is nothing to hold the frame against.
 std::string EffectRun::why_no_picture_of(const CellRow& row, const JudgedFrame& frame, const Drawn* baseline) const {
+  if (!point_.judged) return "";
   if (row.nonfinite_pixels > 0) return why_not_finite(frame.picture);
   if (!baseline || nonfinite_pixels(baseline->picture) > 0) return "";
   return why_no_picture(frame, {baseline->picture, baseline->covered}, scene_.scene->background);

@@ -25,6 +25,7 @@ struct MeasuredPoint {
   std::map<std::string, double> params;      // what a sweep has set, by path, in the scene and in variants; empty: no sweep
   std::map<std::string, std::string> words;  // of these, those that take words
   bool timed = true, counted = true, pictured = true;
+  bool judged = true;  // whether a frame that is no picture fails its cell; a gate goes by its own limits
   std::string picture_suffix;  // tells the names of its pictures from those of other points
 };
 

@@ -24,7 +24,7 @@ void compare_exactly(GateProcess& process, TreePair& trees, const std::string& e
     std::filesystem::create_directories(only.out / images);
     EffectRun run(*process.backend, tree.library.effect(effect), tree.shaders.at(process.backend->info().api), only, images,
                   progress.tell());
-    run.start(process.scene_of(tree));
+    run.start(process.scene_of(tree), {.judged = false});
     run.prepare(), run.count(), run.score({.known = known});
     std::vector<CellRow> rows = run.rows();
     for (const CellRow& row : rows) emit({{"cell", to_json(row)}, {"side", side}});

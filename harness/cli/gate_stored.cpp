@@ -27,7 +27,7 @@ void measure_state(Tree& tree, const std::vector<const EffectManifest*>& effects
   for (const EffectManifest* effect : effects) {
     runs.push_back(std::make_unique<EffectRun>(*process.backend, *effect, shaders, options.compare, "images", progress.tell()));
     EffectRun& run = *runs.back();
-    run.start(process.scene_of(tree));
+    run.start(process.scene_of(tree), {.judged = false});
     run.prepare();
     if (!task.exact) continue;
     run.count(), run.score();

@@ -53,7 +53,7 @@ TEST_F(NotAPicture, FramesOfNoPictureFailAndAreNeverFast) {
   EXPECT_EQ(found, 9u);
   std::ifstream summary(out() / "summary.md");
   const std::string text{std::istreambuf_iterator<char>(summary), {}};
-  EXPECT_SAYS(text, "**one\\_colour** is not a picture on vulkan: it is one colour");
+  EXPECT_SAYS(text, "**one_colour** is not a picture on vulkan: it is one colour");
 }
 
 TEST_F(NotAPicture, ABaselineWithoutTexelsFailsByNameAndTheOthersGoOn) {
