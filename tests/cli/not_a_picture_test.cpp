@@ -22,7 +22,7 @@ class NotAPicture : public ProgramTest {
               main + " }\n");
   }
   Outcome compare(const std::string& scene) {
-    return lamina_program("compare " + scene + " --backend vulkan --size 64x64 --quick --budget 0.1 --truth-rays 0 --out " +
+    return lamina_program("compare " + scene + " --backend vulkan --size 64x64 --no-time --truth-rays 0 --out " +
                           out().string());
   }
 };
