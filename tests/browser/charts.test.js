@@ -110,10 +110,10 @@ test('every tick of a logarithmic axis has its number', async () => {
 
 test('the chart names what has no place on it', async () => {
   const page = await open(browser, 'compare');
-  assert.match(await page.locator('#pareto .caption').textContent(), /Without a place, .* not known: broken on osmesa\.$/);
+  assert.match(await page.locator('#pareto .caption').textContent(), /Without a place, .* not known: broken on osmesa \(failed\)\.$/);
   const two = await open(browser, 'two');
   assert.match(
-      await two.locator('#pareto .caption').textContent(), /not known: A: abc1234, broken on osmesa; B: def5678, broken/);
+      await two.locator('#pareto .caption').textContent(), /not known: A: abc1234, broken on osmesa \(failed\); B: def5678, broken/);
   await page.context().close();
   await two.context().close();
 });
