@@ -146,11 +146,15 @@ TEST(Engine, KnowsNoEffectByName) {
         path.find("/harness/scene/made/") != std::string::npos)
       continue;
     ++files;
+    const bool reads_gltf = path.find("/harness/scene/gltf/") != std::string::npos;
     std::istringstream text(read_file(entry.path(), "test"));
     size_t number = 0;
     for (std::string line; std::getline(text, line);) {
       ++number;
-      for (const std::string& word : anywhere) EXPECT_FALSE(holds_word(line, word)) << path << ":" << number << ": " << line;
+      for (const std::string& word : anywhere) {
+        if (reads_gltf && word == "\"skin\"") continue;  // glTF's own name for the joints of a mesh
+        EXPECT_FALSE(holds_word(line, word)) << path << ":" << number << ": " << line;
+      }
     }
   }
   EXPECT_GT(files, 100u);
