@@ -152,7 +152,11 @@ void fill_picture(CellRow& row, const Image& picture, const Mask& covered, const
 void fill_errors(CellRow& row, const Image& picture, const Image& baseline, const Mask& covered, const KeepPicture& keep) {
   if (row.nonfinite_pixels > 0 || nonfinite_pixels(baseline) > 0) return;
   if (count_on(covered) == 0) return;  // nothing of the effect is in this view
-  const ErrorReport report = measure_error(picture, baseline, covered);
+  fill_errors(row, measure_error(picture, baseline, covered), picture, baseline, keep);
+}
+
+void fill_errors(CellRow& row, const ErrorReport& report, const Image& picture, const Image& baseline,
+                 const KeepPicture& keep) {
   row.error_covered = report.covered;
   row.error_frame = report.frame;
   if (!keep) return;

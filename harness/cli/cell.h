@@ -41,6 +41,8 @@ void fill_picture(CellRow& row, const Image& picture, const Mask& covered, const
 // Its errors against the baseline's picture, over `covered` and the frame. None where either has a pixel that is not finite, or
 // the effect covers nothing.
 void fill_errors(CellRow& row, const Image& picture, const Image& baseline, const Mask& covered, const KeepPicture& keep);
+// The same of a report that is there.
+void fill_errors(CellRow& row, const ErrorReport& report, const Image& picture, const Image& baseline, const KeepPicture& keep);
 // Those of a row of the same picture, pixels and baseline: its figures, and its pictures of the difference where they lie.
 void copy_errors(CellRow& row, const CellRow& same);
 Mask either(const Mask& a, const Mask& b);

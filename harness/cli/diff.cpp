@@ -67,7 +67,7 @@ CellRow diff_cell(const std::string& name, bool baseline, const Image& picture, 
 }
 
 void write_diff_report(const DiffOptions& options, const std::string& typed, const Image& test, const Image& reference,
-                       const Mask& mask) {
+                       const Mask& mask, const ErrorReport& report) {
   make_run_folder("diff", options.out);
   RecordWriter record(options.out / "record.jsonl");
   nlohmann::ordered_json run = run_line(typed, {});
@@ -85,7 +85,7 @@ void write_diff_report(const DiffOptions& options, const std::string& typed, con
   };
   const CellRow first = diff_cell("reference", true, reference, mask, keep("reference"));
   CellRow second = diff_cell("test", false, test, mask, keep("test"));
-  fill_errors(second, test, reference, mask, keep("test"));
+  fill_errors(second, report, test, reference, keep("test"));
   record.append(to_json(first)), record.append(to_json(second));
   fmt::print("report: {}\n", write_reports(options.out).string());
 }
@@ -104,7 +104,7 @@ int run_diff(const DiffOptions& options, const std::string& typed) {
   if (const auto interior = ssim_interior(to_display(test), to_display(reference)))
     fmt::print("SSIM without the {} pixels at the border, as tools report that leave them out: {:.6f}\n", ssim_border_px,
                *interior);
-  if (!options.out.empty()) write_diff_report(options, typed, test, reference, mask);
+  if (!options.out.empty()) write_diff_report(options, typed, test, reference, mask, report);
   return 0;
 }
 

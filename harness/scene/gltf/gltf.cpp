@@ -12,6 +12,7 @@
 #include "harness/scene/gltf/gltf_file.h"
 #include "harness/scene/gltf/gltf_material.h"
 #include "harness/scene/gltf/gltf_mesh.h"
+#include "harness/scene/mesh/unwrap_check.h"
 #include "harness/scene/mesh/vertex_colours.h"
 
 namespace lamina {
@@ -160,7 +161,7 @@ class ObjectMaker {
 
  private:
   struct Material {
-    GltfMaterial asks;
+    GltfMaterial asks;  // its look has moved to the one beside
     std::shared_ptr<const ModelLook> look;
   };
 
@@ -168,7 +169,7 @@ class ObjectMaker {
     const auto known = materials_.find(index);
     if (known != materials_.end()) return known->second;
     Material material{read_material(model_, index, result_.warnings), nullptr};
-    material.look = std::make_shared<const ModelLook>(material.asks.look);
+    material.look = std::make_shared<const ModelLook>(std::move(material.asks.look));
     return materials_.emplace(index, std::move(material)).first->second;
   }
 
@@ -182,7 +183,7 @@ class ObjectMaker {
                       object));
     const bool without_pictures = !of.has_uv && asks.textured;
     if (of.colours.empty() && !without_pictures) return material.look;
-    auto look = std::make_shared<ModelLook>(asks.look);
+    auto look = std::make_shared<ModelLook>(*material.look);
     look->made.clear();
     if (without_pictures) {
       look->base_colour = Texels{1, 1, {asks.factor}};
@@ -200,9 +201,8 @@ class ObjectMaker {
   }
 
   static bool leaves_unit_square(const Mesh& mesh) {
-    constexpr float tolerance = 1e-3f;  // as unwrap_check.cpp's
     return std::ranges::any_of(mesh.vertices, [](const Vertex& v) {
-      return v.uv.x < -tolerance || v.uv.y < -tolerance || v.uv.x > 1 + tolerance || v.uv.y > 1 + tolerance;
+      return v.uv.x < -tile_tolerance || v.uv.y < -tile_tolerance || v.uv.x > 1 + tile_tolerance || v.uv.y > 1 + tile_tolerance;
     });
   }
 

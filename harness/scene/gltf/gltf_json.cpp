@@ -59,7 +59,7 @@ Container container_of(std::string_view bytes, const std::string& subject) {
 
 // Parsers read nested values by recursion; a hostile file must not end the process by exhausting its stack.
 void refuse_deep_nesting(std::string_view json, const std::string& subject) {
-  constexpr int deepest = 200;  // glTF itself needs about ten levels
+  constexpr int max_depth = 200;  // glTF itself needs about ten levels
   int depth = 0;
   bool in_string = false;
   for (size_t i = 0; i < json.size(); ++i) {
@@ -70,7 +70,7 @@ void refuse_deep_nesting(std::string_view json, const std::string& subject) {
     } else if (c == '"') {
       in_string = true;
     } else if (c == '{' || c == '[') {
-      if (++depth > deepest) refuse_gltf(subject, fmt::format("its JSON is nested deeper than {} levels", deepest));
+      if (++depth > max_depth) refuse_gltf(subject, fmt::format("its JSON is nested deeper than {} levels", max_depth));
     } else if (c == '}' || c == ']') {
       --depth;
     }
@@ -218,8 +218,13 @@ std::string decoded_path(const std::string& uri) {
   return path;
 }
 
+void refuse_folder(const std::filesystem::path& file, const std::string& uri, const std::string& about) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) refuse_gltf(about, fmt::format("its file '{}' is a folder", uri));
+}
+
 // A file beside the model that must be there to be read.
-void check_file(const Json& holder, const std::filesystem::path& folder, const std::string& about, const char* what) {
+void check_file(const Json& holder, const std::filesystem::path& folder, const std::string& about) {
   const auto uri = holder.find("uri");
   if (uri == holder.end()) return;
   if (!uri->is_string()) refuse_gltf(about, "its 'uri' is not text");
@@ -229,10 +234,10 @@ void check_file(const Json& holder, const std::filesystem::path& folder, const s
   bool found = false;
   for (const std::string& name : {text, decoded_path(text)}) {
     const std::filesystem::path file = folder / name;
-    if (std::filesystem::is_directory(file, error)) refuse_gltf(about, fmt::format("its {} '{}' is a folder", what, text));
+    refuse_folder(file, text, about);
     found = found || std::filesystem::exists(file, error);
   }
-  if (!found) refuse_gltf(about, fmt::format("its {} '{}' cannot be found beside the model", what, text));
+  if (!found) refuse_gltf(about, fmt::format("its file '{}' cannot be found beside the model", text));
 }
 
 void settle_uris(Json& root, const std::string& subject, const std::filesystem::path& folder, bool has_binary) {
@@ -243,7 +248,7 @@ void settle_uris(Json& root, const std::string& subject, const std::filesystem::
       const auto bytes = buffer.find("byteLength");
       if (bytes == buffer.end() || !bytes->is_number_unsigned()) refuse_gltf(about, "has no 'byteLength' as a whole number");
       make_plain_data_uri(buffer, "application/octet-stream", about);
-      check_file(buffer, folder, about, "file");
+      check_file(buffer, folder, about);
       // Without a uri it is the binary chunk, which must then hold it.
       if (!buffer.contains("uri") && (i > 0 || !has_binary))
         refuse_gltf(about, "has no 'uri', and the file has no binary chunk for it");
@@ -252,9 +257,9 @@ void settle_uris(Json& root, const std::string& subject, const std::filesystem::
     for (size_t i = 0; i < images->size(); ++i) {
       const std::string about = fmt::format("{}: picture {}", subject, i);
       make_plain_data_uri((*images)[i], "image/png", about);
-      if ((*images)[i].contains("uri") && (*images)[i]["uri"].is_string() &&
-          std::filesystem::is_directory(folder / (*images)[i]["uri"].get<std::string>()))
-        refuse_gltf(about, fmt::format("its file '{}' is a folder", (*images)[i]["uri"].get<std::string>()));
+      const auto uri = (*images)[i].find("uri");
+      if (uri != (*images)[i].end() && uri->is_string())
+        refuse_folder(folder / uri->get<std::string>(), uri->get<std::string>(), about);
     }
   // EXT_texture_webp: the picture in WebP stands beside one in PNG or JPEG, or in its place.
   if (Json* textures = list_of(root, "textures", subject))

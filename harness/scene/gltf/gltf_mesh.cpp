@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
-#include <numeric>
-#include <tuple>
 
 #include "harness/core/error.h"
 #include "harness/scene/gltf/gltf_file.h"
+#include "harness/scene/mesh/hull_check.h"
 #include "harness/scene/mesh/tangents.h"
 
 namespace lamina {
@@ -220,27 +219,6 @@ std::vector<glm::vec4> read_colours(const tinygltf::Model& model, const tinygltf
   return colours;
 }
 
-// Whether some edge belongs to one triangle alone: only then can backs be seen from outside. Vertices at one place are one.
-bool is_open(const Mesh& mesh) {
-  const auto key = [&](uint32_t vertex) {
-    const glm::vec3& p = mesh.vertices[vertex].position;
-    return std::tuple(p.x, p.y, p.z);
-  };
-  std::vector<uint32_t> order(mesh.vertices.size()), place(order.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::ranges::sort(order, {}, key);
-  for (size_t i = 0; i < order.size(); ++i)
-    place[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? place[order[i - 1]] : static_cast<uint32_t>(i);
-  std::vector<std::pair<uint32_t, uint32_t>> edges;
-  for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
-    for (size_t c = 0; c < 3; ++c)
-      edges.emplace_back(std::minmax(place[mesh.indices[i + c]], place[mesh.indices[i + (c + 1) % 3]]));
-  std::ranges::sort(edges);
-  for (size_t i = 0; i < edges.size(); ++i)
-    if ((i == 0 || edges[i] != edges[i - 1]) && (i + 1 == edges.size() || edges[i] != edges[i + 1])) return true;
-  return false;
-}
-
 // The back of a double-sided surface, with its normals turned (section 3.9.6).
 void add_back(GltfMesh& from) {
   Mesh& mesh = from.mesh;
@@ -319,7 +297,7 @@ std::optional<GltfMesh> mesh_from_primitive(const tinygltf::Model& model, const 
   drop_unused_vertices(result);
   if (!has_tangents) compute_tangents(mesh);
   if (use.mirrored) mirror_in_x(mesh);
-  if (use.double_sided && is_open(mesh)) add_back(result);
+  if (use.double_sided && has_open_edge(mesh)) add_back(result);
   return result;
 }
 

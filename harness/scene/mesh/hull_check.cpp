@@ -45,6 +45,7 @@ std::vector<uint32_t> places_of(const std::vector<Vertex>& vertices) {
 struct Faces {
   uint32_t up = 0, down = 0;
 };
+using FacesAtEdges = std::unordered_map<uint64_t, Faces, HashEdge>;
 uint64_t edge_between(uint32_t a, uint32_t b) { return uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
 
 // Calls visit(from, to) for each edge of each triangle of three different corners.
@@ -55,6 +56,16 @@ void for_each_edge(const Mesh& mesh, const std::vector<uint32_t>& places, const 
     if (a == b || b == c || c == a) continue;
     visit(a, b), visit(b, c), visit(c, a);
   }
+}
+
+FacesAtEdges faces_at_edges(const Mesh& mesh, const std::vector<uint32_t>& places) {
+  FacesAtEdges faces;
+  faces.reserve(mesh.indices.size() / 2);  // a closed mesh has three edges for two triangles
+  for_each_edge(mesh, places, [&](uint32_t from, uint32_t to) {
+    Faces& at_edge = faces[edge_between(from, to)];
+    ++(from < to ? at_edge.up : at_edge.down);
+  });
+  return faces;
 }
 
 std::string problem_at(glm::vec3 from, glm::vec3 to, uint32_t along, uint32_t against) {
@@ -74,12 +85,7 @@ std::string problem_at(glm::vec3 from, glm::vec3 to, uint32_t along, uint32_t ag
 std::optional<std::string> hull_problem(const Mesh& mesh) {
   if (mesh.indices.size() < 3) return "has no triangles";
   const std::vector<uint32_t> places = places_of(mesh.vertices);
-  std::unordered_map<uint64_t, Faces, HashEdge> faces;
-  faces.reserve(mesh.indices.size() / 2);  // a closed mesh has three edges for two triangles
-  for_each_edge(mesh, places, [&](uint32_t from, uint32_t to) {
-    Faces& at_edge = faces[edge_between(from, to)];
-    ++(from < to ? at_edge.up : at_edge.down);
-  });
+  const FacesAtEdges faces = faces_at_edges(mesh, places);
   if (faces.empty()) return "has no triangle of three different corners";
 
   std::optional<std::string> problem;
@@ -93,6 +99,11 @@ std::optional<std::string> hull_problem(const Mesh& mesh) {
                          std::max(at_edge.up, at_edge.down), std::min(at_edge.up, at_edge.down));
   });
   return problem;
+}
+
+bool has_open_edge(const Mesh& mesh) {
+  return std::ranges::any_of(faces_at_edges(mesh, places_of(mesh.vertices)),
+                             [](const auto& edge) { return edge.second.up + edge.second.down == 1; });
 }
 
 }  // namespace lamina

@@ -16,4 +16,7 @@ namespace lamina {
 // mesh may touch at edges, and may be turned inside out: those are holes, of negative volume. Time is linear in the triangles.
 std::optional<std::string> hull_problem(const Mesh& mesh);
 
+// Whether some edge belongs to one triangle alone: only then can backs be seen from outside. Vertices and triangles as above.
+bool has_open_edge(const Mesh& mesh);
+
 }  // namespace lamina

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/scene/mesh/triangle_areas.h"
 #include "harness/scene/mesh/uv_raster.h"
 
 namespace lamina {
 namespace {
 
-constexpr float tolerance = 1e-3f;  // of a tile; exporters round borders, and a texel of a 1024 texture is as wide
-constexpr double worrying_overlap = 0.02;
+constexpr float tolerance = tile_tolerance;
 
 struct Bounds {
   glm::vec2 low{INFINITY}, high{-INFINITY};
@@ -39,25 +39,17 @@ void move_to_unit_tile(Mesh& mesh) {
 }
 
 double share_without_texels(const Mesh& mesh) {
-  constexpr double least_of_even = 1e-4;
-  struct Areas {
-    double surface, unwrapped;
-  };
-  std::vector<Areas> areas;
+  constexpr double min_of_even = 1e-4;
+  std::vector<TriangleAreas> areas;
   double surface = 0, unwrapped = 0;
-  for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const Vertex *a = &mesh.vertices[mesh.indices[i]], *b = &mesh.vertices[mesh.indices[i + 1]],
-                 *c = &mesh.vertices[mesh.indices[i + 2]];
-    const glm::dvec3 ab(glm::dvec3(b->position) - glm::dvec3(a->position)),
-        ac(glm::dvec3(c->position) - glm::dvec3(a->position));
-    const glm::dvec2 u(glm::dvec2(b->uv) - glm::dvec2(a->uv)), v(glm::dvec2(c->uv) - glm::dvec2(a->uv));
-    areas.push_back({glm::length(glm::cross(ab, ac)), std::abs(u.x * v.y - u.y * v.x)});
+  for (size_t i = 0; i < mesh.indices.size() / 3; ++i) {
+    areas.push_back(doubled_areas(mesh, i));
     surface += areas.back().surface, unwrapped += areas.back().unwrapped;
   }
   if (!(unwrapped > 0)) return 1;
   double without = 0;
-  for (const Areas& triangle : areas)
-    if (triangle.unwrapped * surface < least_of_even * triangle.surface * unwrapped) without += triangle.surface;
+  for (const TriangleAreas& triangle : areas)
+    if (triangle.unwrapped * surface < min_of_even * triangle.surface * unwrapped) without += triangle.surface;
   return surface > 0 ? without / surface : 0;
 }
 

@@ -9,6 +9,11 @@
 
 namespace lamina {
 
+// Of a tile: exporters round borders, and a texel of a 1024 texture is as wide.
+inline constexpr float tile_tolerance = 1e-3f;
+// The overlap_fraction() above which a map over the unwrap is warned of, or not made.
+inline constexpr double worrying_overlap = 0.02;
+
 // Moves texture coordinates by whole tiles, the same for all vertices, so that they lie in the unit square where they span no
 // more than that.
 void move_to_unit_tile(Mesh& mesh);
@@ -26,7 +31,7 @@ std::string unwrap_problem(const Mesh& mesh);
 // 512 texels at their centres, with the top-left rule, so that neighbours in the unwrap share no texel.
 double overlap_fraction(const Mesh& mesh);
 
-// Sets unwrap_problem after moving to the unit tile; warns of an overlap above 2%.
+// Sets unwrap_problem after moving to the unit tile; warns of an overlap above worrying_overlap.
 void settle_unwrap(Object& object, std::vector<std::string>& warnings);
 
 }  // namespace lamina

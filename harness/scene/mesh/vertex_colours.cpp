@@ -14,11 +14,10 @@
 namespace lamina {
 namespace {
 
-constexpr uint32_t least_side = 512, greatest_side = 2048;  // of a texture that colours are drawn into
-constexpr double most_shared = 0.02;                        // as unwrap_check.h warns from
+constexpr uint32_t min_side = 512, max_side = 2048;  // of a texture that colours are drawn into
 constexpr uint32_t atlas_side = 4096;
 // A patch of at least 2 texels between corners and one around, so that a linear filter stays inside it.
-constexpr uint32_t least_patch = 4, greatest_patch = 16;
+constexpr uint32_t min_patch = 4, max_patch = 16;
 
 bool all_equal(std::span<const glm::vec4> colours) {
   return std::ranges::all_of(colours, [&](const glm::vec4& colour) { return colour == colours.front(); });
@@ -119,16 +118,16 @@ std::string apply_vertex_colours(Mesh& mesh, std::span<const glm::vec4> colours,
   Mesh moved = mesh;
   move_to_unit_tile(moved);
   Texels drawn;
-  if (unwrap_problem(moved).empty() && overlap_fraction(moved) <= most_shared) {
-    const uint32_t side = std::clamp(std::max(look.base_colour.width, look.base_colour.height), least_side, greatest_side);
+  if (unwrap_problem(moved).empty() && overlap_fraction(moved) <= worrying_overlap) {
+    const uint32_t side = std::clamp(std::max(look.base_colour.width, look.base_colour.height), min_side, max_side);
     drawn = over_unwrap(moved, colours, side);
   } else if (textured) {
     return "its textures use texels for several places, which colours of vertices would tell apart";
   } else {
     const size_t triangles = mesh.indices.size() / 3;
     const auto columns = static_cast<uint32_t>(std::ceil(std::sqrt(double(triangles))));
-    const uint32_t patch = std::min(greatest_patch, atlas_side / std::max(columns, 1u));
-    if (patch < least_patch)
+    const uint32_t patch = std::min(max_patch, atlas_side / std::max(columns, 1u));
+    if (patch < min_patch)
       return fmt::format("{} triangles are too many for a texture of {} texels a side", triangles, atlas_side);
     drawn = in_patches(mesh, colours, columns, patch);
   }
