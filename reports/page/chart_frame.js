@@ -53,6 +53,11 @@ function draw_plot(place, title, options, most = 560) {
 // A place for a plot in a grid.
 const plot_place = grid => grid.appendChild(element('div', {className: 'plot'}));
 
+// Full where it is worth having, half where it is not told apart from a closer one, hollow else.
+const dot_fill = point => point.frontier ? 'var(--accent)' :
+    point.not_told                       ? 'color-mix(in srgb, var(--accent) 45%, var(--page))' :
+                                           'var(--page)';
+
 // Writes each name where it covers no dot, no interval, no line and no other name: to the right if it can, else around the dot;
 // a thin line leads to a name that stands away from its dot.
 function name_points(svg, points) {

@@ -34,9 +34,7 @@ for (const figure of document.querySelectorAll('figure.chart')) {
           y: 'y',
           r: 4.5,
           stroke: 'var(--accent)',
-          fill: p => p.frontier ? 'var(--accent)' :
-              p.not_told        ? 'color-mix(in srgb, var(--accent) 45%, var(--page))' :
-                                  'var(--page)',
+          fill: dot_fill,
           tip: true,
           title: words,
         }),

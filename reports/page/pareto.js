@@ -142,9 +142,7 @@ if (page && section_of('pareto')) {
           y: 'y',
           r: 5,
           stroke: 'var(--accent)',
-          fill: p => p.frontier ? 'var(--accent)' :
-              p.not_told        ? 'color-mix(in srgb, var(--accent) 45%, var(--page))' :
-                                  'var(--page)',
+          fill: dot_fill,
           strokeOpacity: p => p.one.beyond_limit && !p.frontier ? 0.35 : 1,
           title: words_of,
           tip: true,

@@ -54,12 +54,12 @@ if (page) {
       const labels = unique(costs.map(p => p.label));
       // Where passes of the same kind of work pay very different prices, fetches are not what costs there.
       const max_price_ratio = 4;
-      const [least, most] = d3.extent(costs, p => p.ns_per_fetch);
-      if (costs.length && most > max_price_ratio * least)
+      const [min, max] = d3.extent(costs, p => p.ns_per_fetch);
+      if (costs.length && max > max_price_ratio * min)
         all.append(element('p', {
           className: 'note',
-          textContent: `Fetches are not what costs here: a pass takes from ${digits(least)} to ${
-              digits(most)} ns for each of its fetches, so their price is not drawn.`
+          textContent: `Fetches are not what costs here: a pass takes from ${digits(min)} to ${
+              digits(max)} ns for each of its fetches, so their price is not drawn.`
         }));
       else if (costs.length)
         draw_plot(plot_place(grid), 'What a fetch costs, all of its pass counted in', {
