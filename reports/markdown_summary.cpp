@@ -101,8 +101,9 @@ std::string markdown_summary(const Record& record) {
   for (const Headline& headline : worth_having(rows))
     text += fmt::format("- **{}**: {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
   for (const std::string& line : gate_lines(record)) text += fmt::format("- {}\n", escaped_markdown(line));
-  for (const Headline& headline : headlines(rows))
+  for (const Headline& headline : failure_headlines(rows))
     text += fmt::format("- **{}** {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
+  for (const Table& table : choices_tables(rows)) text += "\n" + markdown_table(table, "## ");
   text += sweep_section(record);
   if (!rows.empty()) text += summary_section(rows);
   text += gate_section(record);

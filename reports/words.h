@@ -33,11 +33,14 @@ std::string title_of(const Record& record);
 // What makes the figures worth less, one sentence each: a build that is not release, a record cut short, a timer that cannot be
 // believed, the run's own warnings.
 std::vector<std::string> warnings_of(const Record& record);
-// One sentence a variant, with numbers: how much faster on each backend, at what loss.
 struct Headline {
   std::string variant, words;
 };
-std::vector<Headline> headlines(const std::vector<SummaryRow>& rows);
+// What failed, and why, a sentence a variant.
+std::vector<Headline> failure_headlines(const std::vector<SummaryRow>& rows);
+// The variants worth having as worth_having() finds them, from the closest to the cheapest, with what each costs and loses: a
+// table an effect and reference, grouped by backend. None for an effect with fewer than two on every backend.
+std::vector<Table> choices_tables(const std::vector<SummaryRow>& rows);
 // A paragraph an effect and reference (baseline, truth): the variants worth having, the dominated ones, those not told apart
 // and those beyond a limit, by time (by fetches where nothing is timed) and mean SSIM; `variant` holds the effect's name. None
 // for an effect with nothing to weigh.

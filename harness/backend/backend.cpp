@@ -27,14 +27,9 @@ std::unique_ptr<Backend> open_backend(std::string_view name, const BackendOption
   return name == "vulkan" ? open_vulkan(options) : open_opengl(name, options);
 }
 
-std::vector<RefusedDevice> list_refused_devices(std::string_view name) {
+DeviceSurvey survey_devices(std::string_view name) {
   check_name(name);
-  return name == "vulkan" ? list_refused_vulkan_devices() : list_refused_opengl_devices(name);
-}
-
-std::vector<DeviceInfo> list_devices(std::string_view name) {
-  check_name(name);
-  return name == "vulkan" ? list_vulkan_devices() : list_opengl_devices(name);
+  return name == "vulkan" ? survey_vulkan_devices() : survey_opengl_devices(name);
 }
 
 }  // namespace lamina

@@ -224,17 +224,20 @@ class Backend {
 };
 
 struct BackendOptions {
-  std::string device;  // part of one device's name, or its index in list_devices(); empty: the default (docs/figures.md)
+  std::string device;  // part of one device's name, or its index in survey_devices(); empty: the default (docs/figures.md)
   bool validation =
       false;  // Vulkan's validation layers / an OpenGL debug context. Error(no_device) where they are not installed.
 };
 
 // `name` is "vulkan", "osmesa" or "egl"; another throws Error(bad_input) naming the three.
 std::unique_ptr<Backend> open_backend(std::string_view name, const BackendOptions& options = {});
-// Every device a backend could open, in its own order; empty where it has none.
-std::vector<DeviceInfo> list_devices(std::string_view backend);
-// The others, and why; empty where a driver tells nothing of them.
-std::vector<RefusedDevice> list_refused_devices(std::string_view backend);
+// What a backend finds on this machine.
+struct DeviceSurvey {
+  std::vector<DeviceInfo> usable;      // every device it could open, in its own order
+  std::vector<RefusedDevice> refused;  // the others, and why; empty where a driver tells nothing of them
+};
+
+DeviceSurvey survey_devices(std::string_view backend);
 // The backends compiled in, in the order in which they run.
 std::span<const std::string_view> backend_names();
 

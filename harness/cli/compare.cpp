@@ -10,8 +10,8 @@
 #include "harness/cli/devices.h"
 #include "harness/cli/effect_run.h"
 #include "harness/cli/run_line.h"
-#include "harness/cli/stop_signals.h"
 #include "harness/cli/watch.h"
+#include "harness/core/stop_signals.h"
 #include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
 #include "harness/measure/timer_certificate.h"
@@ -72,9 +72,6 @@ struct WallTimes {
   }
 };
 
-// Thrown where Ctrl-C is heeded; no std::exception, so that it is nobody's failure.
-struct StopRequested {};
-
 // What is known of an effect whose measuring was stopped before the end: cells that have their picture.
 void append_rows_so_far(const EffectRun& run, RecordWriter& record) {
   for (CellRow& row : run.rows()) {
@@ -106,11 +103,7 @@ size_t run_backend(const std::string& name, const Scene& scene, const Library& l
   ShaderCache shaders(backend->info().api, library.shaders);
   while (!effects.empty()) {
     const EffectManifest* effect = effects.front();
-    const Tell tell = [told = progress.tell()](double fraction, const std::string& what) {
-      if (StopSignals::stopped_by() != 0) throw StopRequested();
-      told(fraction, what);
-    };
-    EffectRun run(*backend, *effect, shaders, options, "images", tell);
+    EffectRun run(*backend, *effect, shaders, options, "images", progress.tell_or_stop());
     run.start(there, {.timed = timed});
     RoundsResult rounds;
     try {
@@ -199,7 +192,7 @@ int run_compare(const CompareOptions& options) {
 
   CompareOptions stoppable = options;
   stoppable.rounds.stop = [] { return StopSignals::stopped_by() != 0; };
-  const StopSignals signals("\nlamina: writing the report of what is measured; a second Ctrl-C stops at once\n");
+  const StopSignals signals(report_on_stop);
   size_t messages = 0;
   for (const ProbedBackend& backend : backends) {
     if (StopSignals::stopped_by() != 0) break;

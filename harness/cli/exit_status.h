@@ -14,6 +14,6 @@ inline constexpr std::array<std::pair<int, const char*>, 6> exit_statuses = {
      {usage_status, "Bad input or usage."},
      {3, "A gate could not decide."},
      {4, "No usable device."},
-     {130, "Ctrl-C stopped a sweep."}}};
+     {130, "Ctrl-C stopped a run; what was measured until then is in its report."}}};
 
 }  // namespace lamina

@@ -48,8 +48,13 @@ int run_against(GateOptions options, const Stopwatch& watch) {
   options.side_by_side = can_run_side_by_side(devices);
 
   RecordWriter record = begin_record(options.compare.out, gate_run_line(options, scene, devices), scene, trees.after);
+  const StopSignals signals(report_on_stop);
   const GateMeasurements measured = measure_trees(trees, options, limits, watch);
-  const GateResult result = judge_trees(trees, measured, options, limits);
+  GateResult result;
+  if (StopSignals::stopped_by() == 0)
+    result = judge_trees(trees, measured, options, limits);
+  else
+    result.rows.push_back(stopped_row());
   const GateOutcome outcome = outcome_of(result.rows);
   for (const TimerRow& timer : measured.timers) record.append(to_json(timer));
   for (const CellRow& cell : measured.cells_after) record.append(to_json(with_picture_before(cell, measured.cells_before)));
@@ -111,7 +116,14 @@ int finish_gate(const std::filesystem::path& out) {
   write_reports(out);
   fmt::print("{}\nreport: {}\n", gate_table(written, ::isatty(STDOUT_FILENO) == 1), (out / "index.html").string());
   announce_on_github(written);
-  return written.gates.front().status;
+  return StopSignals::stopped_by() != 0 ? 128 + StopSignals::stopped_by() : written.gates.front().status;
+}
+
+VerdictRow stopped_row() {
+  VerdictRow row;
+  row.what = "stopped", row.verdict = Verdict::ambiguous;
+  row.sentence = "stopped before everything was measured, so nothing is judged; the record holds what was measured";
+  return row;
 }
 
 namespace {

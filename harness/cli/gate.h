@@ -8,6 +8,7 @@
 
 #include "harness/cli/common.h"
 #include "harness/cli/devices.h"
+#include "harness/core/stop_signals.h"
 #include "harness/core/stopwatch.h"
 #include "harness/gate/child.h"
 #include "harness/gate/exact_verdicts.h"
@@ -119,6 +120,9 @@ VerdictRow judge_timer(const TimerRow& timer);
 // The devices of the backends. Throws Error(no_device) where one of them does not open.
 std::vector<DeviceInfo> probe_devices(const GateOptions& options);
 
+// The verdict of a gate that a signal has stopped: what is not measured is not judged.
+VerdictRow stopped_row();
+
 // The run's line. Its budget and precision of rounds are the defaults: a gate's processes stop by other rules.
 nlohmann::ordered_json gate_run_line(const GateOptions& options, const Scene& scene, const std::vector<DeviceInfo>& devices);
 
@@ -136,7 +140,8 @@ int run_against_record(GateOptions options, const Stopwatch& watch);
 
 // The record in `out`, with the lines that say what is run and of which state; pictures of an earlier run are gone.
 RecordWriter begin_record(const std::filesystem::path& out, const nlohmann::ordered_json& run, const Scene& scene, Tree& tree);
-// Reports from the record in `out`; prints the table. Returns the exit status that the record holds.
+// Reports from the record in `out`; prints the table. Returns the exit status that the record holds, or the signal's that has
+// stopped the gate.
 int finish_gate(const std::filesystem::path& out);
 
 }  // namespace lamina

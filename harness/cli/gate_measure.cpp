@@ -23,7 +23,7 @@ void compare_exactly(GateProcess& process, TreePair& trees, const std::string& e
     const std::string images = fmt::format("images/{}", side);
     std::filesystem::create_directories(only.out / images);
     EffectRun run(*process.backend, tree.library.effect(effect), tree.shaders.at(process.backend->info().api), only, images,
-                  progress.tell());
+                  progress.tell_or_stop());
     run.start(process.scene_of(tree), {.judged = false});
     run.prepare(), run.count(), run.score({.known = known});
     std::vector<CellRow> rows = run.rows();
@@ -79,7 +79,10 @@ void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOpt
     for (const VariantPair& pair : trees.variants)
       if (pair.after) effects.insert(pair.after->effect);
     Progress progress(task.backend + ", counts and pictures");
-    for (const std::string& effect : effects) compare_exactly(process, trees, effect, limits, progress, emit);
+    try {
+      for (const std::string& effect : effects) compare_exactly(process, trees, effect, limits, progress, emit);
+    } catch (const StopRequested&) {  // the effects before it are handed over
+    }
   } else if (process.certified) {
     time_pairs(process, trees, limits, emit);
   }

@@ -81,7 +81,8 @@ void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const Enou
       for (TimedFrames* timed : unsure) timed->paired->run_round(process.random);
     }
     const double further_s = whole_frame.elapsed_s();
-    std::erase_if(unsure, [&](const TimedFrames* timed) { return enough(*timed, further_s); });
+    std::erase_if(unsure,
+                  [&](const TimedFrames* timed) { return StopSignals::stopped_by() != 0 || enough(*timed, further_s); });
   }
   process.rounds_s += watch.elapsed_s();
 }
@@ -117,18 +118,19 @@ GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatc
       if (!options.side_by_side || i + 1 == backends.size()) run_beside(tasks), tasks.clear();
     }
   };
+  const auto stopped = [] { return StopSignals::stopped_by() != 0; };
   run_on(options.compare.backends, true, 1);
-  if (fails && fails(measured)) return measured;
+  if (stopped() || (fails && fails(measured))) return measured;
   double min_process_s = std::numeric_limits<double>::infinity();  // on all backends
   // Two processes tell how far processes differ. Against a record all are needed: they share the rounds that give an interval.
   const size_t least = undecided ? std::min<size_t>(2, options.processes) : options.processes;
-  for (; options.times && measured.processes < options.processes; ++measured.processes) {
+  for (; options.times && !stopped() && measured.processes < options.processes; ++measured.processes) {
     const double begin_s = watch.elapsed_s();
     if (measured.processes >= least && begin_s + min_process_s > options.budget_s) break;
     run_on(options.compare.backends, false, options.processes - measured.processes);
     min_process_s = std::min(min_process_s, watch.elapsed_s() - begin_s);
   }
-  while (options.times && undecided && !measured.pairs.empty()) {
+  while (options.times && !stopped() && undecided && !measured.pairs.empty()) {
     std::vector<std::string> backends;
     for (const std::string& backend : undecided(measured.pairs))
       if (!broken.contains(backend)) backends.push_back(backend);

@@ -72,7 +72,7 @@ std::vector<PairsRow> rows_of(const std::vector<TimedFrames>& all, const GatePro
 // Whether these have been timed for long enough; a further whole frame of all that are timed would take about `further_s`.
 using Enough = std::function<bool(const TimedFrames&, double further_s)>;
 // Times rounds of all of them in shuffled order, of each until `enough` says so of it, asked after every whole frame. Cuts the
-// frames on the first call; later ones begin anew.
+// frames on the first call; later ones begin anew. A signal to stop ends the rounds after a whole frame.
 void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const Enough& enough, const PieceOptions& pieces = {});
 
 // Whether these may stop: the error of each of their ratios is less than a third of its margin. Three processes, pooled and at
@@ -82,7 +82,8 @@ bool precise_enough(const TimedFrames& timed, const GateProcess& process, const 
 // Runs `work` in children: one on every backend for counts and pictures; if options.times, and these do not fail the gate by
 // `fails`, options.processes that time, each with its share of the budget, or fewer where the budget ends before; then, while
 // `undecided` names backends and there is time for as short a process as has been, more of them there. Backends take turns, or
-// run side by side where the options say so. One on which a process fails is left alone after it.
+// run side by side where the options say so. One on which a process fails is left alone after it. A signal to stop ends what
+// runs, and no more is run.
 GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatch& watch,
                                       const std::function<void(const GateTask&, const EmitLine&)>& work,
                                       const std::function<bool(const GateMeasurements&)>& fails,

@@ -24,14 +24,19 @@ void measure_state(Tree& tree, const std::vector<const EffectManifest*>& effects
   ShaderCache& shaders = tree.shaders.at(process.backend->info().api);
   Progress progress(task.backend);
   std::vector<std::unique_ptr<EffectRun>> runs;
-  for (const EffectManifest* effect : effects) {
-    runs.push_back(std::make_unique<EffectRun>(*process.backend, *effect, shaders, options.compare, "images", progress.tell()));
-    EffectRun& run = *runs.back();
-    run.start(process.scene_of(tree), {.judged = false});
-    run.prepare();
-    if (!task.exact) continue;
-    run.count(), run.score();
-    for (const CellRow& row : run.rows()) emit({{"cell", to_json(row)}});
+  try {
+    for (const EffectManifest* effect : effects) {
+      runs.push_back(
+          std::make_unique<EffectRun>(*process.backend, *effect, shaders, options.compare, "images", progress.tell_or_stop()));
+      EffectRun& run = *runs.back();
+      run.start(process.scene_of(tree), {.judged = false});
+      run.prepare();
+      if (!task.exact) continue;
+      run.count(), run.score();
+      for (const CellRow& row : run.rows()) emit({{"cell", to_json(row)}});
+    }
+  } catch (const StopRequested&) {  // the effects before it are handed over
+    return process.end(emit);
   }
   if (task.exact) return process.end(emit);
   std::vector<TimedFrames> all;
@@ -169,6 +174,7 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
   if (!options.update) check_comparable(*stored, shape_of(run, effects, options), file);
 
   RecordWriter record = begin_record(options.compare.out, run, scene, tree);
+  const StopSignals signals(report_on_stop);
   GateMeasurements measured = measure_in_processes(
       options, watch, [&](const GateTask& task, const EmitLine& emit) { measure_state(tree, effects, task, options, emit); },
       {}, {});
@@ -178,6 +184,10 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
   for (const CellRow& cell : measured.cells_after) record.append(to_json(cell));
   Record present;
   present.run = run, present.cells = measured.cells_after;
+  if (options.update && StopSignals::stopped_by() != 0) {
+    fmt::print(stderr, "lamina: gate: {}: not written: stopped before everything was measured\n", file.string());
+    return 128 + StopSignals::stopped_by();
+  }
   if (options.update)
     return write_baseline(file, read_file(options.compare.out / "record.jsonl", "gate"), stored, present, measured, options,
                           limits);
@@ -186,7 +196,9 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
   std::vector<VerdictRow> rows = measured.failures;
   for (const std::string& backend : options.compare.backends)
     if (const TimerRow* timer = measured.timer(backend)) rows.push_back(judge_timer(*timer));
-  if (!present.cells.empty()) {
+  if (StopSignals::stopped_by() != 0) {
+    rows.push_back(stopped_row());
+  } else if (!present.cells.empty()) {
     check_comparable(*stored, present, file);
     for (VerdictRow& row : judge_stored(*stored, present, limits, options.family_error)) rows.push_back(std::move(row));
   }

@@ -37,10 +37,10 @@ void print_device(const DeviceInfo& device, size_t place) {
 
 void print_backends() {
   for (const std::string_view backend : backend_names()) {
-    const std::vector<DeviceInfo> devices = list_devices(backend);
+    const auto [devices, all_refused] = survey_devices(backend);
     if (devices.empty()) fmt::print("backend {}: no device\n", backend);
     for (size_t i = 0; i < devices.size(); ++i) print_device(devices[i], i);
-    for (const RefusedDevice& refused : list_refused_devices(backend))
+    for (const RefusedDevice& refused : all_refused)
       fmt::print("backend {} cannot use {}: {}\n", backend, refused.device, refused.reason);
   }
 }
@@ -108,9 +108,9 @@ int run_list_json(const SceneOptions& options, bool parameters_alone) {
   }
   for (const std::string_view backend : backend_names()) {
     Json devices = Json::array(), refused = Json::array();
-    for (const DeviceInfo& device : list_devices(backend)) devices.push_back(to_json(device));
-    for (const RefusedDevice& device : list_refused_devices(backend))
-      refused.push_back({{"device", device.device}, {"reason", device.reason}});
+    const DeviceSurvey found = survey_devices(backend);
+    for (const DeviceInfo& device : found.usable) devices.push_back(to_json(device));
+    for (const RefusedDevice& device : found.refused) refused.push_back({{"device", device.device}, {"reason", device.reason}});
     all["backends"].push_back({{"name", backend}, {"devices", devices}, {"refused", refused}});
   }
   fmt::print("{}\n", all.dump(1));

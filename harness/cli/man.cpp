@@ -146,7 +146,9 @@ std::string page_of_program(const CLI::App& program) {
   }
   text += section("OPTIONS") + options_of(program, false) + lists() + section("ENVIRONMENT");
   text += entry(bold("LAMINA_HOME"), "Folder with variants/ and shaders/, in place of those that lie beside the program.");
-  text += entry(bold("LAMINA_CACHE"), "Folder that keeps bakes and truths, in place of lamina in the user's cache.");
+  text += entry(bold("LAMINA_CACHE"),
+                "Folder that keeps bakes, truths and what built-in scenes are made of, in place of lamina in the user's cache; "
+                "empty: nothing is kept.");
   text += entry(bold("LP_NUM_THREADS"),
                 "Threads of Mesa's rasterizers on the CPU; a run sets it to one for each core where it is not set.");
   return text + statuses() + section("SEE ALSO") + others + "\n";

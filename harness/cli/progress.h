@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "harness/core/stop_signals.h"
 #include "harness/core/stopwatch.h"
 
 namespace lamina {
@@ -20,6 +21,13 @@ class Progress {
   // The same; must not outlive this.
   Tell tell() {
     return [this](double fraction, const std::string& what) { show(fraction, what); };
+  }
+  // The same, but throws StopRequested once a signal has asked to stop.
+  Tell tell_or_stop() {
+    return [this](double fraction, const std::string& what) {
+      if (StopSignals::stopped_by() != 0) throw StopRequested();
+      show(fraction, what);
+    };
   }
 
  private:

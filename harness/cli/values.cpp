@@ -46,7 +46,7 @@ Completions devices(const Typed& typed) {
   std::vector<std::string> asked = typed_values(typed, "backend");
   if (asked.empty()) asked = DeviceOptions().backends;
   for (const std::string& backend : asked) {
-    const std::vector<DeviceInfo> there = list_devices(backend);
+    const std::vector<DeviceInfo> there = survey_devices(backend).usable;
     for (size_t i = 0; i < there.size(); ++i)
       all.words.push_back({std::to_string(i), fmt::format("{} on {}", there[i].device, backend)});
   }

@@ -8,12 +8,15 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <random>
+#include <utility>
 
 #include "harness/core/error.h"
+#include "harness/core/stop_signals.h"
 
 namespace lamina {
 namespace {
@@ -64,6 +67,7 @@ void lay_out_anew() {
 
 [[noreturn]] void be_child(int to, const std::function<void(const EmitLine&)>& work) {
   int status = 0;
+  StopSignals::be_silent();
   try {
     lay_out_anew();
     work([to](const nlohmann::ordered_json& line) {
@@ -97,9 +101,12 @@ Child fork_child(const std::function<void(const EmitLine&)>& work) {
   return {id, ends[0], ""};
 }
 
-// From all at once: a child whose pipe is full waits.
+// From all at once: a child whose pipe is full waits. Where this process is asked to stop, its children are asked too: a signal
+// from a terminal reaches all of them, one from `kill` this process alone. By another signal than Ctrl-C's, of which a second
+// ends a process at once.
 void read_all(std::vector<Child>& children) {
   char buffer[1 << 16];
+  bool asked = false;
   for (;;) {
     std::vector<pollfd> open;
     std::vector<Child*> whose;
@@ -107,8 +114,10 @@ void read_all(std::vector<Child>& children) {
       if (child.from >= 0) open.push_back({child.from, POLLIN, 0}), whose.push_back(&child);
     if (open.empty()) return;
     if (::poll(open.data(), open.size(), -1) < 0) {
-      if (errno == EINTR) continue;
-      throw_errno("poll");
+      if (errno != EINTR) throw_errno("poll");
+      if (StopSignals::stopped_by() != 0 && !std::exchange(asked, true))
+        for (const Child& child : children) ::kill(child.id, SIGTERM);
+      continue;
     }
     for (size_t i = 0; i < open.size(); ++i) {
       if (open[i].revents == 0) continue;

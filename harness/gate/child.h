@@ -17,7 +17,8 @@ struct ChildResult {
 };
 
 // Forks a child for each; it hands its lines over one by one; what it throws becomes the failure. All run at the same time.
-// The parent must have no threads and no open backend. Throws Error(failed) where no process can be made.
+// The parent must have no threads and no open backend. While StopSignals live, what asks this process to stop asks the children
+// too: they inherit them, and their work is to heed them. Throws Error(failed) where no process can be made.
 std::vector<ChildResult> run_in_children(const std::vector<std::function<void(const EmitLine&)>>& works);
 // The same for one.
 ChildResult run_in_child(const std::function<void(const EmitLine&)>& work);

@@ -48,11 +48,14 @@ Scene load_scene(const std::string& source, const Library& library, std::optiona
   if (scene.lights.empty()) scene.lights = default_lights(bounding_sphere(scene.objects));
   if (scene.views.empty()) scene.views = default_views(scene.objects);
   for (Object& object : scene.objects) move_to_unit_tile(object.mesh);
-  split_overlapping_objects(scene.objects, library, scene.warnings);
+  OverlapFractions overlaps;
+  split_overlapping_objects(scene.objects, library, overlaps, scene.warnings);
   for (Object& object : scene.objects) {
     object.look.reset();
-    std::vector<std::string> unminded;
-    settle_unwrap(object, uses_unwrap(object, library) ? scene.warnings : unminded);
+    settle_unwrap(object);
+    if (uses_unwrap(object, library))
+      if (std::string warning = overlap_warning(object, overlaps); !warning.empty())
+        scene.warnings.push_back(std::move(warning));
     for (const EffectManifest* effect : effects_of(object, library)) {
       object.solid = object.solid && effect->solid;
       object.blocks_light = object.blocks_light && effect->blocks_light;

@@ -28,8 +28,10 @@ std::string findings(const Record& record, const std::vector<SummaryRow>& rows) 
     return html.empty() ? "" : "<ul class=\"headlines\">\n" + html + "</ul>\n";
   };
   // A sweep was made for its crossovers, which come before figures that are means over all its points.
-  return list(worth_having(rows), ":") + html_gate_answer(record) + list(crossover_headlines(record), ":") +
-         list(headlines(rows), "");
+  std::string html = list(worth_having(rows), ":") + html_gate_answer(record) + list(crossover_headlines(record), ":") +
+                     list(failure_headlines(rows), "");
+  for (const Table& table : choices_tables(rows)) html += html_table(table) + "\n";
+  return html;
 }
 
 std::string one_record(const Record& record, const std::string& name, const PictureUrl& url, const std::string& charts) {

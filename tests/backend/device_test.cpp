@@ -10,7 +10,7 @@ LAMINA_ON_EVERY_BACKEND(BackendDevice);
 
 TEST(BackendNames, AtLeastOneBackendOpensHere) {
   size_t devices = 0;
-  for (const std::string_view name : backend_names()) devices += list_devices(name).size();
+  for (const std::string_view name : backend_names()) devices += survey_devices(name).usable.size();
   EXPECT_GT(devices, 0u);
 }
 
@@ -33,7 +33,7 @@ TEST_P(BackendDevice, InfoIsFilled) {
 TEST_P(BackendDevice, ListHoldsTheDeviceThatOpensByItsIndexAndPartOfItsName) {
   const std::string opened = backend().info().device;
   close();
-  const std::vector<DeviceInfo> devices = list_devices(GetParam());
+  const std::vector<DeviceInfo> devices = survey_devices(GetParam()).usable;
   bool listed = false;
   for (size_t i = 0; i < devices.size(); ++i) {
     listed = listed || devices[i].device == opened;
@@ -172,7 +172,7 @@ class ScopedVariable {
 TEST_P(VulkanDevice, WithoutADriverTheListIsEmptyAndOpeningSaysWhatToInstall) {
   close();
   const ScopedVariable none("VK_ICD_FILENAMES", "/no/such/driver.json"), none_either("VK_DRIVER_FILES", "/no/such/driver.json");
-  EXPECT_TRUE(list_devices("vulkan").empty());
+  EXPECT_TRUE(survey_devices("vulkan").usable.empty());
   const Error error = error_of([] { open_backend("vulkan"); });
   EXPECT_EQ(error.kind(), ErrorKind::no_device);
   EXPECT_NE(error.message().find("mesa-vulkan-drivers"), std::string::npos) << error.what();

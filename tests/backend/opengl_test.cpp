@@ -41,7 +41,7 @@ TEST(OpenGlContext, SecondIsRefusedUntilTheFirstIsClosed) {
 }
 
 TEST(OpenGlContext, LivesBesideVulkan) {
-  if (list_devices("vulkan").empty()) GTEST_SKIP() << "no Vulkan device on this machine";
+  if (survey_devices("vulkan").usable.empty()) GTEST_SKIP() << "no Vulkan device on this machine";
   const auto vulkan = open_backend("vulkan");
   for (const char* name : {"osmesa", "egl"}) {
     const auto opengl = open_backend(name);
@@ -65,12 +65,12 @@ TEST_P(OpenGl, DeviceIsDescribed) {
 
 TEST_P(OpenGl, ListingLeavesTheOpenBackendAlone) {
   close();
-  const size_t devices = list_devices(GetParam()).size();
+  const size_t devices = survey_devices(GetParam()).usable.size();
   open("osmesa");
   const BufferId out = buffer<uint32_t>(BufferUse::storage, {0});
   Draw draw{.pipeline = compute("layout(binding = 0) buffer Out { uint value; } o; void main() { o.value = 7; }\n")};
   draw.buffers = {{0, out, BindingKind::storage_buffer}};
-  EXPECT_EQ(list_devices(GetParam()).size(), devices);
+  EXPECT_EQ(survey_devices(GetParam()).usable.size(), devices);
   run({{.name = "after", .kind = PassKind::compute, .draws = {draw}}});
   EXPECT_EQ(read<uint32_t>(out), std::vector<uint32_t>{7});
 }
@@ -87,7 +87,7 @@ TEST_P(OpenGl, ListingLeavesTheOpenBackendAlone) {
   } catch (const Error& error) {
     std::fprintf(stderr, "%s\n", error.what());
     const bool as_told = error.kind() == ErrorKind::no_device && error.message().find(reason) != std::string::npos &&
-                         error.message().find("install lib") != std::string::npos && list_devices(backend).empty();
+                         error.message().find("install lib") != std::string::npos && survey_devices(backend).usable.empty();
     std::_Exit(as_told ? 0 : 1);
   }
 }

@@ -50,6 +50,15 @@ test('the pareto chart\'s figures are the record\'s', async () => {
   await page.context().close();
 });
 
+test('the price of a fetch is drawn only where fetches are what costs', async () => {
+  for (const [name, drawn] of [['compare', true], ['computing', false]]) {
+    const page = await open(browser, name);
+    assert.equal(await page.locator('#passes', {hasText: 'What a fetch costs'}).count() > 0, drawn, name);
+    assert.equal(await page.locator('#passes', {hasText: 'Fetches are not what costs here'}).count() > 0, !drawn, name);
+    await page.context().close();
+  }
+});
+
 test('no cost is offered that nothing is known of', async () => {
   const costs = page => page.locator('#pareto label.control', {hasText: 'Cost'}).locator('option').allTextContents();
   for (const [name, words] of [['sweep', ['time of a frame', 'fetches a pixel']], ['counted', ['fetches a pixel']]]) {

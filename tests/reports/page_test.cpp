@@ -30,10 +30,10 @@ TEST(Gate, TheAnswerComesFirstThenItsVerdictThenWhatMoved) {
                    page.find("<strong>Gate FAILED: 6 checks: 2 regressed, 1 ambiguous, 1 not compared, 1 better, 1 the same"),
                conditions =
                    page.find("against commit 1&lt;2; 60 rounds in 3 processes, 41.2 s; margin 2%, confidence 95% over 12"),
-               headline = page.find("<strong>vertex_normal</strong> is 2.0 times faster"),
+               choices = page.find("that you can bear, take this"),
                regressed = page.find("<details class=\"verdicts printed\" open><summary>Regressed: 2</summary>"),
                ambiguous = page.find("<summary>Ambiguous: 1</summary>"), all = page.find("<summary>All 6 checks</summary>");
-  const std::vector<size_t> order = {answer, verdict, conditions, headline, regressed, ambiguous, all};
+  const std::vector<size_t> order = {answer, verdict, conditions, choices, regressed, ambiguous, all};
   EXPECT_NE(order.back(), std::string::npos);
   EXPECT_TRUE(std::ranges::is_sorted(order)) << testing::PrintToString(order);
   EXPECT_TRUE(has(page, "class=\"verdict unwell\""));

@@ -129,72 +129,61 @@ TEST(TextReports, AFailedCertificatePrintsNoTimes) {
   EXPECT_TRUE(has(terminal_table(bad, false), "8x work took 1.4 of linear"));
 }
 
-TEST(Headlines, SayHowMuchFasterInPlainWords) {
-  const auto words = [](const std::vector<double>& variant_ms, const std::vector<double>& baseline_ms) {
-    return headlines(summarize(example_record({example_cell("light_map", "front", baseline_ms),
-                                               example_cell("vertex_normal", "front", variant_ms)})))
-        .at(0)
-        .words;
-  };
-  const std::vector<double> ten(6, 10.0);
-  EXPECT_EQ(words(std::vector<double>(6, 4.0), ten),
-            "is 2.5 times faster than light_map on vulkan at SSIM 0.900 (worst view 0.900).");
-  EXPECT_TRUE(has(words(std::vector<double>(6, 9.0), ten), "takes 10% less time than light_map"));
-  EXPECT_TRUE(has(words(std::vector<double>(6, 11.0), ten), "takes 10% more time than light_map"));
-  EXPECT_TRUE(has(words(std::vector<double>(6, 20.0), ten), "is 2.0 times slower than light_map"));
-  EXPECT_TRUE(has(words({9, 9, 9, 11, 11, 11}, ten), "is neither faster nor slower than light_map beyond the noise"));
-  EXPECT_TRUE(has(words({4, 4}, {8, 8}), "by 2 rounds only"));
-}
-
-TEST(Headlines, JoinTheBackendsOfAVariantAndSayFailures) {
+TEST(Headlines, SayWhatFailedOnWhichBackend) {
   std::vector<CellRow> cells = example_cells();
+  EXPECT_TRUE(failure_headlines(summarize(example_record(cells))).empty());
   cells.push_back(example_cell("light_map", "front", {1, 1, 1, 1, 1, 1}, "osmesa"));
   cells.push_back(example_cell("vertex_normal", "front", {}, "osmesa"));
   cells.back().failed = true;
   cells.back().reason = "out of memory";
-  const auto all = headlines(summarize(example_record(cells, {example_timer("vulkan"), example_timer("osmesa")})));
+  cells[3].failed = true, cells[3].reason = "not a picture: all black";
+  const auto all = failure_headlines(summarize(example_record(cells, {example_timer("vulkan"), example_timer("osmesa")})));
   ASSERT_EQ(all.size(), 1u);
-  EXPECT_TRUE(has(all[0].words, "; it failed on osmesa: out of memory.")) << all[0].words;
+  EXPECT_EQ(all[0].variant, "vertex_normal");
+  EXPECT_EQ(all[0].words, "is not a picture in 1 of 2 views on vulkan: all black; it failed on osmesa: out of memory.");
 }
 
-TEST(Headlines, ALossThatReadsTheSameOnAnotherBackendIsNotToldAgain) {
-  const std::vector<double> one(6, 1.0), half(6, 0.5);
-  std::vector<CellRow> cells = {example_cell("light_map", "front", one), example_cell("vertex_normal", "front", half),
-                                example_cell("light_map", "front", one, "osmesa"),
-                                example_cell("vertex_normal", "front", half, "osmesa")};
-  const auto words = [&] {
-    return headlines(summarize(example_record(cells, {example_timer("vulkan"), example_timer("osmesa")}))).at(0).words;
-  };
-  cells[3].error_covered->ssim = 0.9004;
-  EXPECT_EQ(words(),
-            "is 2.0 times faster than light_map on vulkan at SSIM 0.900 (worst view 0.900); it is 2.0 times faster than "
-            "light_map on osmesa at the same loss.");
-  cells[3].error_covered->ssim = 0.902;
-  EXPECT_TRUE(has(words(), "on osmesa at SSIM 0.902 (worst view 0.902).")) << words();
-  for (const size_t i : {1u, 3u}) cells[i].error_covered->psnr_db = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(has(words(), "on osmesa with the same picture.")) << words();
+// The rows of the first table, each with its cells.
+std::vector<std::vector<std::string>> choices_in(const std::vector<CellRow>& cells, const std::vector<TimerRow>& timers) {
+  const std::vector<Table> tables = choices_tables(summarize(example_record(cells, timers)));
+  std::vector<std::vector<std::string>> rows;
+  if (tables.empty()) return rows;
+  for (const Row& row : tables.front().rows) {
+    rows.push_back({row.group});
+    for (const Cell& cell : row.cells) rows.back().push_back(cell.text);
+  }
+  return rows;
 }
 
-TEST(Headlines, IdenticalPicturesAreCalledTheSame) {
+TEST(Choices, GoFromTheClosestToTheCheapest) {
+  const std::vector<double> ten(6, 10.0), four(6, 4.0), eleven(6, 11.0);
+  std::vector<CellRow> cells = {example_cell("light_map", "front", ten), example_cell("vertex_normal", "front", four),
+                                example_cell("normal_map_taps", "front", eleven)};
+  cells[2].error_covered->ssim = 0.99;  // closer than vertex_normal, and dearer than the baseline
+  const auto rows = choices_in(cells, {example_timer("vulkan")});
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"vulkan", "1.0000", "light_map", "1", "inf", "0.0000", "-"}));
+  EXPECT_EQ(rows[1][1], "0.9000");
+  EXPECT_EQ(rows[1][2], "vertex_normal");
+  EXPECT_EQ(rows[1][3], "0.400 [0.400, 0.400]");
+}
+
+TEST(Choices, NameWhatMoreRoundsWouldTell) {
+  const std::vector<double> ten(6, 10.0), four(6, 4.0);
+  std::vector<CellRow> cells = {example_cell("light_map", "front", ten), example_cell("vertex_normal", "front", four),
+                                example_cell("normal_map_taps", "front", {9, 9, 9, 11, 11, 11})};
+  cells[2].error_covered->ssim = 0.95;
+  EXPECT_EQ(choices_in(cells, {example_timer("vulkan")}).at(0).back(), "normal_map_taps");
+}
+
+TEST(Choices, AreByFetchesWhereNothingIsTimedAndNoneWhereOneVariantIsLeft) {
   std::vector<CellRow> cells = example_cells();
-  for (CellRow* cell : {&cells[2], &cells[3]}) cell->error_covered->psnr_db = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(has(headlines(summarize(example_record(cells))).at(0).words, "with the same picture"));
-}
-
-// An SSIM that reads as 1 would hide which of two near-perfect variants is the closer one.
-TEST(Headlines, NearAnSsimOfOnePsnrTells) {
-  std::vector<CellRow> cells = example_cells();
-  const auto words = [&](double ssim, double psnr_db) {
-    cells[2].error_covered->ssim = ssim, cells[2].error_covered->psnr_db = psnr_db;
-    cells[3].error_covered->ssim = 0.9999, cells[3].error_covered->psnr_db = psnr_db;
-    return headlines(summarize(example_record(cells))).at(0).words;
-  };
-  EXPECT_EQ(words(0.9996, 52),
-            "is 2.0 times faster than light_map on vulkan at SSIM above 0.999 and PSNR 52.0 dB (worst view 52.0).");
-  EXPECT_TRUE(has(words(0.9986, 47), "at SSIM above 0.998 and PSNR 47.0 dB"));
-  EXPECT_TRUE(has(words(0.9984, 47), "at SSIM 0.999 (worst view 0.998)."));
-  cells[3].error_covered->ssim = 1;
-  EXPECT_TRUE(has(words(1, 90), "at SSIM above 0.999 and PSNR 90.0 dB")) << "rounded to 1, yet not the same picture";
+  EXPECT_TRUE(choices_in(cells, {}).empty()) << "both make the same number of fetches";
+  for (CellRow* cell : {&cells[2], &cells[3]}) *cell->fetches /= 2;
+  ASSERT_EQ(choices_in(cells, {}).size(), 2u);
+  EXPECT_EQ(choices_in(cells, {}).at(1).at(3), "0.500");
+  cells[2].failed = true;
+  EXPECT_TRUE(choices_in(cells, {}).empty());
 }
 
 TEST(MarkdownSummary, HoldsWhatWasRunThePlanAndThePasses) {
@@ -218,7 +207,7 @@ TEST(MarkdownSummary, HoldsWhatWasRunThePlanAndThePasses) {
         "- layered_material: light_map without its pass blur: unread",
         "9 rounds of layered_material on vulkan took 2.2 s, 1.10 times the device time", "Command: lamina compare heart",
         "Commit: abc1234", "Example CPU", "lp_num_threads 2", "Mesa 22.3.6", "1.3.230", "seed 1", "Build: release",
-        "**vertex_normal** is 2.0 times faster than light_map on vulkan"})
+        "| vulkan | 0.9000 | vertex_normal | 0.500 \\[0.500, 0.500\\] | 30.0 | 0.1000 | - |"})
     EXPECT_TRUE(has(markdown, part)) << part << "\n" << markdown;
 }
 

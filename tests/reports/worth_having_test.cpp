@@ -118,18 +118,10 @@ TEST(Headlines, WhatIsNotAPictureIsSaidAndIsNeverFast) {
   }
   const Record record = example_record(cells);
   const std::vector<SummaryRow> rows = summarize(record);
-  EXPECT_EQ(headlines(rows).at(0).words,
+  EXPECT_EQ(failure_headlines(rows).at(0).words,
             "is not a picture on vulkan: 617 of 2048 pixels are not finite numbers, the first at (32, 0).");
   EXPECT_TRUE(has(terminal_table(record, false), "not a picture"));
   EXPECT_TRUE(worth_having(rows).empty());
-}
-
-TEST(Headlines, SayFetchesWhereNothingIsTimed) {
-  const auto all = headlines(summarize(example_record(example_cells(), {})));
-  ASSERT_EQ(all.size(), 1u);
-  EXPECT_EQ(all[0].words,
-            "was not timed; it makes 15.0 fetches a pixel, light_map 15.0, on vulkan, where its SSIM is 0.900 (worst view "
-            "0.900).");
 }
 
 }  // namespace

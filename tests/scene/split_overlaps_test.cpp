@@ -68,11 +68,12 @@ TEST(SplitOverlaps, ObjectsAreNamedAndSaidOnlyWhenSplit) {
   add_square(object.mesh, {0, 0}, 0.5f, 0);
   std::vector<Object> objects = {object};
   std::vector<std::string> warnings;
-  split_overlapping_objects(objects, builtin_library(), warnings);
+  OverlapFractions overlaps;
+  split_overlapping_objects(objects, builtin_library(), overlaps, warnings);
   EXPECT_EQ(objects.size(), 1u);
   EXPECT_TRUE(warnings.empty());
   add_square(objects[0].mesh, {0, 0}, 0.5f, 1);
-  split_overlapping_objects(objects, builtin_library(), warnings);
+  split_overlapping_objects(objects, builtin_library(), overlaps, warnings);
   ASSERT_EQ(objects.size(), 2u);
   EXPECT_EQ(objects[0].name, "wing");
   EXPECT_EQ(objects[1].name, "wing.2");

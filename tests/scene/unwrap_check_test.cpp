@@ -70,16 +70,14 @@ TEST(UnwrapProblem, ASurfaceWithoutTexels) {
 TEST(UnwrapProblem, NamesTheTilesThatAreSpanned) {
   Object object;
   object.mesh = rectangle({0, 0}, {3, 1});
-  std::vector<std::string> warnings;
-  settle_unwrap(object, warnings);
+  settle_unwrap(object);
   EXPECT_NE(object.unwrap_problem.find("span 3 x 1 tiles"), std::string::npos) << object.unwrap_problem;
   object.mesh = rectangle({0.5f, 0}, {1.25f, 1});
-  settle_unwrap(object, warnings);
+  settle_unwrap(object);
   EXPECT_NE(object.unwrap_problem.find("cross the border"), std::string::npos) << object.unwrap_problem;
   object.mesh = rectangle({4.5f, 0}, {5, 1});
-  settle_unwrap(object, warnings);
+  settle_unwrap(object);
   EXPECT_EQ(object.unwrap_problem, "") << "problems of an earlier mesh are gone";
-  EXPECT_TRUE(warnings.empty());
 }
 
 // Neighbours that share an edge or a corner, of either winding, share no texel: the edges run through texels' centres.
@@ -104,19 +102,32 @@ TEST(OverlapFraction, CountsTheShareThatIsUsedTwice) {
   EXPECT_EQ(overlap_fraction(Mesh{}), 0.0);
 }
 
-TEST(SettleUnwrap, WarnsAboveTwoPercent) {
+TEST(OverlapWarning, IsGivenAboveTwoPercent) {
   Object object;
   object.name = "shell";
   add_rectangle(object.mesh, {0, 0}, {1, 1});
   add_rectangle(object.mesh, {0, 0}, {0.125f, 0.125f});  // 1 / 64
-  std::vector<std::string> warnings;
-  settle_unwrap(object, warnings);
-  EXPECT_TRUE(warnings.empty());
+  OverlapFractions overlaps;
+  EXPECT_EQ(overlap_warning(object, overlaps), "");
   add_rectangle(object.mesh, {0.5f, 0.5f}, {0.75f, 0.75f});  // and 1 / 16: 7.8% together
-  settle_unwrap(object, warnings);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0], "7.8% of shell's texture is used twice; a map over its unwrap holds what is true of one use.");
-  EXPECT_EQ(object.unwrap_problem, "") << "it can still be drawn";
+  EXPECT_EQ(overlap_warning(object, overlaps),
+            "7.8% of shell's texture is used twice; a map over its unwrap holds what is true of one use.");
+  object.unwrap_problem = "it cannot be unwrapped";
+  EXPECT_EQ(overlap_warning(object, overlaps), "") << "it is not used at all";
+}
+
+// Meshes of one unwrap in other places share a figure; another unwrap, or other triangles over it, have their own.
+TEST(OverlapFractions, AreThoseOfEachUnwrap) {
+  Mesh once, twice;
+  add_rectangle(once, {0, 0}, {0.5f, 1});
+  twice = once;
+  twice.indices.insert(twice.indices.end(), once.indices.begin(), once.indices.end());
+  Mesh moved = twice, half = twice;
+  for (Vertex& vertex : moved.vertices) vertex.position += 3.0f;
+  half.indices.resize(half.indices.size() - 3);
+  OverlapFractions overlaps;
+  for (const Mesh* mesh : {&once, &twice, &moved, &half}) EXPECT_EQ(overlaps.of(*mesh), overlap_fraction(*mesh));
+  EXPECT_EQ(overlaps.of(moved), 1);
 }
 
 }  // namespace

@@ -86,21 +86,20 @@ class OpenGlBackend : public Backend {
   SampleCounts samples_;
 };
 
-// The devices of a platform: those that can be opened, with their indices among all, and why the others cannot.
-struct Survey {
+// The devices of a platform, and the indices of the usable ones among all.
+struct PlatformSurvey {
+  DeviceSurvey devices;
   std::vector<size_t> indices;
-  std::vector<DeviceInfo> usable;
-  std::vector<RefusedDevice> refused;
 };
 
-Survey survey(std::string_view backend) {
-  Survey found;
+PlatformSurvey survey(std::string_view backend) {
+  PlatformSurvey found;
   for (size_t i = 0; i < platform_of(backend).device_count(); ++i) {
     try {
-      found.usable.push_back(open_device(backend, i, false).info);
+      found.devices.usable.push_back(open_device(backend, i, false).info);
       found.indices.push_back(i);
     } catch (const Error& error) {
-      found.refused.push_back({error.subject(), error.message()});
+      found.devices.refused.push_back({error.subject(), error.message()});
     }
   }
   return found;
@@ -108,14 +107,14 @@ Survey survey(std::string_view backend) {
 
 // The index among all devices of the one that choose_device() names.
 size_t choose(std::string_view backend, std::string_view wanted) {
-  const auto [indices, usable, refused] = survey(backend);
+  const auto [devices, indices] = survey(backend);
   std::string refusals;
-  for (const RefusedDevice& one : refused) refusals += fmt::format("{}: {}; ", one.device, one.reason);
-  if (usable.empty())
+  for (const RefusedDevice& one : devices.refused) refusals += fmt::format("{}: {}; ", one.device, one.reason);
+  if (devices.usable.empty())
     throw Error(ErrorKind::no_device, std::string(backend), "OpenGL 4.5 core with GL_ARB_gl_spirv",
                 fmt::format("no device offers it: {}{}", refusals.empty() ? "the platform names none; " : refusals,
                             platform_of(backend).remedy));
-  return indices[choose_device(backend, usable, wanted)];
+  return indices[choose_device(backend, devices.usable, wanted)];
 }
 
 }  // namespace
@@ -129,20 +128,11 @@ std::unique_ptr<Backend> open_opengl(std::string_view backend, const BackendOpti
   return std::make_unique<OpenGlBackend>(open_device(backend, device, options.validation), options.validation);
 }
 
-namespace {
-
-Survey survey_beside_one_alive(std::string_view backend) {
+DeviceSurvey survey_opengl_devices(std::string_view backend) {
   if (OpenGlBackend::alive) OpenGlBackend::alive->suspend();
-  Survey found = survey(backend);
+  DeviceSurvey found = survey(backend).devices;
   if (OpenGlBackend::alive) OpenGlBackend::alive->resume();
   return found;
-}
-
-}  // namespace
-
-std::vector<DeviceInfo> list_opengl_devices(std::string_view backend) { return survey_beside_one_alive(backend).usable; }
-std::vector<RefusedDevice> list_refused_opengl_devices(std::string_view backend) {
-  return survey_beside_one_alive(backend).refused;
 }
 
 }  // namespace lamina

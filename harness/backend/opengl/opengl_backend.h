@@ -13,7 +13,6 @@ namespace lamina {
 std::unique_ptr<Backend> open_opengl(std::string_view context, const BackendOptions& options);
 // Opens each device for a moment, also beside a backend that is alive. Throws Error(failed) only where such a backend cannot
 // have its context back.
-std::vector<DeviceInfo> list_opengl_devices(std::string_view context);
-std::vector<RefusedDevice> list_refused_opengl_devices(std::string_view backend);
+DeviceSurvey survey_opengl_devices(std::string_view context);
 
 }  // namespace lamina

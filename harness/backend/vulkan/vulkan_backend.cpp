@@ -47,26 +47,16 @@ class VulkanBackend final : public Backend {
 
 std::unique_ptr<Backend> open_vulkan(const BackendOptions& options) { return std::make_unique<VulkanBackend>(options); }
 
-std::vector<DeviceInfo> list_vulkan_devices() {
+DeviceSurvey survey_vulkan_devices() {
+  DeviceSurvey found;
   try {
     const vulkan::Instance instance(/*validation=*/false);
-    std::vector<DeviceInfo> devices;
-    for (vulkan::Candidate& candidate : vulkan::find_candidates(instance)) devices.push_back(std::move(candidate.info));
-    return devices;
-  } catch (const Error&) {
-    return {};  // no loader's driver: no devices, which is what was asked
-  }
-}
-
-std::vector<RefusedDevice> list_refused_vulkan_devices() {
-  try {
-    const vulkan::Instance instance(/*validation=*/false);
-    std::vector<RefusedDevice> refused;
-    vulkan::find_candidates(instance, &refused);
-    return refused;
+    for (vulkan::Candidate& candidate : vulkan::find_candidates(instance, &found.refused))
+      found.usable.push_back(std::move(candidate.info));
   } catch (const Error& error) {
-    return {{error.subject(), error.message()}};
+    found.refused.push_back({error.subject(), error.message()});
   }
+  return found;
 }
 
 }  // namespace lamina

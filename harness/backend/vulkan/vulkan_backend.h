@@ -7,7 +7,6 @@
 namespace lamina {
 
 std::unique_ptr<Backend> open_vulkan(const BackendOptions& options);
-std::vector<DeviceInfo> list_vulkan_devices();
-std::vector<RefusedDevice> list_refused_vulkan_devices();  // the driver itself where it does not start
+DeviceSurvey survey_vulkan_devices();  // what is refused is the driver itself where it does not start
 
 }  // namespace lamina

@@ -5,6 +5,7 @@
 
 #include "harness/manifest/effect_code.h"
 #include "harness/scene/effect_values.h"
+#include "harness/scene/made/kept.h"
 #include "harness/scene/made/marble.h"
 
 namespace lamina {
@@ -19,7 +20,10 @@ Texture marble_layer(const EffectValues& so_far) {
   const uint32_t width = std::clamp(outer.width, 512u, 1024u), height = std::clamp(outer.height, 512u, 1024u);
   const std::lock_guard lock(making);
   Texture& layer = made[{width, height}];
-  if (!layer) layer = make_texture("inner layer", marble(width, height, 1), TexelMeaning::colour);
+  if (!layer)
+    layer = kept_textures(fmt::format("marble_{}x{}", width, height), [&] {
+              return std::vector{make_texture("inner layer", marble(width, height, 1), TexelMeaning::colour)};
+            }).front();
   return layer;
 }
 

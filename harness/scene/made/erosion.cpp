@@ -2,9 +2,12 @@
 // See erosion.h.
 #include "harness/scene/made/erosion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "harness/scene/made/kept.h"
 #include "harness/scene/made/noise.h"
 
 namespace lamina {
@@ -155,9 +158,7 @@ class Land {
   std::vector<uint32_t> receiver_, order_;
 };
 
-}  // namespace
-
-Terrain eroded_valley(const Erosion& options) {
+Terrain erode(const Erosion& options) {
   Land land(coarsest, options.seed);
   for (int i = 0; i < coarse_steps; ++i) land.erode();
   for (uint32_t side = coarsest; side < options.side; side = 2 * side - 1) {
@@ -171,6 +172,19 @@ Terrain eroded_valley(const Erosion& options) {
   for (float& height : terrain.height_m) height *= stretch * options.extent_m;
   for (float& area : terrain.drained_m2) area *= options.extent_m * options.extent_m;
   return terrain;
+}
+
+}  // namespace
+
+Terrain eroded_valley(const Erosion& options) {
+  const std::string name =
+      fmt::format("valley_{}_{}_{}_{}_{}", options.side, options.extent_m, options.relief_m, options.steepest, options.seed);
+  const Parts parts = kept(name, [&] {
+    const Terrain terrain = erode(options);
+    return Parts{std::string(bytes_of(terrain.spacing_m)), std::string(bytes_of(terrain.height_m)),
+                 std::string(bytes_of(terrain.drained_m2))};
+  });
+  return {options.side, values_in<float>(parts[0]).front(), values_in<float>(parts[1]), values_in<float>(parts[2])};
 }
 
 }  // namespace lamina

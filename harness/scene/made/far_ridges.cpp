@@ -9,6 +9,7 @@
 #include "harness/scene/made/day.h"
 #include "harness/scene/made/directional_light.h"
 #include "harness/scene/made/height_field.h"
+#include "harness/scene/made/kept.h"
 #include "harness/scene/made/noise.h"
 #include "harness/scene/textures.h"
 
@@ -95,8 +96,8 @@ const Object& made_ridges() {
   static const Object object = [] {
     Object made;
     made.name = "land";
-    made.mesh = ridge_mesh();
-    made.said.values["albedo"] = {ridge_albedo()};
+    made.mesh = kept_mesh("ridges", ridge_mesh);
+    made.said.values["albedo"] = {kept_textures("ridges_albedo", [] { return std::vector{ridge_albedo()}; }).front()};
     return made;
   }();
   return object;

@@ -2,10 +2,13 @@
 // See head_textures.h. Colours and amplitudes are an artist's choices, by eye on the finished picture.
 #include "harness/scene/made/head_textures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "harness/scene/made/kept.h"
 #include "harness/scene/made/noise.h"
 #include "harness/scene/textures.h"
 
@@ -39,9 +42,8 @@ glm::vec3 skin_colour(glm::vec3 tone, glm::vec3 mm, const HeadRegions& r) {
   return glm::clamp(c * (1 - 0.1f * std::max(dark, 0.0f) * r.forehead), 0.0f, 0.95f);
 }
 
-}  // namespace
-
-HeadTextures head_textures(glm::vec3 tone, uint32_t texels) {
+// Albedo, normal, specular, translucency.
+std::vector<std::shared_ptr<const TextureImage>> make_textures(glm::vec3 tone, uint32_t texels) {
   const Texels blank{texels, texels, std::vector<glm::vec4>(size_t{texels} * texels)};
   Texels albedo = blank, normal = blank, specular = blank, translucency = blank;
   std::vector<HeadPlace> places(size_t{texels} * texels);
@@ -76,6 +78,14 @@ HeadTextures head_textures(glm::vec3 tone, uint32_t texels) {
     }
   return {make_texture("skin", albedo, TexelMeaning::colour), make_texture("pores", normal, TexelMeaning::normal),
           make_texture("shine", specular, TexelMeaning::data), make_texture("translucency", translucency, TexelMeaning::data)};
+}
+
+}  // namespace
+
+HeadTextures head_textures(glm::vec3 tone, uint32_t texels) {
+  const auto made = kept_textures(fmt::format("head_{}_{}_{}_{}", texels, tone.r, tone.g, tone.b),
+                                  [&] { return make_textures(tone, texels); });
+  return {made[0], made[1], made[2], made[3]};
 }
 
 }  // namespace lamina

@@ -9,6 +9,7 @@
 
 #include "harness/scene/made/heart_rows.h"
 #include "harness/scene/made/heart_shape.h"
+#include "harness/scene/made/kept.h"
 
 namespace lamina {
 namespace {
@@ -203,7 +204,13 @@ glm::ivec2 HeartGrid::master(glm::ivec2 at) const {
 }
 
 const HeartGrid& heart_grid() {
-  static const HeartGrid made = make_grid();
+  static const HeartGrid made = [] {
+    const Parts parts = kept("heart_grid", [] {
+      const HeartGrid grid = make_grid();
+      return Parts{std::string(bytes_of(grid.cells)), std::string(bytes_of(grid.points))};
+    });
+    return HeartGrid{values_in<int>(parts[0]).front(), values_in<glm::vec3>(parts[1])};
+  }();
   return made;
 }
 

@@ -2,6 +2,8 @@
 // See heart_textures.h. Colours and amplitudes below are an artist's choices, by eye on the finished picture.
 #include "harness/scene/made/heart_textures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +14,7 @@
 #include "harness/scene/made/heart_rows.h"
 #include "harness/scene/made/heart_shape.h"
 #include "harness/scene/made/heart_vessels.h"
+#include "harness/scene/made/kept.h"
 #include "harness/scene/made/noise.h"
 #include "harness/scene/textures.h"
 
@@ -294,7 +297,8 @@ Texels normals_of(const std::vector<glm::vec3>& place, const std::vector<float>&
   return normals;
 }
 
-HeartTextures make_textures(uint32_t size) {
+// Outer albedo, outer normal, inner albedo.
+std::vector<std::shared_ptr<const TextureImage>> make_textures(uint32_t size) {
   const Sites sites(heart_grid());
   const Networks& vessels = networks();
   const size_t count = static_cast<size_t>(size) * size;
@@ -325,7 +329,10 @@ HeartTextures heart_textures(uint32_t size) {
   static std::map<uint32_t, HeartTextures> made;
   const std::scoped_lock held(lock);
   auto found = made.find(size);
-  if (found == made.end()) found = made.emplace(size, make_textures(size)).first;
+  if (found == made.end()) {
+    const auto textures = kept_textures(fmt::format("heart_{}", size), [&] { return make_textures(size); });
+    found = made.emplace(size, HeartTextures{textures[0], textures[1], textures[2]}).first;
+  }
   return found->second;
 }
 

@@ -86,11 +86,12 @@ bool needs_unique_unwrap(const Object& object, const Library& library) {
 
 }  // namespace
 
-void split_overlapping_objects(std::vector<Object>& objects, const Library& library, std::vector<std::string>& warnings) {
+void split_overlapping_objects(std::vector<Object>& objects, const Library& library, OverlapFractions& overlaps,
+                               std::vector<std::string>& warnings) {
   std::vector<Object> settled;
   for (Object& object : objects) {
     std::vector<Mesh> parts;
-    if (needs_unique_unwrap(object, library) && unwrap_problem(object.mesh).empty() && overlap_fraction(object.mesh) > 0)
+    if (needs_unique_unwrap(object, library) && unwrap_problem(object.mesh).empty() && overlaps.of(object.mesh) > 0)
       parts = split_overlaps(object.mesh);
     if (parts.size() <= 1) {
       settled.push_back(std::move(object));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/manifest/library.h"
+#include "harness/scene/mesh/unwrap_check.h"
 #include "harness/scene/scene.h"
 
 namespace lamina {
@@ -19,7 +20,8 @@ std::vector<Mesh> split_overlaps(const Mesh& mesh);
 
 // The same for every object of an effect with unique_unwrap: the parts are called NAME, NAME.2, NAME.3 ... Says so in
 // `warnings`.
-void split_overlapping_objects(std::vector<Object>& objects, const Library& library, std::vector<std::string>& warnings);
+void split_overlapping_objects(std::vector<Object>& objects, const Library& library, OverlapFractions& overlaps,
+                               std::vector<std::string>& warnings);
 
 // Whether the object lays something out over its unwrap: by an effect with unique_unwrap, or by a number with over_unwrap above
 // 0.

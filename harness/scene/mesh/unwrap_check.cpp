@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/core/bytes.h"
+#include "harness/core/text.h"
 #include "harness/scene/mesh/triangle_areas.h"
 #include "harness/scene/mesh/uv_raster.h"
 
@@ -77,14 +79,26 @@ double overlap_fraction(const Mesh& mesh) {
   return covered > 0 ? double(twice) / double(covered) : 0.0;
 }
 
-void settle_unwrap(Object& object, std::vector<std::string>& warnings) {
+double OverlapFractions::of(const Mesh& mesh) {
+  std::vector<glm::vec2> uvs;
+  uvs.reserve(mesh.vertices.size());
+  for (const Vertex& vertex : mesh.vertices) uvs.push_back(vertex.uv);
+  const auto [entry, fresh] = known_.try_emplace(hash_hex(bytes_of(uvs)) + hash_hex(bytes_of(mesh.indices)));
+  if (fresh) entry->second = overlap_fraction(mesh);
+  return entry->second;
+}
+
+void settle_unwrap(Object& object) {
   move_to_unit_tile(object.mesh);
   object.unwrap_problem = unwrap_problem(object.mesh);
-  if (!object.unwrap_problem.empty()) return;
-  if (const double overlap = overlap_fraction(object.mesh); overlap > worrying_overlap)
-    warnings.push_back(
-        fmt::format("{:.1f}% of {}'s texture is used twice; a map over its unwrap holds what is true of one use.",
-                    100 * overlap, object.name));
+}
+
+std::string overlap_warning(const Object& object, OverlapFractions& overlaps) {
+  if (!object.unwrap_problem.empty()) return "";
+  const double overlap = overlaps.of(object.mesh);
+  if (overlap <= worrying_overlap) return "";
+  return fmt::format("{:.1f}% of {}'s texture is used twice; a map over its unwrap holds what is true of one use.",
+                     100 * overlap, object.name);
 }
 
 }  // namespace lamina

@@ -3,6 +3,7 @@
 // twice.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "harness/scene/scene.h"
@@ -31,7 +32,19 @@ std::string unwrap_problem(const Mesh& mesh);
 // 512 texels at their centres, with the top-left rule, so that neighbours in the unwrap share no texel.
 double overlap_fraction(const Mesh& mesh);
 
-// Sets unwrap_problem after moving to the unit tile; warns of an overlap above worrying_overlap.
-void settle_unwrap(Object& object, std::vector<std::string>& warnings);
+// The same, counted once for all meshes with the same unwrap: many objects may be of one.
+class OverlapFractions {
+ public:
+  double of(const Mesh& mesh);
+
+ private:
+  std::map<std::string, double> known_;  // by a hash of texture coordinates and triangles
+};
+
+// Sets unwrap_problem after moving to the unit tile.
+void settle_unwrap(Object& object);
+
+// What to say of an object whose unwrap is used: of an overlap above worrying_overlap; else "".
+std::string overlap_warning(const Object& object, OverlapFractions& overlaps);
 
 }  // namespace lamina

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "harness/cli/stop_signals.h"
+#include "harness/core/stop_signals.h"
 
 #include <unistd.h>
 
@@ -32,5 +32,7 @@ StopSignals::~StopSignals() {
 }
 
 int StopSignals::stopped_by() { return asked_by; }
+
+void StopSignals::be_silent() { words_on_stop = ""; }
 
 }  // namespace lamina
