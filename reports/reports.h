@@ -19,6 +19,7 @@ struct SummaryRow {
   std::string effect, variant, backend;
   bool baseline = false;
   size_t views = 0, failed_views = 0;
+  double max_alpha = 0;              // the greatest over all views that have one
   uint64_t nonfinite_pixels = 0;     // over all views; a view with any has no error figures, nor has one whose baseline has
   std::string reason;                // of the first failure
   std::optional<Interval> frame_ms;  // per view: the median over rounds of the mean over views of the frame's time

@@ -130,6 +130,7 @@ std::vector<Group> group_cells(const Record& record) {
       continue;
     }
     group->good.push_back(&cell);
+    group->row.max_alpha = std::max(group->row.max_alpha, cell.max_alpha.value_or(0));
     group->row.nonfinite_pixels += cell.nonfinite_pixels.value_or(0);
     if (std::vector<double> samples = shown_samples_ms(record, cell); !samples.empty())
       group->samples[shot_of(cell)] = std::move(samples);

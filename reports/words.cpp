@@ -12,6 +12,8 @@
 namespace lamina {
 namespace {
 
+constexpr double visible_alpha = 0.5 / 255;  // half a step of 8 bits
+
 const char* mark_of(const Interval& interval) { return interval.coverage < report_confidence ? "*" : ""; }
 
 std::string mean_and_worst(double mean, double worst, int digits) {
@@ -117,6 +119,8 @@ std::string trouble_of(const SummaryRow& row) {
   std::string words;
   if (row.failed_views > 0) words = fmt::format("failed in {} of {} views: {}", row.failed_views, row.views, row.reason);
   if (!row.beyond_limit.empty()) words += fmt::format("{}not recommended: {}", words.empty() ? "" : "; ", row.beyond_limit);
+  if (row.max_alpha > visible_alpha)
+    words += fmt::format("{}alpha differs from the baseline's by up to {:.3g}", words.empty() ? "" : "; ", row.max_alpha);
   if (row.nonfinite_pixels > 0)
     words += fmt::format("{}{} pixels are not finite, and no error figure is made of such a picture", words.empty() ? "" : "; ",
                          row.nonfinite_pixels);

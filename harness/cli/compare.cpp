@@ -247,6 +247,7 @@ Command add_compare(CLI::App& program) {
       ->type_name(placeholder::limit)
       ->capture_default_str();
   add_truth(command, *options);
+  add_alpha(command, *options);
   add_seed(command, options->rounds.seed);
   add_validation(command, *options);
   CLI::Option* watch = command.add_flag("--watch", options->watch,

@@ -314,10 +314,13 @@ void EffectRun::score(Variant& variant, size_t view, const Drawn* baseline, cons
       truth_->score(*variant.manifest, view, picture, row, keep,
                     [&](double fraction) { tell_(fraction, "casting rays for the truth of view " + row.view); });
     if (variant.manifest->baseline || !baseline) return;
+    const Mask drawn = either(covered, baseline->covered);
     if (known)
       copy_errors(row, *known);
     else
-      fill_errors(row, picture, baseline->picture, either(covered, baseline->covered), keep);
+      fill_errors(row, picture, baseline->picture, drawn, keep);
+    if (row.error_covered && (options_.alpha || reads_frame_after(*scene_.plan, effect_)))
+      row.max_alpha = max_alpha(picture, baseline->picture, &drawn);
   });
   // Whoever waits for cells makes this one again, where it stops. Else the cell fails and the others go on.
   if (scoring.done)

@@ -184,6 +184,7 @@ Command add_gate(CLI::App& program) {
       ->needs(calibrate);
   command.add_flag("!--no-time", options->times, "Counts, pictures and errors alone");
   add_truth(command, options->compare);
+  add_alpha(command, options->compare);
   add_seed(command, options->seed);
   add_validation(command, options->compare);
   return {&command, [=](const std::string& typed) {

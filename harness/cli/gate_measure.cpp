@@ -31,6 +31,7 @@ void compare_exactly(GateProcess& process, TreePair& trees, const std::string& e
     return rows;
   };
   PicturesBefore drawn;
+  const bool alpha = only.alpha || reads_frame_after(trees.after.plan, trees.after.library.effect(effect));
   const std::vector<CellRow> rows_before =
       run_tree(trees.before, "before", [&](const EffectRun::Scored& scored) -> const CellRow* {
         drawn.add(scored.variant.name, scored.view, scored.picture, scored.covered);
@@ -39,8 +40,8 @@ void compare_exactly(GateProcess& process, TreePair& trees, const std::string& e
   run_tree(trees.after, "after", [&](const EffectRun::Scored& scored) -> const CellRow* {
     const std::string &variant = scored.variant.name, &view = trees.after.scene->views[scored.view].name;
     if (const Image* was = drawn.of(variant, scored.view))
-      emit(
-          {{"change", {{"effect", effect}, {"variant", variant}, {"view", view}, {"most", max_change(scored.picture, *was)}}}});
+      emit({{"change",
+             {{"effect", effect}, {"variant", variant}, {"view", view}, {"most", max_change(scored.picture, *was, alpha)}}}});
     if (!drawn.same_errors(variant, scored.variant.baseline, scored.view, scored.picture, scored.covered)) return nullptr;
     const auto row = std::ranges::find_if(
         rows_before, [&](const CellRow& each) { return each.variant == variant && each.view == view && !each.failed; });

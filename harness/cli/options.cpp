@@ -84,6 +84,10 @@ void add_truth(CLI::App& command, CellOptions& options) {
       ->type_name(placeholder::directory);
 }
 
+void add_alpha(CLI::App& command, CellOptions& options) {
+  command.add_flag("--alpha", options.alpha, "Compare the frame's alpha too; without it, where a later effect reads the frame");
+}
+
 void add_seed(CLI::App& command, uint64_t& seed, const std::string& help) {
   command.add_option("--seed", seed, help)->capture_default_str();
 }

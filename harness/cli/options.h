@@ -43,6 +43,7 @@ struct CellOptions : DeviceOptions, FrameSize {
   std::vector<std::string> variants;                     // by name; empty: all. The baseline is always there.
   size_t truth_rays = 256;                               // a pixel and light; 0: no truth
   std::filesystem::path cache = default_cache_folder();  // of bakes and truths; empty: none
+  bool alpha = false;                                    // alpha counts, even where no later effect reads it
   std::string command;                                   // as the user typed it
 };
 
@@ -64,6 +65,7 @@ void add_size(CLI::App& command, FrameSize& size);
 // --budget and --precision; `timed`: what has a budget of its own.
 void add_rounds(CLI::App& command, RoundOptions& rounds, const std::string& timed);
 void add_truth(CLI::App& command, CellOptions& options);  // --truth-rays and --cache
+void add_alpha(CLI::App& command, CellOptions& options);
 void add_seed(CLI::App& command, uint64_t& seed, const std::string& help = "Seed of the order of rounds");
 void add_validation(CLI::App& command, DeviceOptions& options);
 

@@ -326,6 +326,7 @@ Command add_sweep(CLI::App& program) {
   add_size(command, options->compare);
   add_rounds(command, options->rounds, "a timed point");
   add_truth(command, options->compare);
+  add_alpha(command, options->compare);
   add_seed(command, options->rounds.seed);
   add_validation(command, options->compare);
   return {&command, [=](const std::string& typed) {

@@ -158,12 +158,12 @@ void judge_staleness(const VerdictSubject& subject, const CellPair& pair, std::s
 
 }  // namespace
 
-double max_change(const Image& picture, const Image& before) {
+double max_change(const Image& picture, const Image& before, bool alpha) {
   if (before.width != picture.width || before.height != picture.height)
     throw Error(ErrorKind::failed, "gate", "picture", "the pictures before and after are of different sizes");
   double most = 0;
   for (size_t i = 0; i < picture.rgba.size(); ++i)
-    if (i % 4 != 3) most = std::max(most, std::abs(double{picture.rgba[i]} - double{before.rgba[i]}));
+    if (alpha || i % 4 != 3) most = std::max(most, std::abs(double{picture.rgba[i]} - double{before.rgba[i]}));
   return most;
 }
 

@@ -12,9 +12,9 @@
 
 namespace lamina {
 
-// The greatest difference of colours between two pictures, linear light; one that is no number counts as none. Throws
-// Error(failed) for pictures of two sizes.
-double max_change(const Image& picture, const Image& before);
+// The greatest difference between two pictures in r, g, b, linear light, and, where `alpha` counts, in alpha; one that is no
+// number counts as none. Throws Error(failed) for pictures of two sizes.
+double max_change(const Image& picture, const Image& before, bool alpha);
 
 // One variant on one backend: the cells of all its views, in one order before and after; absent where there is none. `changes`
 // is beside `after`, or empty where no pictures were compared.

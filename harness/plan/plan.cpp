@@ -7,6 +7,14 @@
 #include "harness/scene/declare.h"
 
 namespace lamina {
+
+bool reads_frame_after(const Plan& plan, const EffectManifest& effect) {
+  const auto own = std::ranges::find(plan.effects, &effect, &EffectPlan::effect);
+  return std::any_of(own, plan.effects.end(), [&](const EffectPlan& entry) {
+    return entry.effect != &effect && entry.called_for && entry.effect->reads_frame;
+  });
+}
+
 namespace {
 
 // Whether all of `needs`, the effect's own or those of one of its features, are met.

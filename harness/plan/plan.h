@@ -37,6 +37,9 @@ struct Plan {
   const EffectPlan* of(std::string_view effect) const;
 };
 
+// Whether an effect that the scene calls for is drawn after this one and reads what is in the frame, its alpha too.
+bool reads_frame_after(const Plan& plan, const EffectManifest& effect);
+
 // In time linear in objects and effects, and in vertices of objects of effects with `only_where_seen`. The plan points into
 // `library`. `aspect`: width over height of the frame; without one, no object is left out for being out of every view.
 Plan make_plan(const Library& library, const Scene& scene, std::optional<double> aspect = std::nullopt);

@@ -10,9 +10,16 @@
 namespace lamina {
 namespace {
 
+// Of a pixel's four values.
+struct Channels {
+  size_t first, end;
+};
+constexpr Channels colour = {0, 3}, alpha = {3, 4};
+
 // Calls `each` with every difference of a counted pixel, and returns how many pixels that were.
 template <class Each>
-size_t for_differences(std::string_view figure, const Image& test, const Image& reference, const Mask* mask, Each each) {
+size_t for_differences(std::string_view figure, const Image& test, const Image& reference, const Mask* mask, Channels channels,
+                       Each each) {
   check_pair(figure, test, reference);
   check_mask(figure, mask, test.width, test.height);
   const size_t pixels = test.rgba.size() / 4, counted = counted_pixels(figure, mask, pixels);
@@ -20,7 +27,8 @@ size_t for_differences(std::string_view figure, const Image& test, const Image& 
     if (!counts(mask, pixel)) continue;
     if (!is_finite_pixel(test, pixel)) check_finite(figure, test, "test");  // throws, with place and count
     if (!is_finite_pixel(reference, pixel)) check_finite(figure, reference, "reference");
-    for (size_t i = 4 * pixel; i < 4 * pixel + 3; ++i) each(double{test.rgba[i]} - double{reference.rgba[i]});
+    for (size_t i = 4 * pixel + channels.first; i < 4 * pixel + channels.end; ++i)
+      each(double{test.rgba[i]} - double{reference.rgba[i]});
   }
   return counted;
 }
@@ -29,13 +37,19 @@ size_t for_differences(std::string_view figure, const Image& test, const Image& 
 
 double rmse_linear(const Image& test, const Image& reference, const Mask* mask) {
   double squares = 0;
-  const size_t counted = for_differences("RMSE", test, reference, mask, [&](double d) { squares += d * d; });
+  const size_t counted = for_differences("RMSE", test, reference, mask, colour, [&](double d) { squares += d * d; });
   return std::sqrt(squares / (3 * static_cast<double>(counted)));
 }
 
 double max_linear(const Image& test, const Image& reference, const Mask* mask) {
   double greatest = 0;
-  for_differences("maximum", test, reference, mask, [&](double d) { greatest = std::max(greatest, std::abs(d)); });
+  for_differences("maximum", test, reference, mask, colour, [&](double d) { greatest = std::max(greatest, std::abs(d)); });
+  return greatest;
+}
+
+double max_alpha(const Image& test, const Image& reference, const Mask* mask) {
+  double greatest = 0;
+  for_differences("alpha", test, reference, mask, alpha, [&](double d) { greatest = std::max(greatest, std::abs(d)); });
   return greatest;
 }
 

@@ -41,6 +41,8 @@ double flip_mean(const std::vector<float>& map, const Mask* mask = nullptr);
 // Root of the mean squared difference and greatest absolute difference over r, g and b, linear light.
 double rmse_linear(const Image& test, const Image& reference, const Mask* mask = nullptr);
 double max_linear(const Image& test, const Image& reference, const Mask* mask = nullptr);
+// Greatest absolute difference of alpha.
+double max_alpha(const Image& test, const Image& reference, const Mask* mask = nullptr);
 // Maximum minus minimum of a channel, for the channel of r, g and b where it is greatest, linear light. 0: one colour
 // everywhere.
 double range_linear(const Image& picture, const Mask* mask = nullptr);

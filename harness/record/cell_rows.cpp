@@ -96,22 +96,23 @@ constexpr auto fields(const AssumptionRow*) {
 
 constexpr auto fields(const CellRow*) {
   using Row = CellRow;
-  return std::tuple(
-      field("scene", &Row::scene), field("effect", &Row::effect), field("variant", &Row::variant),
-      field("baseline", &Row::baseline), field("backend", &Row::backend), field("device", &Row::device),
-      field("width", &Row::width), field("height", &Row::height), field("view", &Row::view), field("params", &Row::params),
-      left_out("words", &Row::words), field<Status>("status", &Row::failed), field("reason", &Row::reason),
-      left_out("notes", &Row::notes), field("timed", &Row::timed), field("passes", &Row::passes),
-      field("median_ms", &Row::median_ms), field("once_ms", &Row::once_ms), field("cold_ms", &Row::cold_ms),
-      field("ratio_to_baseline", &Row::ratio_to_baseline), field("fetches", &Row::fetches),
-      field("fetches_per_pixel", &Row::fetches_per_pixel), left_out("target_bytes", &Row::target_bytes),
-      group("error", field("baseline", &Row::error_covered), field("frame", &Row::error_frame),
-            field("truth", &Row::error_truth)),
-      field("nonfinite_pixels", &Row::nonfinite_pixels), field("covered_pixels", &Row::covered_pixels),
-      left_out("range_linear", &Row::range_linear), field("image", &Row::image), field("difference", &Row::difference),
-      field("flip", &Row::flip), left_out("truth_image", &Row::truth_image), left_out("worst_tile", &Row::worst_tile),
-      left_out("assumptions", &Row::assumptions), field("image_hash", &Row::image_hash),
-      field("shader_hashes", &Row::shader_hashes), left_out("before_image", &Row::before_image));
+  return std::tuple(field("scene", &Row::scene), field("effect", &Row::effect), field("variant", &Row::variant),
+                    field("baseline", &Row::baseline), field("backend", &Row::backend), field("device", &Row::device),
+                    field("width", &Row::width), field("height", &Row::height), field("view", &Row::view),
+                    field("params", &Row::params), left_out("words", &Row::words), field<Status>("status", &Row::failed),
+                    field("reason", &Row::reason), left_out("notes", &Row::notes), field("timed", &Row::timed),
+                    field("passes", &Row::passes), field("median_ms", &Row::median_ms), field("once_ms", &Row::once_ms),
+                    field("cold_ms", &Row::cold_ms), field("ratio_to_baseline", &Row::ratio_to_baseline),
+                    field("fetches", &Row::fetches), field("fetches_per_pixel", &Row::fetches_per_pixel),
+                    left_out("target_bytes", &Row::target_bytes),
+                    group("error", field("baseline", &Row::error_covered), field("frame", &Row::error_frame),
+                          field("truth", &Row::error_truth)),
+                    left_out("max_alpha", &Row::max_alpha), field("nonfinite_pixels", &Row::nonfinite_pixels),
+                    field("covered_pixels", &Row::covered_pixels), left_out("range_linear", &Row::range_linear),
+                    field("image", &Row::image), field("difference", &Row::difference), field("flip", &Row::flip),
+                    left_out("truth_image", &Row::truth_image), left_out("worst_tile", &Row::worst_tile),
+                    left_out("assumptions", &Row::assumptions), field("image_hash", &Row::image_hash),
+                    field("shader_hashes", &Row::shader_hashes), left_out("before_image", &Row::before_image));
 }
 
 void check(const CellRow& row, const At& at) {

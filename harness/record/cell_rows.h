@@ -71,6 +71,8 @@ struct CellRow {
   std::optional<ErrorFigures> error_covered, error_frame;
   std::optional<ErrorFigures> error_truth;  // against the truth, covered pixels; absent where there is no truth, or a failure
   std::vector<AssumptionRow> assumptions;   // none where there is no truth
+  std::optional<double>
+      max_alpha;  // the greatest difference of alpha to the baseline, covered pixels; absent where nobody asks
   std::optional<uint64_t> nonfinite_pixels;
   std::optional<uint64_t> covered_pixels;  // pixels in which the effect's final pass shaded at least once
   std::optional<double> range_linear;      // range_linear() over these pixels (quality.h); absent where there are none, or a

@@ -56,6 +56,23 @@ TEST_F(NotAPicture, FramesOfNoPictureFailAndAreNeverFast) {
   EXPECT_SAYS(text, "**one_colour** is not a picture on vulkan: it is one colour");
 }
 
+// Colours as the baseline's or not: alpha is a figure of its own, where it is asked for.
+TEST_F(NotAPicture, AlphaIsComparedWhereItIsAskedFor) {
+  add_variant("half_alpha", "color = vec4(in_uv, texture(inner_albedo, in_uv).b, 0.5);");
+  const std::string scene = square_model() + " --variant half_alpha --variants-dir " + (folder_ / "mine").string();
+  const auto alpha_of = [&](const std::string& more) {
+    const Outcome outcome = compare(scene + more);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_EQ(outcome.output.find("alpha differs from the baseline's by up to 0.5") != std::string::npos, !more.empty());
+    std::optional<double> most;
+    for (const CellRow& cell : record().cells)
+      if (cell.variant == "half_alpha") most = cell.max_alpha;
+    return most;
+  };
+  EXPECT_EQ(alpha_of(""), std::nullopt);
+  EXPECT_NEAR(alpha_of(" --alpha").value_or(0), 0.5, 1e-6);
+}
+
 TEST_F(NotAPicture, ABaselineWithoutTexelsFailsByNameAndTheOthersGoOn) {
   // A square whose texture coordinates are one point, as a palette's are.
   const std::string model = square_model();

@@ -270,13 +270,14 @@ TEST(ExactVerdicts, WhatVanishedOrFailedIsNeverAPass) {
   EXPECT_EQ(status(judge_cells({{failed}, {here}, {}}, {})), 3) << "failed before";
 }
 
-TEST(MostChange, IsOverColoursAlone) {
+TEST(MaxChange, IsOverColoursUnlessAlphaCounts) {
   Image before{2, 1, {0.1f, 0.2f, 0.3f, 0, 0.1f, 0.2f, 0.3f, 1}}, after = before;
-  EXPECT_EQ(max_change(after, before), 0);
+  EXPECT_EQ(max_change(after, before, false), 0);
   after.rgba[4] = 0.6f, after.rgba[7] = 9;
-  EXPECT_NEAR(max_change(after, before), 0.5, 1e-6);
+  EXPECT_NEAR(max_change(after, before, false), 0.5, 1e-6);
+  EXPECT_NEAR(max_change(after, before, true), 8, 1e-6);
   const Image larger{2, 2, std::vector<float>(16, 0.0f)};
-  EXPECT_THROW(max_change(larger, before), Error);
+  EXPECT_THROW(max_change(larger, before, false), Error);
 }
 
 TEST(GateOutcome_, ComesFromTheWorstRow) {

@@ -35,6 +35,23 @@ TEST(Plan, CallsForNothingButTheSurfaceWithoutLayers) {
   EXPECT_TRUE(plan.of("surface")->called_for);
 }
 
+TEST(Plan, KnowsWhoseFrameALaterEffectReads) {
+  Scene scene;
+  scene.objects = {layered(8, 1)};
+  const Library library = builtin();
+  const EffectManifest &layers = library.effect("layered_material"), &glass = library.effect("rough_refraction");
+  ASSERT_TRUE(glass.reads_frame);
+  EXPECT_FALSE(reads_frame_after(make_plan(library, scene), layers));
+  Object pane;
+  pane.effects["rough_refraction"];
+  for (const std::string& name : glass.needs) pane.effects["rough_refraction"].numbers[name] = 1;
+  scene.objects.push_back(pane);
+  const Plan plan = make_plan(library, scene);
+  ASSERT_TRUE(plan.of("rough_refraction")->called_for);
+  EXPECT_TRUE(reads_frame_after(plan, layers));
+  EXPECT_FALSE(reads_frame_after(plan, glass)) << "nobody comes after it";
+}
+
 TEST(Plan, EachObjectGetsTheFeaturesThatItsFactsCallFor) {
   const Library library = builtin();
   const EffectManifest& effect = library.effect("layered_material");

@@ -87,5 +87,16 @@ TEST(NonfinitePixels, CountsPixelsNotValues) {
   EXPECT_NE(refusal([] { nonfinite_pixels({}); }).find("empty"), std::string::npos);
 }
 
+TEST(MaxAlpha, IsOfAlphaAloneWhereTheMaskCounts) {
+  const Image reference{2, 1, {0.1f, 0.2f, 0.3f, 1, 0.1f, 0.2f, 0.3f, 0.5f}};
+  Image test = reference;
+  test.rgba[0] = 7, test.rgba[3] = 0.75f, test.rgba[7] = 0;
+  EXPECT_DOUBLE_EQ(max_alpha(test, reference), 0.5);
+  const Mask first{2, 1, {1, 0}};
+  EXPECT_DOUBLE_EQ(max_alpha(test, reference, &first), 0.25);
+  test.rgba[7] = NAN;
+  EXPECT_THROW(max_alpha(test, reference), Error);
+}
+
 }  // namespace
 }  // namespace lamina
