@@ -10,24 +10,33 @@
 namespace lamina {
 namespace {
 
+template <class Visit>
+void each_texel(const TextureImage& texture, Visit visit) {
+  const Texels base = base_texels(texture);
+  const TexelArray& texels = base.rgba;
+  for (size_t i = 0; i < texels.size(); ++i) visit(texels[i]);
+}
+
 double largest(const Texture& texture, bool of_all_channels) {
   float greatest = 0;
-  for (const glm::vec4& texel : base_texels(*texture).rgba)
+  each_texel(*texture, [&](glm::vec4 texel) {
     greatest = std::max(greatest, of_all_channels ? std::max({texel.r, texel.g, texel.b}) : texel.r);
+  });
   return double(greatest);
 }
 
 double least_alpha(const Texture& texture) {
   float least = 1;
-  for (const glm::vec4& texel : base_texels(*texture).rgba) least = std::min(least, texel.a);
+  each_texel(*texture, [&](glm::vec4 texel) { least = std::min(least, texel.a); });
   return double(least);
 }
 
 // Flat is a code of 127 or 128: 1/2 is none.
 double largest_bend(const Texture& texture) {
   float greatest = 0;
-  for (const glm::vec4& texel : base_texels(*texture).rgba)
+  each_texel(*texture, [&](glm::vec4 texel) {
     greatest = std::max({greatest, std::abs(texel.r - 0.5f), std::abs(texel.g - 0.5f)});
+  });
   return greatest > 0.6f / 255 ? 2 * double(greatest) : 0;
 }
 

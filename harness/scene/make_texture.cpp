@@ -33,7 +33,9 @@ Texels file_texels(const std::filesystem::path& file, TextureMeaning meaning) {
   if (meaning == TextureMeaning::number) return red_of(file);
   Texels texels = load_texels(file, meaning == TextureMeaning::colour);
   if (meaning == TextureMeaning::normal || meaning == TextureMeaning::normal_mean)
-    for (glm::vec4& texel : texels.rgba) texel.y = 1 - texel.y;  // green up the image in files, as glTF's
+    // Green up the image in files, as glTF's.
+    texels.rgba.change(
+        1, [](uint8_t code) { return static_cast<uint8_t>(255 - code); }, [](float y) { return 1 - y; });
   return texels;
 }
 
@@ -48,6 +50,14 @@ Texels said_texels(const KeyValue& said, TextureMeaning meaning) {
 Texels with_alpha(const Texels& colour, const Texels& transparency) {
   const uint32_t width = std::max(colour.width, transparency.width), height = std::max(colour.height, transparency.height);
   Texels result = resized(colour, width, height);
+  if (transparency.rgba.size() == 1) {
+    const float all = transparency.rgba[0].a;
+    if (all == 0 || all == 1) {
+      result.rgba.change(
+          3, [&](uint8_t) { return static_cast<uint8_t>(255 * all); }, [&](float) { return all; });
+      return result;
+    }
+  }
   const Texels alpha = resized(transparency, width, height);
   for (size_t i = 0; i < result.rgba.size(); ++i) result.rgba[i].a = alpha.rgba[i].a;
   return result;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "harness/core/error.h"
 
@@ -33,25 +34,55 @@ std::array<float, 255> srgb_code_boundaries() {
   return boundaries;
 }
 
+// A value's code, from the code of the greatest multiple of 1 / 4096 that is not above it.
 std::byte srgb_code(float linear) {
   static const std::array<float, 255> boundaries = srgb_code_boundaries();
-  return static_cast<std::byte>(std::upper_bound(boundaries.begin(), boundaries.end(), linear) - boundaries.begin());
+  static const std::array<uint8_t, 4097> codes = [] {
+    std::array<uint8_t, 4097> made;
+    for (size_t i = 0; i < made.size(); ++i)
+      made[i] = static_cast<uint8_t>(std::upper_bound(boundaries.begin(), boundaries.end(), static_cast<float>(i) / 4096) -
+                                     boundaries.begin());
+    return made;
+  }();
+  if (!(linear > 0)) return std::byte{0};
+  size_t code = codes[static_cast<size_t>(std::min(linear, 1.0f) * 4096)];
+  while (code < boundaries.size() && boundaries[code] <= linear) ++code;
+  return static_cast<std::byte>(code);
 }
 
 std::byte unorm_code(float value) { return static_cast<std::byte>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255)); }
-
-// Linear values of the 256 codes.
-std::array<float, 256> decoded_srgb_codes() {
-  std::array<float, 256> linear;
-  for (size_t k = 0; k < linear.size(); ++k) linear[k] = static_cast<float>(linear_from_srgb(double(k) / 255));
-  return linear;
-}
 
 // Transparency must not darken colours: ask for colour that is not multiplied by alpha.
 OIIO::ImageSpec unassociated_alpha() {
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
   return config;
+}
+
+// The codes of a file of 8 bits, read in bands where it has no tiles; grey becomes r = g = b, missing alpha 255.
+std::vector<uint8_t> read_codes(OIIO::ImageInput& input, const std::string& name, size_t channels) {
+  constexpr int band = 64;
+  const OIIO::ImageSpec& spec = input.spec();
+  const auto width = static_cast<size_t>(spec.width);
+  std::vector<uint8_t> codes(width * size_t(spec.height) * 4);
+  const int rows = spec.tile_width > 0 ? spec.height : std::min(band, spec.height);
+  std::vector<uint8_t> read(width * size_t(rows) * channels);
+  const bool grey = channels < 3, has_alpha = channels == 2 || channels == 4;
+  for (int y = 0; y < spec.height; y += rows) {
+    const int end = std::min(y + rows, spec.height);
+    const bool good = spec.tile_width > 0
+                          ? input.read_image(0, 0, 0, static_cast<int>(channels), OIIO::TypeDesc::UINT8, read.data())
+                          : input.read_scanlines(0, 0, spec.y + y, spec.y + end, 0, 0, static_cast<int>(channels),
+                                                 OIIO::TypeDesc::UINT8, read.data());
+    if (!good) refuse_texture(name, "cannot be decoded: " + input.geterror());
+    uint8_t* out = &codes[size_t(y) * width * 4];
+    for (size_t i = 0; i < width * size_t(end - y); ++i, out += 4) {
+      const uint8_t* in = &read[i * channels];
+      for (size_t c = 0; c < 3; ++c) out[c] = in[grey ? 0 : c];
+      out[3] = has_alpha ? in[channels - 1] : 255;
+    }
+  }
+  return codes;
 }
 
 Texels read_texels(OIIO::ImageInput& input, const std::string& name, bool srgb_colour) {
@@ -62,33 +93,30 @@ Texels read_texels(OIIO::ImageInput& input, const std::string& name, bool srgb_c
         name, fmt::format("{} x {} texels are too many; at most {} on a side", spec.width, spec.height, max_texels_on_a_side));
   const size_t channels = static_cast<size_t>(std::min(spec.nchannels, 4));
   const size_t texels = size_t(spec.width) * size_t(spec.height);
+  if (spec.format == OIIO::TypeDesc::UINT8)
+    return {static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height),
+            TexelArray::of_codes(read_codes(input, name, channels), srgb_colour)};
   std::vector<float> values(texels * channels);
   if (!input.read_image(0, 0, 0, static_cast<int>(channels), OIIO::TypeDesc::FLOAT, values.data()))
     refuse_texture(name, "cannot be decoded: " + input.geterror());
 
   // Floating-point files (OpenEXR, Radiance) hold linear light by convention; only integer codes are sRGB-encoded.
   const bool decode = srgb_colour && !spec.format.is_floating_point();
-  // Integer files have few distinct values, repeated over many texels.
-  const std::array<float, 256> linear_of_code = decoded_srgb_codes();
-  const bool eight_bits = spec.format == OIIO::TypeDesc::UINT8;
-  const auto colour = [&](float value) {
-    if (!decode) return value;
-    return eight_bits ? linear_of_code[static_cast<size_t>(std::lround(value * 255))] : float(linear_from_srgb(value));
-  };
+  const auto colour = [&](float value) { return decode ? float(linear_from_srgb(value)) : value; };
 
   const bool grey = channels < 3;
   const bool has_alpha = channels == 2 || channels == 4;
-  Texels result{static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height), std::vector<glm::vec4>(texels)};
+  const auto width = static_cast<size_t>(spec.width);
+  std::vector<glm::vec4> rgba(texels);
   for (size_t i = 0; i < texels; ++i) {
     const float* in = &values[i * channels];
-    glm::vec4& out = result.rgba[i];
+    glm::vec4& out = rgba[i];
     for (int c = 0; c < 3; ++c) out[c] = colour(in[grey ? 0 : c]);
     out.a = has_alpha ? in[channels - 1] : 1.0f;
     for (int c = 0; c < 4; ++c)
-      if (!std::isfinite(out[c]))
-        refuse_texture(name, fmt::format("texel ({}, {}) is not finite", i % result.width, i / result.width));
+      if (!std::isfinite(out[c])) refuse_texture(name, fmt::format("texel ({}, {}) is not finite", i % width, i / width));
   }
-  return result;
+  return {static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height), std::move(rgba)};
 }
 
 // The box filter along one axis: destination texel i covers the sources from i * ratio to (i + 1) * ratio, whole or in part, so
@@ -111,45 +139,70 @@ std::vector<Tap> box_taps(uint32_t source, uint32_t destination) {
   return taps;
 }
 
-Texels half_size(const Texels& source) {
-  Texels half{std::max(1u, source.width / 2), std::max(1u, source.height / 2), {}};
-  half.rgba.resize(size_t{half.width} * half.height);
-  const std::vector<Tap> across = box_taps(source.width, half.width), down = box_taps(source.height, half.height);
-  for (uint32_t y = 0; y < half.height; ++y) {
-    for (uint32_t x = 0; x < half.width; ++x) {
-      glm::vec4 sum{0};
-      for (size_t j = 0; j < down[y].weights.size(); ++j) {
-        const glm::vec4* row = &source.rgba[(down[y].first + j) * source.width + across[x].first];
-        glm::vec4 row_sum{0};
-        for (size_t i = 0; i < across[x].weights.size(); ++i) row_sum += across[x].weights[i] * row[i];
-        sum += down[y].weights[j] * row_sum;
-      }
-      half.rgba[size_t{y} * half.width + x] = sum;
-    }
-  }
-  return half;
-}
-
 glm::vec3 unit_or_flat(glm::vec3 sum) {
   const float length = glm::length(sum);
   return length > 1e-6f ? sum / length
                         : glm::vec3(0, 0, 1);  // far below what any two 8-bit normals can leave unless they cancel
 }
 
-// One level in the texture's format. Normals come as vectors, everything else as it is stored.
-std::vector<std::byte> encoded(const Texels& level, TexelMeaning meaning) {
+// Row y of what levels are filtered from: normals as vectors, everything else as it is stored.
+void read_row(const Texels& level, uint32_t y, bool codes_of_normals, std::span<glm::vec4> row) {
+  const TexelArray& texels = level.rgba;
+  for (size_t x = 0; x < row.size(); ++x) {
+    row[x] = texels[size_t{y} * level.width + x];
+    if (codes_of_normals) row[x] = glm::vec4(unit_or_flat(glm::vec3(row[x]) * 2.0f - 1.0f), row[x].a);
+  }
+}
+
+Texels half_size(const Texels& source, bool codes_of_normals) {
+  const uint32_t width = std::max(1u, source.width / 2), height = std::max(1u, source.height / 2);
+  std::vector<glm::vec4> half(size_t{width} * height), row(source.width), sums(width);
+  const std::vector<Tap> across = box_taps(source.width, width), down = box_taps(source.height, height);
+  for (uint32_t y = 0; y < height; ++y)
+    for (size_t j = 0; j < down[y].weights.size(); ++j) {
+      read_row(source, down[y].first + static_cast<uint32_t>(j), codes_of_normals, row);
+      for (uint32_t x = 0; x < width; ++x) {
+        glm::vec4 row_sum{0};
+        for (size_t i = 0; i < across[x].weights.size(); ++i) row_sum += across[x].weights[i] * row[across[x].first + i];
+        half[size_t{y} * width + x] += down[y].weights[j] * row_sum;
+      }
+    }
+  return {width, height, std::move(half)};
+}
+
+// One level in the texture's format.
+std::vector<std::byte> encoded(const Texels& level, bool codes_of_normals, TexelMeaning meaning) {
   std::vector<std::byte> bytes(level.rgba.size() * 4);
-  for (size_t i = 0; i < level.rgba.size(); ++i) {
-    glm::vec4 texel = level.rgba[i];
-    if (meaning == TexelMeaning::normal) texel = glm::vec4(unit_or_flat(glm::vec3(texel)) * 0.5f + 0.5f, texel.a);
-    if (meaning == TexelMeaning::normal_mean) texel = glm::vec4(glm::vec3(texel) * 0.5f + 0.5f, texel.a);
-    for (int c = 0; c < 3; ++c) bytes[i * 4 + c] = meaning == TexelMeaning::colour ? srgb_code(texel[c]) : unorm_code(texel[c]);
-    bytes[i * 4 + 3] = unorm_code(texel.a);
+  const bool normals = meaning == TexelMeaning::normal || meaning == TexelMeaning::normal_mean;
+  if (const auto& codes = level.rgba.codes();
+      !normals && !codes.empty() && level.rgba.srgb() == (meaning == TexelMeaning::colour)) {
+    std::memcpy(bytes.data(), codes.data(), codes.size());  // they are what would come of them
+    return bytes;
+  }
+  std::vector<glm::vec4> row(level.width);
+  std::byte* out = bytes.data();
+  for (uint32_t y = 0; y < level.height; ++y) {
+    read_row(level, y, codes_of_normals, row);
+    for (glm::vec4 texel : row) {
+      if (meaning == TexelMeaning::normal) texel = glm::vec4(unit_or_flat(glm::vec3(texel)) * 0.5f + 0.5f, texel.a);
+      if (meaning == TexelMeaning::normal_mean) texel = glm::vec4(glm::vec3(texel) * 0.5f + 0.5f, texel.a);
+      for (int c = 0; c < 3; ++c) *out++ = meaning == TexelMeaning::colour ? srgb_code(texel[c]) : unorm_code(texel[c]);
+      *out++ = unorm_code(texel.a);
+    }
   }
   return bytes;
 }
 
 }  // namespace
+
+const std::array<float, 256>& linear_of_srgb_codes() {
+  static const std::array<float, 256> linear = [] {
+    std::array<float, 256> made;
+    for (size_t code = 0; code < made.size(); ++code) made[code] = static_cast<float>(linear_from_srgb(double(code) / 255));
+    return made;
+  }();
+  return linear;
+}
 
 Texels load_texels(const std::filesystem::path& file, bool srgb_colour) {
   const OIIO::ImageSpec config = unassociated_alpha();
@@ -182,14 +235,12 @@ std::shared_ptr<const TextureImage> make_texture(std::string name, const Texels&
   texture->width = base.width;
   texture->height = base.height;
 
-  Texels level = base;
-  if (meaning == TexelMeaning::normal || meaning == TexelMeaning::normal_mean)
-    for (glm::vec4& texel : level.rgba) texel = glm::vec4(unit_or_flat(glm::vec3(texel) * 2.0f - 1.0f), texel.a);
-  texture->levels.push_back(encoded(level, meaning));
+  const bool normals = meaning == TexelMeaning::normal || meaning == TexelMeaning::normal_mean;
+  texture->levels.push_back(encoded(base, normals, meaning));
   // Each level is filtered from the one above before that is rounded or renormalized, so every level is a box of the base.
-  while (level.width > 1 || level.height > 1) {
-    level = half_size(level);
-    texture->levels.push_back(encoded(level, meaning));
+  for (Texels level; texture->levels.back().size() > 4;) {
+    level = texture->levels.size() == 1 ? half_size(base, normals) : half_size(level, false);
+    texture->levels.push_back(encoded(level, false, meaning));
   }
   return texture;
 }
@@ -199,23 +250,17 @@ std::shared_ptr<const TextureImage> constant_texture(std::string name, glm::vec4
 }
 
 Texels level_texels(const TextureImage& texture, size_t level) {
-  const std::array<float, 256> linear_of_code = decoded_srgb_codes();
-  const std::vector<std::byte>& codes = texture.levels.at(level);
-  Texels texels{std::max(texture.width >> level, 1u), std::max(texture.height >> level, 1u),
-                std::vector<glm::vec4>(codes.size() / 4)};
-  for (size_t i = 0; i < codes.size(); ++i) {
-    const auto code = std::to_integer<uint8_t>(codes[i]);
-    const bool colour = texture.format == Format::rgba8_srgb && i % 4 != 3;
-    texels.rgba[i / 4][static_cast<int>(i % 4)] = colour ? linear_of_code[code] : float(code) / 255;
-  }
-  return texels;
+  const std::vector<std::byte>& bytes = texture.levels.at(level);
+  const auto* codes = reinterpret_cast<const uint8_t*>(bytes.data());
+  return {std::max(texture.width >> level, 1u), std::max(texture.height >> level, 1u),
+          TexelArray::of_codes({codes, codes + bytes.size()}, texture.format == Format::rgba8_srgb)};
 }
 
 Texels base_texels(const TextureImage& texture) { return level_texels(texture, 0); }
 
 Texels resized(const Texels& source, uint32_t width, uint32_t height) {
   if (source.width == width && source.height == height) return source;
-  Texels result{width, height, std::vector<glm::vec4>(size_t{width} * height)};
+  std::vector<glm::vec4> result(size_t{width} * height);
   // The two neighbours of destination texel i along an axis, and the weight of the second.
   struct Neighbours {
     size_t first, second;
@@ -231,13 +276,13 @@ Texels resized(const Texels& source, uint32_t width, uint32_t height) {
     for (uint32_t x = 0; x < width; ++x) {
       const Neighbours across = neighbours(x, source.width, width);
       const auto mixed = [&](size_t row) {
-        const glm::vec4* texels = &source.rgba[row * source.width];
-        return glm::mix(texels[across.first], texels[across.second], across.weight);
+        const size_t first = row * source.width;
+        return glm::mix(source.rgba[first + across.first], source.rgba[first + across.second], across.weight);
       };
-      result.rgba[size_t{y} * width + x] = glm::mix(mixed(down.first), mixed(down.second), down.weight);
+      result[size_t{y} * width + x] = glm::mix(mixed(down.first), mixed(down.second), down.weight);
     }
   }
-  return result;
+  return {width, height, std::move(result)};
 }
 
 }  // namespace lamina

@@ -10,13 +10,14 @@
 #include <string>
 
 #include "harness/core/image.h"
+#include "harness/scene/texel_array.h"
 
 namespace lamina {
 
-// Pictures before they become textures: four floats a texel, linear light, rows top to bottom.
+// Pictures before they become textures: four numbers a texel, linear light, rows top to bottom.
 struct Texels {
   uint32_t width = 0, height = 0;
-  std::vector<glm::vec4> rgba;
+  TexelArray rgba;
 };
 
 // Any file OpenImageIO reads. srgb_colour: rgb is sRGB-encoded in the file and decoded to linear here (alpha is always linear,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <numeric>
+#include <opencv2/quality/qualityssim.hpp>
 
 #include "tests/quality/pictures.h"
 
@@ -57,6 +58,27 @@ TEST(Ssim, AgreesWithThePapersFormula) {
   const DisplayImage bright = painted(23, 19, [](int x, int y) { return grey(250 + (x + y) % 3); });
   for (const auto& [test, reference] : {std::pair{a, noise(23, 19, 2)}, {smooth, a}, {bright, flat(23, 19, grey(251))}})
     EXPECT_NEAR(ssim(test, reference), mean_of(paper_ssim(test, reference)), 1e-6);
+}
+
+// Nearly equal bright pictures: their variances are small differences of large numbers. Reports print six digits near 1.
+TEST(Ssim, HoldsDigitsThatFloatsLose) {
+  const DisplayImage dither = noise(64, 48, 3);
+  const auto bright = [&](int period) {
+    return painted(64, 48, [&](int x, int y) {
+      const int i = 64 * y + x;
+      return grey(250 + dither.rgb[static_cast<size_t>(3 * i)] % 2 + (i % period == 0 ? 1 : 0));
+    });
+  };
+  const DisplayImage reference = bright(1 << 20), test = bright(8);
+  const double exact = mean_of(paper_ssim(test, reference));
+  EXPECT_NEAR(ssim(test, reference), exact, 1e-9);
+  const auto bytes = [](const DisplayImage& image) {
+    return cv::Mat3b(image.height, image.width, reinterpret_cast<cv::Vec3b*>(const_cast<uint8_t*>(image.rgb.data())));
+  };
+  cv::Mat map;
+  cv::quality::QualitySSIM::compute(bytes(reference), bytes(test), map);  // works in floats
+  const cv::Scalar in_floats = cv::mean(map);
+  EXPECT_GT(std::abs(in_floats[0] - exact), 1e-7);
 }
 
 TEST(Ssim, AgreesWithThePapersFormulaOnPicturesSmallerThanItsWindow) {

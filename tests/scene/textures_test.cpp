@@ -212,5 +212,47 @@ TEST(ConstantTexture, IsOneTexelWithOneLevel) {
   EXPECT_EQ(code(*texture, 0, 0, 3), 64);
 }
 
+// Codes that nobody wrote to give the same texture as the floats that they stand for, at odd sizes too.
+TEST(Textures, CodesAndTheirFloatsMakeTheSameTexture) {
+  std::mt19937 random(7);
+  for (const auto& [width, height] : {std::pair{1u, 1u}, {7u, 5u}, {16u, 8u}, {1u, 9u}})
+    for (const bool srgb : {false, true}) {
+      std::vector<uint8_t> codes(size_t{4} * width * height);
+      for (uint8_t& code : codes) code = static_cast<uint8_t>(random() >> 24);
+      const Texels coded{width, height, TexelArray::of_codes(codes, srgb)};
+      Texels floats = coded;
+      floats.rgba.begin();  // whoever may write gets floats
+      ASSERT_TRUE(floats.rgba.codes().empty());
+      ASSERT_FALSE(coded.rgba.codes().empty());
+      EXPECT_EQ(floats.rgba, coded.rgba);
+      for (const TexelMeaning meaning :
+           {TexelMeaning::colour, TexelMeaning::normal, TexelMeaning::data, TexelMeaning::normal_mean})
+        EXPECT_EQ(make_texture("a", coded, meaning)->levels, make_texture("b", floats, meaning)->levels)
+            << width << "x" << height << (srgb ? " sRGB " : " ") << static_cast<int>(meaning);
+    }
+}
+
+// The nearest code of the sRGB curve: between codes k and k + 1 the line is at k + 1/2, decoded.
+TEST(Textures, EveryValueGetsTheNearestCode) {
+  std::vector<float> lines;
+  for (int k = 0; k < 255; ++k) {
+    const double encoded = (k + 0.5) / 255;
+    lines.push_back(static_cast<float>(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4)));
+  }
+  std::vector<float> values = {-1, -0.0f, 0, 1e-30f, 1, std::nextafter(1.0f, 0.0f), 1.5f, 1e30f};
+  for (const float line : lines)
+    for (const float value : {line, std::nextafter(line, 0.0f), std::nextafter(line, 1.0f)}) values.push_back(value);
+  for (int i = 0; i <= 4096; ++i) values.push_back(static_cast<float>(i) / 4096);
+  std::mt19937 random(11);
+  for (int i = 0; i < 20000; ++i) values.push_back(static_cast<float>(random()) * 0x1p-32f);
+  Texels row{static_cast<uint32_t>(values.size()), 1, {}};
+  for (const float value : values) row.rgba.emplace_back(value, value, value, 1);
+  const auto texture = make_texture("row", row, TexelMeaning::colour);
+  for (size_t i = 0; i < values.size(); ++i) {
+    const auto code = std::upper_bound(lines.begin(), lines.end(), values[i]) - lines.begin();
+    ASSERT_EQ(std::to_integer<int>(texture->levels[0][4 * i]), code) << values[i];
+  }
+}
+
 }  // namespace
 }  // namespace lamina

@@ -115,10 +115,13 @@ Texels base_colour(const tinygltf::Model& model, const tinygltf::Material& mater
   const glm::vec4 factor = base_colour_factor(material, subject, warnings);
   const bool opaque = material.alphaMode == "OPAQUE";
   to.factor = glm::vec4(glm::vec3(factor), opaque ? 1 : opacity(material, factor.a));
-  for (glm::vec4& texel : texels.rgba) {
-    texel *= factor;
-    texel.a = opaque ? 1 : opacity(material, texel.a);
-  }
+  if (glm::vec3(factor) != glm::vec3(1) || (!opaque && factor.a != 1))
+    for (glm::vec4& texel : texels.rgba) texel *= factor;
+  if (opaque)
+    texels.rgba.change(
+        3, [](uint8_t) { return uint8_t{255}; }, [](float) { return 1.0f; });
+  else if (material.alphaMode == "MASK")
+    for (glm::vec4& texel : texels.rgba) texel.a = opacity(material, texel.a);
   return texels;
 }
 
@@ -129,11 +132,13 @@ std::optional<Texels> normal_map(const tinygltf::Model& model, const tinygltf::M
   Texels texels = decode(model, reference, false, subject + ", normal texture", to, warnings);
   const auto scale = static_cast<float>(reference.scale);
   if (!std::isfinite(scale)) refuse_gltf(subject, "the normal texture's scale is not a finite number");
+  texels.rgba.change(
+      1, [](uint8_t code) { return static_cast<uint8_t>(255 - code); }, [](float y) { return 1 - y; });
+  if (scale == 1) return texels;
   for (glm::vec4& texel : texels.rgba) {
-    texel.y = 1 - texel.y;
     glm::vec3 normal = (glm::vec3(texel) * 2.0f - 1.0f) * glm::vec3(scale, scale, 1.0f);
     // Unit again before it is stored in 0 to 1, where a scale above 1 would be cut off.
-    if (const float length = glm::length(normal); scale != 1 && length > 0) normal /= length;
+    if (const float length = glm::length(normal); length > 0) normal /= length;
     texel = glm::vec4(normal * 0.5f + 0.5f, texel.a);
   }
   return texels;
