@@ -113,11 +113,12 @@ void read_all(std::vector<Child>& children) {
     for (Child& child : children)
       if (child.from >= 0) open.push_back({child.from, POLLIN, 0}), whose.push_back(&child);
     if (open.empty()) return;
-    if (::poll(open.data(), open.size(), -1) < 0) {
-      if (errno != EINTR) throw_errno("poll");
-      if (StopSignals::stopped_by() != 0 && !std::exchange(asked, true))
-        for (const Child& child : children) ::kill(child.id, SIGTERM);
-      continue;
+    if (StopSignals::stopped_by() != 0 && !std::exchange(asked, true))
+      for (const Child& child : children) ::kill(child.id, SIGTERM);
+    constexpr int look_again_ms = 200;  // a signal may come just before the call that it would interrupt
+    if (::poll(open.data(), open.size(), look_again_ms) < 0) {
+      if (errno == EINTR) continue;
+      throw_errno("poll");
     }
     for (size_t i = 0; i < open.size(); ++i) {
       if (open[i].revents == 0) continue;

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "harness/core/error.h"
+#include "harness/core/stop_signals.h"
 
 namespace lamina {
 namespace {
@@ -90,6 +91,22 @@ TEST(Child, SeveralRunAtTheSameTime) {
   }
   EXPECT_NE(results[2].failure.find('c'), std::string::npos) << "in the order of the works";
   for (const int end : {to_first[0], to_first[1], to_second[0], to_second[1]}) ::close(end);
+}
+
+// `kill` reaches one process: what asks the parent to stop must reach its children.
+TEST(Child, IsAskedToStopWithItsParent) {
+  const StopSignals signals("");
+  const ChildResult result = run_in_child([](const EmitLine& emit) {
+    ::alarm(20);  // ends it where nobody asks
+    emit({{"began", true}});
+    ::kill(::getppid(), SIGINT);
+    while (StopSignals::stopped_by() == 0) ::usleep(1000);
+    emit({{"stopped_by", StopSignals::stopped_by()}});
+  });
+  EXPECT_EQ(result.failure, "");
+  ASSERT_EQ(result.lines.size(), 2u);
+  EXPECT_EQ(result.lines[1]["stopped_by"], SIGTERM);
+  EXPECT_EQ(StopSignals::stopped_by(), SIGINT);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The C++ of the layered material: variants/layered_material/effect.toml names it.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <mutex>
 
