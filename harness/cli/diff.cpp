@@ -26,9 +26,7 @@ struct DiffOptions {
 
 Image picture_of(const std::filesystem::path& file, bool colour) {
   const Texels texels = load_texels(file, colour);
-  Image image{static_cast<int>(texels.width), static_cast<int>(texels.height), std::vector<float>(4 * texels.rgba.size())};
-  std::memcpy(image.rgba.data(), texels.rgba.data(), image.rgba.size() * sizeof(float));
-  return image;
+  return image_of(texels);
 }
 
 [[noreturn]] void refuse_sizes(const std::filesystem::path& file, const Image& picture, const Image& reference) {

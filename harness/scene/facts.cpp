@@ -13,8 +13,7 @@ namespace {
 template <class Visit>
 void each_texel(const TextureImage& texture, Visit visit) {
   const Texels base = base_texels(texture);
-  const TexelArray& texels = base.rgba;
-  for (size_t i = 0; i < texels.size(); ++i) visit(texels[i]);
+  for (const glm::vec4 texel : base.rgba) visit(texel);
 }
 
 double largest(const Texture& texture, bool of_all_channels) {

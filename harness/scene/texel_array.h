@@ -40,6 +40,21 @@ class TexelArray {
     return true;
   }
 
+  // In turn, as values.
+  class ConstIterator {
+   public:
+    ConstIterator(const TexelArray& array, size_t at) : array_(&array), at_(at) {}
+    glm::vec4 operator*() const { return (*array_)[at_]; }
+    ConstIterator& operator++() { return ++at_, *this; }
+    bool operator==(const ConstIterator& other) const { return at_ == other.at_; }
+
+   private:
+    const TexelArray* array_;
+    size_t at_;
+  };
+  ConstIterator begin() const { return {*this, 0}; }
+  ConstIterator end() const { return {*this, size()}; }
+
   // From here on they are floats.
   glm::vec4& operator[](size_t i) { return floats()[i]; }
   auto begin() { return floats().begin(); }

@@ -256,6 +256,14 @@ Texels level_texels(const TextureImage& texture, size_t level) {
           TexelArray::of_codes({codes, codes + bytes.size()}, texture.format == Format::rgba8_srgb)};
 }
 
+Image image_of(const Texels& texels) {
+  Image image{static_cast<int>(texels.width), static_cast<int>(texels.height), {}};
+  image.rgba.reserve(4 * texels.rgba.size());
+  for (const glm::vec4 texel : texels.rgba)
+    for (int c = 0; c < 4; ++c) image.rgba.push_back(texel[c]);
+  return image;
+}
+
 Texels base_texels(const TextureImage& texture) { return level_texels(texture, 0); }
 
 Texels resized(const Texels& source, uint32_t width, uint32_t height) {

@@ -46,6 +46,9 @@ std::shared_ptr<const TextureImage> constant_texture(std::string name, glm::vec4
 Texels level_texels(const TextureImage& texture, size_t level);
 Texels base_texels(const TextureImage& texture);  // level 0
 
+// As a picture that metrics take.
+Image image_of(const Texels& texels);
+
 // The same picture at another size: bilinear between texel centres, edges held. Meant for enlarging; it does not filter.
 Texels resized(const Texels& source, uint32_t width, uint32_t height);
 

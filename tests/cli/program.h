@@ -48,9 +48,7 @@ class ProgramTest : public testing::Test {
   // The picture of a cell as it was written.
   DisplayImage picture(const CellRow& cell) const {
     const Texels texels = load_texels(out() / cell.image, /*srgb_colour=*/true);
-    Image linear{static_cast<int>(texels.width), static_cast<int>(texels.height), std::vector<float>(texels.rgba.size() * 4)};
-    std::memcpy(linear.rgba.data(), texels.rgba.data(), linear.rgba.size() * sizeof(float));
-    return to_display(linear);
+    return to_display(image_of(texels));
   }
   std::filesystem::path write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;

@@ -44,7 +44,7 @@ TEST(Plan, KnowsWhoseFrameALaterEffectReads) {
   EXPECT_FALSE(reads_frame_after(make_plan(library, scene), layers));
   Object pane;
   pane.effects["rough_refraction"];
-  for (const std::string& name : glass.needs) pane.effects["rough_refraction"].numbers[name] = 1;
+  for (const NeedManifest& need : glass.needs) pane.effects["rough_refraction"].numbers[need.name] = 1;
   scene.objects.push_back(pane);
   const Plan plan = make_plan(library, scene);
   ASSERT_TRUE(plan.of("rough_refraction")->called_for);

@@ -40,7 +40,7 @@ TEST(Marble, IsRepeatableAndVaried) {
   EXPECT_EQ(a.rgba, b.rgba);
   EXPECT_NE(a.rgba, other.rgba);
   glm::vec4 low(1), high(0);
-  for (const glm::vec4& texel : a.rgba) low = glm::min(low, texel), high = glm::max(high, texel);
+  for (const glm::vec4 texel : a.rgba) low = glm::min(low, texel), high = glm::max(high, texel);
   EXPECT_TRUE(glm::all(glm::greaterThanEqual(low, glm::vec4(0)))) << "a colour";
   EXPECT_TRUE(glm::all(glm::lessThanEqual(high, glm::vec4(1)))) << "an albedo";
   EXPECT_EQ(low.a, 1.0f);

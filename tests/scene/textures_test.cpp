@@ -140,7 +140,7 @@ TEST(MakeTexture, MeanOfOddSizesStaysDownToOneTexel) {
   for (const auto& [width, height] : {std::pair{13u, 7u}, {1u, 5u}, {31u, 3u}, {9u, 1u}, {8u, 8u}}) {
     const Texels base = random_texels(width, height);
     glm::dvec4 mean(0);
-    for (const glm::vec4& texel : base.rgba) mean += glm::dvec4(texel) / double(base.rgba.size());
+    for (const glm::vec4 texel : base.rgba) mean += glm::dvec4(texel) / double(base.rgba.size());
     const auto texture = make_texture("odd", base, TexelMeaning::data);
     ASSERT_EQ(texture->levels.size(), full_mip_levels(width, height));
     for (size_t level = 0; level < texture->levels.size(); ++level) {
