@@ -17,7 +17,9 @@ target_include_directories(lib_images SYSTEM INTERFACE ${IMATH_INCLUDE})
 target_link_libraries(lib_images INTERFACE ${OPENIMAGEIO} ${OPENIMAGEIO_UTIL})
 
 add_library(lib_gltf INTERFACE)
-target_link_libraries(lib_gltf INTERFACE tinygltf)
+find_library(DRACO draco REQUIRED)
+find_library(MESHOPTIMIZER meshoptimizer REQUIRED)
+target_link_libraries(lib_gltf INTERFACE tinygltf ${DRACO} ${MESHOPTIMIZER})
 
 find_package(embree 3 REQUIRED)
 find_package(TBB REQUIRED)

@@ -7,7 +7,8 @@ packages=(
   libvulkan-dev mesa-vulkan-drivers vulkan-validationlayers               # Vulkan and lavapipe
   libosmesa6-dev libegl-dev libgl1-mesa-dri                               # OpenGL in memory, and surfaceless
   glslang-dev glslang-tools spirv-tools spirv-headers libspirv-cross-c-shared-dev   # shaders; CMake asks for the tools too
-  libopenimageio-dev libopencv-contrib-dev libtinygltf-dev                # images, metrics, models
+  libopenimageio-dev libopencv-contrib-dev                                # images, metrics
+  libtinygltf-dev libdraco-dev libmeshoptimizer-dev                       # models, and what compresses them
   libglm-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev
   libembree-dev libtbb-dev                                                # casting rays for bakes and truths
   libboost-dev                                                            # references to hundreds of bits

@@ -72,6 +72,17 @@ inline std::string base64(const std::string& bytes) {
   return text;
 }
 
+// A .glb of its JSON and its binary chunk, whose length is a multiple of 4.
+inline std::string glb_of(std::string json, const std::string& binary) {
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const auto word = [](size_t value) {
+    const auto number = static_cast<uint32_t>(value);
+    return std::string(reinterpret_cast<const char*>(&number), 4);
+  };
+  return "glTF" + word(2) + word(28 + json.size() + binary.size()) + word(json.size()) + "JSON" + json + word(binary.size()) +
+         std::string("BIN\0", 4) + binary;
+}
+
 // A model under construction. Every add_* returns the index of what it added.
 class GltfMaker {
  public:
@@ -117,16 +128,7 @@ class GltfMaker {
     if (!nodes.empty()) text += fmt::format(R"(,"nodes":[{}])", fmt::join(nodes, ","));
     return text + more + "}";
   }
-  std::string glb() const {
-    std::string text = json(false);
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    const auto word = [](size_t value) {
-      const auto number = static_cast<uint32_t>(value);
-      return std::string(reinterpret_cast<const char*>(&number), 4);
-    };
-    return "glTF" + word(2) + word(28 + text.size() + binary.size()) + word(text.size()) + "JSON" + text + word(binary.size()) +
-           std::string("BIN\0", 4) + binary;
-  }
+  std::string glb() const { return glb_of(json(false), binary); }
 
   std::vector<std::string> accessors, views, meshes, nodes;
   std::string binary;

@@ -8,6 +8,7 @@
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
+#include "harness/scene/gltf/gltf_draco.h"
 #include "harness/scene/gltf/gltf_json.h"
 
 namespace lamina {
@@ -27,23 +28,6 @@ bool keep_encoded(tinygltf::Image* image, int, std::string*, std::string*, int, 
   if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
   image->as_is = true;
   return true;
-}
-
-// Bytes of a buffer view from `offset`. tinygltf leaves all of these indices and lengths unchecked.
-std::span<const std::byte> view_bytes(const tinygltf::Model& model, int view_index, size_t offset, const std::string& subject) {
-  if (view_index < 0 || size_t(view_index) >= model.bufferViews.size())
-    refuse_gltf(subject, fmt::format("refers to buffer view {}; the file has {}", view_index, model.bufferViews.size()));
-  const tinygltf::BufferView& view = model.bufferViews[size_t(view_index)];
-  if (view.buffer < 0 || size_t(view.buffer) >= model.buffers.size())
-    refuse_gltf(subject, fmt::format("buffer view {} refers to buffer {}; the file has {}", view_index, view.buffer,
-                                     model.buffers.size()));
-  const std::vector<unsigned char>& data = model.buffers[size_t(view.buffer)].data;
-  if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
-    refuse_gltf(subject, fmt::format("buffer view {} ({} bytes from {}) leaves its buffer of {} bytes", view_index,
-                                     view.byteLength, view.byteOffset, data.size()));
-  if (offset > view.byteLength)
-    refuse_gltf(subject, fmt::format("starts at byte {} of buffer view {}, which has {}", offset, view_index, view.byteLength));
-  return std::as_bytes(std::span(data)).subspan(view.byteOffset, view.byteLength).subspan(offset);
 }
 
 template <class Integer>
@@ -141,7 +125,26 @@ tinygltf::Model read_gltf_file(const std::filesystem::path& file, std::vector<st
   }
   for (size_t node = 0; node < std::min(model.nodes.size(), source.node_skins.size()); ++node)
     model.nodes[node].skin = source.node_skins[node];
+  decompress_views(model, source.compressed_views, subject);
+  decompress_meshes(model);
   return model;
+}
+
+// tinygltf leaves all of these indices and lengths unchecked.
+std::span<const std::byte> view_bytes(const tinygltf::Model& model, int view_index, size_t offset, const std::string& subject) {
+  if (view_index < 0 || size_t(view_index) >= model.bufferViews.size())
+    refuse_gltf(subject, fmt::format("refers to buffer view {}; the file has {}", view_index, model.bufferViews.size()));
+  const tinygltf::BufferView& view = model.bufferViews[size_t(view_index)];
+  if (view.buffer < 0 || size_t(view.buffer) >= model.buffers.size())
+    refuse_gltf(subject, fmt::format("buffer view {} refers to buffer {}; the file has {}", view_index, view.buffer,
+                                     model.buffers.size()));
+  const std::vector<unsigned char>& data = model.buffers[size_t(view.buffer)].data;
+  if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
+    refuse_gltf(subject, fmt::format("buffer view {} ({} bytes from {}) leaves its buffer of {} bytes", view_index,
+                                     view.byteLength, view.byteOffset, data.size()));
+  if (offset > view.byteLength)
+    refuse_gltf(subject, fmt::format("starts at byte {} of buffer view {}, which has {}", offset, view_index, view.byteLength));
+  return std::as_bytes(std::span(data)).subspan(view.byteOffset, view.byteLength).subspan(offset);
 }
 
 std::vector<double> read_accessor(const tinygltf::Model& model, int accessor, int components, const std::string& subject) {

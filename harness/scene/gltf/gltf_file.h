@@ -24,6 +24,9 @@ tinygltf::Model read_gltf_file(const std::filesystem::path& file, std::vector<st
 // components, or leaves its buffer.
 std::vector<double> read_accessor(const tinygltf::Model& model, int accessor, int components, const std::string& subject);
 
+// A buffer view's bytes from `offset`. They live as long as the model. Throws Error(bad_input) about `subject`.
+std::span<const std::byte> view_bytes(const tinygltf::Model& model, int view, size_t offset, const std::string& subject);
+
 // A picture's encoded bytes. They live as long as the model. Throws Error(bad_input) about `subject`.
 std::span<const std::byte> encoded_picture(const tinygltf::Model& model, int image, const std::string& subject);
 

@@ -7,55 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/core/error.h"
+#include "harness/scene/gltf/gltf_container.h"
+#include "harness/scene/gltf/gltf_values.h"
 
 namespace lamina {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr uint32_t json_chunk = 0x4e4f534a, binary_chunk = 0x004e4942;  // "JSON", "BIN\0": section 4.4.3
-
-uint32_t little_endian(std::string_view bytes, size_t offset) {
-  uint32_t value = 0;
-  for (size_t i = 0; i < 4; ++i) value |= uint32_t(uint8_t(bytes[offset + i])) << (8 * i);
-  return value;
-}
-
-void append_word(std::string& bytes, size_t value) {
-  for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(value >> shift & 0xff);
-}
-
-struct Container {
-  std::string_view json, binary;
-};
-
-// Section 4.4: the JSON first, the binary chunk second; chunks of other types are ignored.
-Container container_of(std::string_view bytes, const std::string& subject) {
-  if (!bytes.starts_with("glTF")) return {bytes, {}};
-  constexpr size_t header_bytes = 12, chunk_header_bytes = 8;
-  if (bytes.size() < header_bytes + chunk_header_bytes)
-    refuse_gltf(subject, fmt::format("truncated: {} bytes are too few for a .glb's header", bytes.size()));
-  if (const uint32_t version = little_endian(bytes, 4); version != 2)
-    refuse_gltf(subject, fmt::format("is glTF version {}; only version 2 is read", version));
-  const uint64_t promised = little_endian(bytes, 8);
-  if (promised > bytes.size())
-    refuse_gltf(subject, fmt::format("truncated: its header promises {} bytes, the file has {}", promised, bytes.size()));
-  Container container;
-  size_t offset = header_bytes;
-  for (size_t chunk = 0; offset < promised; ++chunk) {
-    if (offset + chunk_header_bytes > promised) refuse_gltf(subject, fmt::format("chunk {} is cut short", chunk));
-    const uint64_t length = little_endian(bytes, offset);
-    const uint32_t type = little_endian(bytes, offset + 4);
-    offset += chunk_header_bytes;
-    if (offset + length > promised)
-      refuse_gltf(subject, fmt::format("chunk {} promises {} bytes, {} are left", chunk, length, promised - offset));
-    if (chunk == 0 && type != json_chunk) refuse_gltf(subject, "its first chunk is not JSON");
-    if (chunk == 0) container.json = bytes.substr(offset, length);
-    if (chunk == 1 && type == binary_chunk) container.binary = bytes.substr(offset, length);
-    offset += length;
-  }
-  return container;
-}
 
 // Parsers read nested values by recursion; a hostile file must not end the process by exhausting its stack.
 void refuse_deep_nesting(std::string_view json, const std::string& subject) {
@@ -113,8 +71,9 @@ void check_version(const Json& root, const std::string& subject) {
 }
 
 // Extensions that change what is drawn and are read, or are warned about where they stand.
-constexpr std::array<std::string_view, 4> read_extensions = {"KHR_texture_transform", "KHR_mesh_quantization",
-                                                             "KHR_lights_punctual", "EXT_texture_webp"};
+constexpr std::array<std::string_view, 6> read_extensions = {"KHR_texture_transform",      "KHR_mesh_quantization",
+                                                             "KHR_lights_punctual",        "EXT_texture_webp",
+                                                             "KHR_draco_mesh_compression", "EXT_meshopt_compression"};
 // Those that change no picture of the model at rest.
 constexpr std::array<std::string_view, 8> unseen_extensions = {"KHR_xmp",
                                                                "KHR_xmp_json_ld",
@@ -145,22 +104,6 @@ void check_extensions(Json& root, const std::string& subject, std::vector<std::s
       refuse_gltf(subject, fmt::format("requires the extension {}, which is not read; export the model without it", name));
   }
   root.erase(required);
-}
-
-Json* list_of(Json& root, const char* name, const std::string& subject) {
-  const auto found = root.find(name);
-  if (found == root.end()) return nullptr;
-  if (!found->is_array() || !std::ranges::all_of(*found, [](const Json& one) { return one.is_object(); }))
-    refuse_gltf(subject, fmt::format("'{}' is not a list of objects", name));
-  return &*found;
-}
-
-int index_in(const Json& object, const char* name, const std::string& subject) {
-  const auto found = object.find(name);
-  if (found == object.end()) return -1;
-  if (!found->is_number_unsigned() || found->get<uint64_t>() > 0x7fffffff)
-    refuse_gltf(subject, fmt::format("'{}' is not a number from 0 up", name));
-  return found->get<int>();
 }
 
 std::vector<GltfSkin> take_skins(Json& root, const std::string& subject) {
@@ -274,6 +217,16 @@ void settle_uris(Json& root, const std::string& subject, const std::filesystem::
     }
 }
 
+// Of what a part's extensions say, that which is read.
+void keep_only(Json& part, const char* extension) {
+  const auto extensions = part.find("extensions");
+  if (extensions == part.end()) return;
+  if (extensions->is_object() && extensions->contains(extension))
+    part["extensions"] = Json{{extension, (*extensions)[extension]}};
+  else
+    part.erase(extensions);
+}
+
 // Primitives without POSITION draw nothing (section 3.7.2.1), and parsers need not know them.
 void drop_unused(Json& root, const std::string& subject, std::vector<std::string>& warnings) {
   if (root.contains("animations"))
@@ -284,7 +237,7 @@ void drop_unused(Json& root, const std::string& subject, std::vector<std::string
       const auto primitives = (*meshes)[i].find("primitives");
       if (primitives == (*meshes)[i].end() || !primitives->is_array()) continue;
       for (Json& primitive : *primitives)
-        if (primitive.is_object()) primitive.erase("extensions");
+        if (primitive.is_object()) keep_only(primitive, "KHR_draco_mesh_compression");
     }
 }
 
@@ -296,7 +249,7 @@ void refuse_gltf(const std::string& subject, const std::string& message) {
 
 GltfSource prepared_gltf(const std::string& bytes, const std::string& subject, const std::filesystem::path& folder,
                          std::vector<std::string>& warnings) {
-  const Container container = container_of(bytes, subject);
+  const GltfContainer container = container_of(bytes, subject);
   refuse_deep_nesting(container.json, subject);
   Json root = parsed(container.json, subject);
   check_version(root, subject);
@@ -304,24 +257,12 @@ GltfSource prepared_gltf(const std::string& bytes, const std::string& subject, c
   GltfSource source;
   source.skins = take_skins(root, subject);
   source.node_skins = take_node_skins(root, subject);
+  source.compressed_views = take_compressed_views(root, subject, !container.binary.empty());
   settle_uris(root, subject, folder, !container.binary.empty());
   drop_unused(root, subject, warnings);
 
-  std::string json = root.dump(-1, ' ', false, Json::error_handler_t::replace);
-  if (container.binary.empty()) {
-    source.text = std::move(json);
-    return source;
-  }
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  std::string binary(container.binary);
-  binary.resize((binary.size() + 3) / 4 * 4, '\0');
-  source.text = "glTF";
-  append_word(source.text, 2);
-  append_word(source.text, 12 + 8 + json.size() + 8 + binary.size());
-  append_word(source.text, json.size()), append_word(source.text, json_chunk);
-  source.text += json;
-  append_word(source.text, binary.size()), append_word(source.text, binary_chunk);
-  source.text += binary;
+  const std::string json = root.dump(-1, ' ', false, Json::error_handler_t::replace);
+  source.text = container.binary.empty() ? json : as_glb(json, container.binary);
   return source;
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A glTF 2.0 file before it is parsed: its container (Khronos Group, "glTF 2.0 Specification", 2021, section 4.4), its JSON,
-// and of that what a scene uses. What is not used must not be able to refuse a model: animations, cameras and extensions that
-// change no picture are dropped here, and data URIs are brought into the one form that every parser reads.
+// A glTF 2.0 file before it is parsed: its JSON (Khronos Group, "glTF 2.0 Specification", 2021), and of that what a scene uses.
+// What is not used must not be able to refuse a model: animations, cameras and extensions that change no picture are dropped
+// here, and data URIs are brought into the one form that every parser reads.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include "harness/scene/gltf/gltf_meshopt.h"
 
 namespace lamina {
 
@@ -20,6 +22,7 @@ struct GltfSource {
   std::string text;  // with only what is used: JSON, or where there is a binary chunk a whole .glb
   std::vector<GltfSkin> skins;
   std::vector<int> node_skins;  // by node; -1: none
+  std::vector<CompressedView> compressed_views;
 };
 
 // Throws Error(bad_input) naming the file and what is wrong with the model. `bytes`: the file's. `folder`: beside it lie its
