@@ -149,7 +149,7 @@ void EffectRun::count() { each("counting", &EffectRun::count); }
 void EffectRun::prepare(Variant& variant) {
   const Parameters parameters = own_parameters(configuration_with(*scene_.plan, *variant.manifest), point_.params);
   // Equal keys mean the same passes, on the same resources.
-  std::string key = fmt::format("{} {}", plan_key_, scene_.scene->mesh_moves || scene_.scene->lights_move);
+  std::string key = fmt::format("{} {}", plan_key_, scene_.scene->moves());
   for (const auto& [name, value] : parameters) key += fmt::format("|{}={}", name, value);
   const auto known = std::ranges::find_if(variant.prepared, [&](const Prepared& prepared) { return prepared.key == key; });
   if (known == variant.prepared.end()) {

@@ -32,7 +32,7 @@ int run_plan(const PlanOptions& options) {
   const PlanRow row = plan_row(plan, scene, shaders);
   fmt::print("scene {}: {} object{}, {} light{}, {} view{}; meshes {}, lights {}\n", scene.name, scene.objects.size(),
              scene.objects.size() == 1 ? "" : "s", scene.lights.size(), scene.lights.size() == 1 ? "" : "s", scene.views.size(),
-             scene.views.size() == 1 ? "" : "s", scene.mesh_moves ? "move" : "are still",
+             scene.views.size() == 1 ? "" : "s", scene.mesh_moves || scene.objects_move ? "move" : "are still",
              scene.lights_move ? "move" : "are still");
   for (const std::string& warning : scene.warnings) fmt::print("note: {}\n", warning);
   for (const PlanRow::Effect& effect : row.effects) {

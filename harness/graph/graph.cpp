@@ -32,9 +32,9 @@ std::string frequency_words(const PassManifest& pass, const Scene& scene, bool& 
   if (pass.when == Frequency::once) return "once for the scene";
   if (pass.when == Frequency::truth) return "for the truth alone";
   if (pass.when == Frequency::frame || pass.when == Frequency::frame_and_truth) return "every frame";
-  once = !scene.mesh_moves && !scene.lights_move;
+  once = !scene.moves();
   if (once) return "once: meshes and lights are still";
-  return scene.mesh_moves ? "every frame: a mesh moves" : "every frame: a light moves";
+  return scene.mesh_moves || scene.objects_move ? "every frame: a mesh moves" : "every frame: a light moves";
 }
 
 // The effect's objects that the pass is of: those with and without the features that it names.

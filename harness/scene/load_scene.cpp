@@ -33,7 +33,7 @@ Scene read_scene(const std::string& source, const Library& library, std::optiona
   const std::filesystem::path file(source);
   const std::string extension = lower_case(file.extension().string());
   if (extension == ".toml") return read_scene_file(file, library, time_s);
-  if (extension == ".glb" || extension == ".gltf") return read_model(file, library, time_s.value_or(0));
+  if (extension == ".glb" || extension == ".gltf") return read_model(file, library, time_s);
   const std::string expected = "a scene is a .toml scene file, a .glb or .gltf model, or the name of a built-in scene";
   if (std::filesystem::exists(file)) throw Error(ErrorKind::bad_input, "scene", source, "is no scene: " + expected);
   throw Error(ErrorKind::bad_input, "scene", source, fmt::format("{}; {}", unknown_name("scene", source, builtin), expected));

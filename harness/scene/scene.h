@@ -83,8 +83,10 @@ struct Scene {
   glm::vec3 ambient{0};        // irradiance from all around
   glm::vec3 background{0.5f};  // linear colour behind everything
   std::vector<View> views;
-  bool mesh_moves = false;  // some mesh changes from frame to frame
+  bool mesh_moves = false;    // some mesh changes from frame to frame
+  bool objects_move = false;  // some object is elsewhere in the next frame
   bool lights_move = false;
+  bool moves() const { return mesh_moves || objects_move || lights_move; }
   // Until load_scene() makes values of them: what the scene's code says to effects of the whole scene, by effect.
   std::map<std::string, Keys> said;
   std::vector<std::string> warnings;  // what the loader had to assume, one sentence each

@@ -41,26 +41,29 @@ std::vector<std::string> names_of_effects_of_scenes(const Library& library) {
   return names;
 }
 
-Scene scene_of_objects(LoadedModel model, float time_s) {
+Scene scene_of_model(const std::filesystem::path& file, std::optional<float> time_s) {
+  LoadedModel model = load_gltf(file, time_s);
   Scene scene;
+  scene.mesh_moves = model.mesh_moves;
+  scene.objects_move = model.objects_move;
   scene.objects = std::move(model.objects);
   scene.warnings = std::move(model.warnings);
-  scene.time_s = time_s;
+  scene.time_s = time_s.value_or(0);
   scene.background = glm::vec3(0.05f);  // mid-dark, neutral: neither hides silhouettes nor outshines the object
   scene.ambient = {0.10f, 0.11f, 0.125f};
   return scene;
 }
 
 // The scene that [scene] starts from.
-Scene base_scene(const TomlTable& table, const std::filesystem::path& folder, float time_s) {
+Scene base_scene(const TomlTable& table, const std::filesystem::path& folder, std::optional<float> time_s) {
   if (table.has("model") == table.has("builtin"))
     throw table.error({}, "[scene] needs either model = \"FILE\" (.glb or .gltf) or builtin = \"NAME\"");
   if (table.has("builtin")) {
-    return read_builtin(table.string("builtin"), time_s);
+    return read_builtin(table.string("builtin"), time_s.value_or(0));
   }
   const std::filesystem::path file = folder / table.string("model");
   if (!std::filesystem::is_regular_file(file)) throw table.error("model", fmt::format("there is no file {}", file.string()));
-  return scene_of_objects(load_gltf(file), time_s);
+  return scene_of_model(file, time_s);
 }
 
 Light read_light(const std::string& name, const TomlTable& either) {
@@ -188,8 +191,8 @@ TomlFormPtr scene_form(const Library& library) {
                      {"views", "they replace the scene's", named("a view", view)}});
 }
 
-Scene read_model(const std::filesystem::path& file, const Library& library, float time_s) {
-  Scene scene = scene_of_objects(load_gltf(file), time_s);
+Scene read_model(const std::filesystem::path& file, const Library& library, std::optional<float> time_s) {
+  Scene scene = scene_of_model(file, time_s);
   scene.name = file.stem().string();
   declare_objects(scene.objects, library);
   return scene;
@@ -202,9 +205,9 @@ Scene read_scene_file(const std::filesystem::path& file, const Library& library,
   const TomlTable table = root.table("scene");
   table.check_keys();
 
-  const auto file_time_s = table.optional_number("time");
+  if (const auto file_time_s = table.optional_number("time"); file_time_s && !time_s) time_s = static_cast<float>(*file_time_s);
   const std::filesystem::path folder = file.parent_path();
-  Scene scene = base_scene(table, folder, time_s.value_or(static_cast<float>(file_time_s.value_or(0))));
+  Scene scene = base_scene(table, folder, time_s);
   scene.name = table.optional_string("name").value_or(file.stem().string());
   scene.background = table.optional_vec3("background").value_or(scene.background);
   scene.ambient = table.optional_vec3("ambient").value_or(scene.ambient);

@@ -28,7 +28,7 @@ TomlFormPtr scene_form(const Library& library);
 // before the file's. Throws Error(bad_input), with file and line for what the file itself says.
 Scene read_scene_file(const std::filesystem::path& file, const Library& library, std::optional<float> time_s);
 
-// A model's objects at rest, before lights and views.
-Scene read_model(const std::filesystem::path& file, const Library& library, float time_s);
+// A model's objects, before lights and views: at that time of its first animation, or without one at rest.
+Scene read_model(const std::filesystem::path& file, const Library& library, std::optional<float> time_s);
 
 }  // namespace lamina

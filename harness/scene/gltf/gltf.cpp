@@ -51,10 +51,11 @@ glm::dmat4 parent_from_node(const tinygltf::Node& node, const std::string& subje
 struct PlacedNode {
   int node;
   glm::dmat4 world_from_node;
+  bool moves = false;  // the animation places it, or a node above it
 };
 
 // Every node of the shown scene with its place, parents first. glTF demands a tree: a node met twice is refused.
-std::vector<PlacedNode> placed_nodes(const tinygltf::Model& model, const std::string& file) {
+std::vector<PlacedNode> placed_nodes(const tinygltf::Model& model, const std::set<int>& animated, const std::string& file) {
   std::vector<int> roots;
   if (!model.scenes.empty()) {
     const int shown = std::max(model.defaultScene, 0);
@@ -70,17 +71,17 @@ std::vector<PlacedNode> placed_nodes(const tinygltf::Model& model, const std::st
 
   std::vector<PlacedNode> placed;
   std::set<int> met;
-  const auto place = [&](int node, const glm::dmat4& world_from_parent, const std::string& by) {
+  const auto place = [&](int node, const glm::dmat4& world_from_parent, bool parent_moves, const std::string& by) {
     if (node < 0 || size_t(node) >= model.nodes.size())
       refuse_gltf(by, fmt::format("refers to node {}; the file has {}", node, model.nodes.size()));
     if (!met.insert(node).second) refuse_gltf(node_label(model, node), "is reached twice; nodes must form a tree");
     const glm::dmat4 world_from_node = world_from_parent * parent_from_node(model.nodes[size_t(node)], node_label(model, node));
-    placed.push_back({node, world_from_node});
+    placed.push_back({node, world_from_node, parent_moves || animated.contains(node)});
   };
-  for (const int root : roots) place(root, glm::dmat4(1), file);
+  for (const int root : roots) place(root, glm::dmat4(1), false, file);
   for (size_t i = 0; i < placed.size(); ++i)
     for (const int child : model.nodes[size_t(placed[i].node)].children)
-      place(child, glm::dmat4(placed[i].world_from_node), node_label(model, placed[i].node));
+      place(child, glm::dmat4(placed[i].world_from_node), placed[i].moves, node_label(model, placed[i].node));
   return placed;
 }
 
@@ -106,8 +107,8 @@ std::optional<Placement> placement(const PlacedNode& node, const std::string& la
   return Placement{world_from_object, mirrored};
 }
 
-// Each joint's place over its place when the skin was bound (glTF 2.0, section 3.7.3.1). The pose is that of the nodes at rest.
-std::vector<glm::dmat4> world_from_bind(const tinygltf::Model& model, int skin_index, const std::map<int, glm::dmat4>& places,
+// Each joint's place over its place when the skin was bound (glTF 2.0, section 3.7.3.1).
+std::vector<glm::dmat4> world_from_bind(const tinygltf::Model& model, int skin_index, const std::map<int, PlacedNode>& places,
                                         const std::string& by) {
   if (size_t(skin_index) >= model.skins.size())
     refuse_gltf(by, fmt::format("refers to skin {}; the file has {}", skin_index, model.skins.size()));
@@ -126,7 +127,7 @@ std::vector<glm::dmat4> world_from_bind(const tinygltf::Model& model, int skin_i
     for (size_t k = 0; k < 16 && !inverse_bind.empty(); ++k) bind[int(k / 4)][int(k % 4)] = inverse_bind[16 * i + k];
     const auto place = places.find(skin.joints[i]);
     if (place == places.end()) refuse_gltf(subject, fmt::format("joint {} is no node of the shown scene", skin.joints[i]));
-    matrices.push_back(place->second * bind);
+    matrices.push_back(place->second.world_from_node * bind);
   }
   return matrices;
 }
@@ -220,23 +221,29 @@ class ObjectMaker {
 
 }  // namespace
 
-LoadedModel load_gltf(const std::filesystem::path& file) {
+LoadedModel load_gltf(const std::filesystem::path& file, std::optional<double> time_s) {
   LoadedModel result;
-  const tinygltf::Model model = read_gltf_file(file, result.warnings);
+  const GltfFile read = read_gltf_file(file, time_s, result.warnings);
+  const tinygltf::Model& model = read.model;
   ObjectMaker maker(model, result);
-  const std::vector<PlacedNode> placed = placed_nodes(model, file.string());
-  std::map<int, glm::dmat4> places;
-  for (const PlacedNode& node : placed) places.emplace(node.node, node.world_from_node);
+  const std::vector<PlacedNode> placed = placed_nodes(model, read.animated.placed, file.string());
+  std::map<int, PlacedNode> places;
+  for (const PlacedNode& node : placed) places.emplace(node.node, node);
   for (const PlacedNode& node : placed) {
     const tinygltf::Node& from = model.nodes[size_t(node.node)];
     if (from.mesh < 0) continue;
     const std::string label = node_label(model, node.node);
     PrimitiveUse use{.morph_weights = from.weights};
+    result.mesh_moves = result.mesh_moves || read.animated.weighted.contains(node.node);
     if (from.skin >= 0) {  // joints place it, its own node does not (section 3.7.3.3)
       use.world_from_bind = world_from_bind(model, from.skin, places, label);
-      result.warnings.push_back(fmt::format("The {} is posed by its skin at rest.", label));
+      const bool moves =
+          std::ranges::any_of(model.skins[size_t(from.skin)].joints, [&](int joint) { return places.at(joint).moves; });
+      result.mesh_moves = result.mesh_moves || moves;
+      if (!moves) result.warnings.push_back(fmt::format("The {} is posed by its skin at rest.", label));
       maker.add_mesh(from.mesh, from.name, label, Placement{}, use);
     } else if (const std::optional<Placement> place = placement(node, label, result.warnings)) {
+      result.objects_move = result.objects_move || node.moves;
       maker.add_mesh(from.mesh, from.name, label, *place, use);
     }
   }

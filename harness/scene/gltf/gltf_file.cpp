@@ -92,17 +92,18 @@ std::vector<double> read_elements(std::span<const std::byte> bytes, size_t count
 
 }  // namespace
 
-tinygltf::Model read_gltf_file(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+GltfFile read_gltf_file(const std::filesystem::path& file, std::optional<double> time_s, std::vector<std::string>& warnings) {
   const std::string subject = file.string();
   const std::string bytes = read_file(file, "gltf");
   if (bytes.size() > max_gltf_bytes) refuse_gltf(subject, "is larger than 4 GiB");
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const GltfSource source = prepared_gltf(bytes, subject, folder, warnings);
+  const GltfSource source = prepared_gltf(bytes, subject, folder, time_s.has_value(), warnings);
   if (source.text.size() > max_gltf_bytes) refuse_gltf(subject, "is larger than 4 GiB");
 
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(keep_encoded, nullptr);
-  tinygltf::Model model;
+  GltfFile result;
+  tinygltf::Model& model = result.model;
   std::string error, warning;
   bool read = false;
   try {
@@ -127,7 +128,12 @@ tinygltf::Model read_gltf_file(const std::filesystem::path& file, std::vector<st
     model.nodes[node].skin = source.node_skins[node];
   decompress_views(model, source.compressed_views, subject);
   decompress_meshes(model);
-  return model;
+  if (source.animation) {
+    result.animated = play(model, *source.animation, *time_s);
+    const std::string which = source.animation->of > 1 ? fmt::format(", the first of {},", source.animation->of) : "";
+    warnings.push_back(fmt::format("{}: {}{} is played to {:.6g} s.", subject, source.animation->name, which, *time_s));
+  }
+  return result;
 }
 
 // tinygltf leaves all of these indices and lengths unchecked.

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,9 +16,15 @@
 
 namespace lamina {
 
-// .glb or .gltf, told apart by their first bytes. What is left out is said in `warnings`. Throws Error(bad_input) naming the
-// file.
-tinygltf::Model read_gltf_file(const std::filesystem::path& file, std::vector<std::string>& warnings);
+struct GltfFile {
+  tinygltf::Model model;
+  AnimatedNodes animated;  // what its animation changes
+};
+
+// .glb or .gltf, told apart by their first bytes. With a time, in seconds, its first animation is played to that moment;
+// without one its nodes stand as the file places them. What is left out or played is said in `warnings`. Throws
+// Error(bad_input) naming the file.
+GltfFile read_gltf_file(const std::filesystem::path& file, std::optional<double> time_s, std::vector<std::string>& warnings);
 
 // An accessor's elements one after another, `components` numbers each; normalized integers become 0 to 1 or -1 to 1. Sparse
 // accessors are filled in. Throws Error(bad_input) about `subject` where the accessor is missing, has another number of

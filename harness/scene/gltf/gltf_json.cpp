@@ -230,7 +230,8 @@ void keep_only(Json& part, const char* extension) {
 // Primitives without POSITION draw nothing (section 3.7.2.1), and parsers need not know them.
 void drop_unused(Json& root, const std::string& subject, std::vector<std::string>& warnings) {
   if (root.contains("animations"))
-    warnings.push_back(fmt::format("{}: animations are not played; the model stands as its nodes place it.", subject));
+    warnings.push_back(fmt::format(
+        "{}: its animations are not played; the model stands as its nodes place it. Give a time to play the first.", subject));
   for (const char* unused : {"animations", "cameras", "extensions", "extensionsUsed", "extras"}) root.erase(unused);
   if (Json* meshes = list_of(root, "meshes", subject))
     for (size_t i = 0; i < meshes->size(); ++i) {
@@ -247,7 +248,7 @@ void refuse_gltf(const std::string& subject, const std::string& message) {
   throw Error(ErrorKind::bad_input, "gltf", subject, message);
 }
 
-GltfSource prepared_gltf(const std::string& bytes, const std::string& subject, const std::filesystem::path& folder,
+GltfSource prepared_gltf(const std::string& bytes, const std::string& subject, const std::filesystem::path& folder, bool plays,
                          std::vector<std::string>& warnings) {
   const GltfContainer container = container_of(bytes, subject);
   refuse_deep_nesting(container.json, subject);
@@ -259,6 +260,7 @@ GltfSource prepared_gltf(const std::string& bytes, const std::string& subject, c
   source.node_skins = take_node_skins(root, subject);
   source.compressed_views = take_compressed_views(root, subject, !container.binary.empty());
   settle_uris(root, subject, folder, !container.binary.empty());
+  if (plays) source.animation = take_first_animation(root, subject);
   drop_unused(root, subject, warnings);
 
   const std::string json = root.dump(-1, ' ', false, Json::error_handler_t::replace);
