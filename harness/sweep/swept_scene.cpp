@@ -70,7 +70,7 @@ std::string words_of_number(double value) { return fmt::format("{:.6g}", value);
 }  // namespace
 
 SweptScene::SweptScene(Scene scene, const Library& library, SweepPoints points)
-    : library_(library), base_(std::move(scene)), moment_(base_), points_(std::move(points)) {
+    : library_(library), base_(std::move(scene)), points_(std::move(points)) {
   const std::vector<Parameter> all = lamina::parameters_of(base_, library);
   for (SweptParameter& swept : points_.parameters) settle_words(swept, parameter_named(all, swept.path));
   points_.check();
@@ -88,7 +88,7 @@ SweptScene::SweptScene(Scene scene, const Library& library, SweepPoints points)
 }
 
 const Scene& SweptScene::at_time(float time_s) {
-  if (moment_.time_s == time_s) return moment_;
+  if (moment_ && moment_->time_s == time_s) return *moment_;
   Scene next = load_scene(base_.source, library_, time_s);
   std::erase_if(next.views, [&](const View& view) {
     return std::none_of(base_.views.begin(), base_.views.end(), [&](const View& kept) { return kept.name == view.name; });
@@ -97,15 +97,15 @@ const Scene& SweptScene::at_time(float time_s) {
   for (size_t i = 0; i < made.size() && made.size() == known.size(); ++i)
     if (texture_digest(*made[i]) == texture_digest(*known[i])) *made[i] = *known[i];
   moment_ = std::move(next);
-  return moment_;
+  return *moment_;
 }
 
 Scene SweptScene::at(size_t point) {
   const std::vector<double> values = points_.at(point);
-  float time_s = base_.time_s;
+  std::optional<float> time_s;
   for (size_t i = 0; i < values.size(); ++i)
     if (parameters_[i].path == time_path) time_s = static_cast<float>(values[i]);
-  Scene scene = at_time(time_s);
+  Scene scene = time_s ? at_time(*time_s) : base_;
   for (size_t i = 0; i < values.size(); ++i)
     if (parameters_[i].set) parameters_[i].set(scene, values[i]);
   if (std::any_of(parameters_.begin(), parameters_.end(), [](const Parameter& parameter) { return parameter.moves; }))

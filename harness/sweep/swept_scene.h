@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,7 @@ class SweptScene {
 
   const Library& library_;
   Scene base_;
-  Scene moment_;  // the last that was loaded for its time
+  std::optional<Scene> moment_;  // the last that was loaded for its time; what was given none may be another at the same
   SweepPoints points_;
   std::vector<Parameter> parameters_;  // beside the points'
 };
