@@ -41,6 +41,21 @@ std::optional<Format> format_named(std::string_view name) {
 }
 
 std::string_view name_of(Filter filter) { return filter_names[static_cast<size_t>(filter)]; }
+std::string_view name_of(Wrap wrap) { return wrap_names[static_cast<size_t>(wrap)]; }
+
+std::string name_of(Sampler sampler) {
+  std::string name = std::string(name_of(sampler.filter)) + " " + std::string(name_of(sampler.wrap));
+  if (sampler.wrap_v != sampler.wrap) name += " " + std::string(name_of(sampler.wrap_v));
+  return name;
+}
+
+std::vector<Sampler> all_samplers() {
+  std::vector<Sampler> all;
+  for (const Filter filter : {Filter::nearest, Filter::linear, Filter::trilinear})
+    for (const Wrap wrap : {Wrap::clamp, Wrap::repeat, Wrap::mirror})
+      for (const Wrap wrap_v : {Wrap::clamp, Wrap::repeat, Wrap::mirror}) all.push_back({filter, wrap, wrap_v});
+  return all;
+}
 
 uint32_t full_mip_levels(uint32_t width, uint32_t height) {
   return static_cast<uint32_t>(std::bit_width(std::max(width, height)));

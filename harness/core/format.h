@@ -39,16 +39,26 @@ enum class Filter : uint8_t {
   linear,     // bilinear, base level; between slices too where the texture is 3D
   trilinear,  // bilinear in the two nearest levels of the mip chain
 };
-enum class Wrap : uint8_t { clamp, repeat };
+enum class Wrap : uint8_t { clamp, repeat, mirror };  // what lies beyond the border; mirror: every other repetition is turned
 struct Sampler {
   Filter filter = Filter::linear;
-  Wrap wrap = Wrap::clamp;
+  Wrap wrap = Wrap::clamp;  // along u, and between a 3D texture's slices
+  Wrap wrap_v = wrap;
   bool operator==(const Sampler&) const = default;
 };
 // As manifests and records say them, in the order of the enumerators.
 inline const std::vector<std::string> filter_names = {"nearest", "linear", "trilinear"};
-inline const std::vector<std::string> wrap_names = {"clamp", "repeat"};
+inline const std::vector<std::string> wrap_names = {"clamp", "repeat", "mirror"};
 std::string_view name_of(Filter filter);
+std::string_view name_of(Wrap wrap);
+// "linear clamp", "linear repeat mirror"
+std::string name_of(Sampler sampler);
+// Every sampler has a place among so many.
+inline constexpr size_t sampler_count = 27;
+inline constexpr size_t place_of(Sampler sampler) {
+  return 9 * static_cast<size_t>(sampler.filter) + 3 * static_cast<size_t>(sampler.wrap) + static_cast<size_t>(sampler.wrap_v);
+}
+std::vector<Sampler> all_samplers();
 
 // Levels of a full mip chain: floor(log2(max(width, height))) + 1.
 uint32_t full_mip_levels(uint32_t width, uint32_t height);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,11 @@ struct Mask {
   std::vector<uint8_t> on;  // width * height
 };
 
+// What lies beyond a picture's borders.
+struct TextureWraps {
+  Wrap u = Wrap::repeat, v = Wrap::repeat;
+};
+
 // A texture ready to upload: every level of its mip chain, in `format`. Level 0 first, slices in order, rows top to bottom, no
 // padding.
 struct TextureImage {
@@ -31,7 +37,8 @@ struct TextureImage {
   Format format = Format::rgba8_unorm;
   uint32_t width = 0, height = 0;
   std::vector<std::vector<std::byte>> levels;
-  uint32_t depth = 1;  // above 1: a 3D texture, of one level
+  uint32_t depth = 1;                 // above 1: a 3D texture, of one level
+  std::optional<TextureWraps> wraps;  // as the model that it comes from asks; else as who reads it says
 };
 
 }  // namespace lamina

@@ -274,6 +274,7 @@ void FrameBuilder::bind(const Repetition& repetition, const GraphDraw& draw, Dra
     TextureBinding binding{read.binding, {}, read.source.sampler, {}};
     if (const auto image = resources_.image_of(read.source, draw.object)) {
       binding.texture = resources_.texture(image);
+      if (image->wraps) binding.sampler.wrap = image->wraps->u, binding.sampler.wrap_v = image->wraps->v;
     } else {
       const FrameTarget& target = targets_.source_target(pass, draw, read.source);
       binding.texture = target.buffers[target.current];

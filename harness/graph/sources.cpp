@@ -132,7 +132,7 @@ Source texture_source(const SourceContext& context, const std::string& sampler) 
     refuse(context, fmt::format("pass '{}' samples '{}': {}", context.pass.name, sampler,
                                 unknown_name("texture", read.source, chain.names())));
   if (read.filter) source->sampler.filter = *read.filter;
-  if (read.wrap) source->sampler.wrap = *read.wrap;
+  if (read.wrap) source->sampler.wrap = source->sampler.wrap_v = *read.wrap;
   return *source;
 }
 

@@ -33,6 +33,7 @@ std::string texture_digest(const Texture& texture) {
   if (entry.texture.lock() == texture) return entry.digest;
   std::string text =
       fmt::format("{} {} {} {}", static_cast<int>(texture->format), texture->width, texture->height, texture->depth);
+  if (texture->wraps) text += fmt::format(" {} {}", name_of(texture->wraps->u), name_of(texture->wraps->v));
   for (const std::vector<std::byte>& level : texture->levels) text += hash_hex(bytes_of(level));
   entry = {texture, hash_hex(text)};
   std::string digest = entry.digest;

@@ -39,6 +39,14 @@ Scene read_scene(const std::string& source, const Library& library, std::optiona
   throw Error(ErrorKind::bad_input, "scene", source, fmt::format("{}; {}", unknown_name("scene", source, builtin), expected));
 }
 
+// Whether its pictures are the same in every tile.
+bool repeats(const Object& object) {
+  for (const auto& [effect, values] : object.effects)
+    for (const auto& [name, texture] : values.textures)
+      if (texture->wraps) return false;
+  return true;
+}
+
 }  // namespace
 
 Scene load_scene(const std::string& source, const Library& library, std::optional<float> time_s) {
@@ -47,12 +55,13 @@ Scene load_scene(const std::string& source, const Library& library, std::optiona
   declare_scene(scene, library);
   if (scene.lights.empty()) scene.lights = default_lights(bounding_sphere(scene.objects));
   if (scene.views.empty()) scene.views = default_views(scene.objects);
-  for (Object& object : scene.objects) move_to_unit_tile(object.mesh);
+  for (Object& object : scene.objects)
+    if (repeats(object)) move_to_unit_tile(object.mesh);
   OverlapFractions overlaps;
   split_overlapping_objects(scene.objects, library, overlaps, scene.warnings);
   for (Object& object : scene.objects) {
     object.look.reset();
-    settle_unwrap(object);
+    object.unwrap_problem = unwrap_problem(object.mesh);
     if (uses_unwrap(object, library))
       if (std::string warning = overlap_warning(object, overlaps); !warning.empty())
         scene.warnings.push_back(std::move(warning));

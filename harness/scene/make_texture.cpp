@@ -46,7 +46,8 @@ Texels said_texels(const KeyValue& said, TextureMeaning meaning) {
   return {1, 1, {glm::vec4(std::get<glm::vec3>(said.value), 1)}};
 }
 
-// `colour`'s colour and `transparency`'s alpha, at the larger of their sizes.
+// `colour`'s colour and `transparency`'s alpha, at the larger of their sizes. It wraps as the colour does, or where that is the
+// same everywhere as the alpha does.
 Texels with_alpha(const Texels& colour, const Texels& transparency) {
   const uint32_t width = std::max(colour.width, transparency.width), height = std::max(colour.height, transparency.height);
   Texels result = resized(colour, width, height);
@@ -59,6 +60,7 @@ Texels with_alpha(const Texels& colour, const Texels& transparency) {
     }
   }
   const Texels alpha = resized(transparency, width, height);
+  if (colour.rgba.size() == 1) result.wraps = transparency.wraps;
   for (size_t i = 0; i < result.rgba.size(); ++i) result.rgba[i].a = alpha.rgba[i].a;
   return result;
 }

@@ -234,6 +234,7 @@ std::shared_ptr<const TextureImage> make_texture(std::string name, const Texels&
   texture->format = meaning == TexelMeaning::colour ? Format::rgba8_srgb : Format::rgba8_unorm;
   texture->width = base.width;
   texture->height = base.height;
+  texture->wraps = base.wraps;
 
   const bool normals = meaning == TexelMeaning::normal || meaning == TexelMeaning::normal_mean;
   texture->levels.push_back(encoded(base, normals, meaning));
@@ -253,7 +254,7 @@ Texels level_texels(const TextureImage& texture, size_t level) {
   const std::vector<std::byte>& bytes = texture.levels.at(level);
   const auto* codes = reinterpret_cast<const uint8_t*>(bytes.data());
   return {std::max(texture.width >> level, 1u), std::max(texture.height >> level, 1u),
-          TexelArray::of_codes({codes, codes + bytes.size()}, texture.format == Format::rgba8_srgb)};
+          TexelArray::of_codes({codes, codes + bytes.size()}, texture.format == Format::rgba8_srgb), texture.wraps};
 }
 
 Image image_of(const Texels& texels) {
@@ -290,7 +291,7 @@ Texels resized(const Texels& source, uint32_t width, uint32_t height) {
       result[size_t{y} * width + x] = glm::mix(mixed(down.first), mixed(down.second), down.weight);
     }
   }
-  return {width, height, std::move(result)};
+  return {width, height, std::move(result), source.wraps};
 }
 
 }  // namespace lamina

@@ -18,6 +18,7 @@ namespace lamina {
 struct Texels {
   uint32_t width = 0, height = 0;
   TexelArray rgba;
+  std::optional<TextureWraps> wraps{};  // handed on to the texture
 };
 
 // Any file OpenImageIO reads. srgb_colour: rgb is sRGB-encoded in the file and decoded to linear here (alpha is always linear,

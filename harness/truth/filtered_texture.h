@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A texture read as a device reads it: bilinear in the two nearest levels of its mip chain, repeated, by doubles.
+// A texture read as a device reads it: bilinear in the two nearest levels of its mip chain, repeated or as the texture wraps,
+// by doubles.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -55,6 +55,24 @@ TEST_P(BackendSampling, ClampHoldsTheEdgeAndRepeatComesRound) {
               3 * weight_step);
 }
 
+TEST_P(BackendSampling, MirrorTurnsEveryOtherRepetitionAndTheAxesAreApart) {
+  const TextureId row = texture<float>(Format::r32_float, 4, 1, {1, 2, 3, 4});
+  const Sampler mirror{.filter = Filter::nearest, .wrap = Wrap::mirror};
+  EXPECT_EQ(sample(row, mirror, "texture(t, vec2(1.125, 0.5)).r"), 4) << "turned";
+  EXPECT_EQ(sample(row, mirror, "texture(t, vec2(1.875, 0.5)).r"), 1) << "turned";
+  EXPECT_EQ(sample(row, mirror, "texture(t, vec2(2.125, 0.5)).r"), 1) << "as it is again";
+  EXPECT_EQ(sample(row, mirror, "texture(t, vec2(-0.375, 0.5)).r"), 2) << "turned";
+  EXPECT_NEAR(sample(row, {.filter = Filter::linear, .wrap = Wrap::mirror}, "texture(t, vec2(1.0, 0.5)).r"), 4, weight_step);
+  const TextureId square = texture<float>(Format::r32_float, 2, 2, {1, 2, 3, 4});
+  const auto at = [&](Wrap u, Wrap v) {
+    return sample(square, {.filter = Filter::nearest, .wrap = u, .wrap_v = v}, "texture(t, vec2(1.25, 1.25)).r");
+  };
+  EXPECT_EQ(at(Wrap::repeat, Wrap::repeat), 1);
+  EXPECT_EQ(at(Wrap::clamp, Wrap::repeat), 2);
+  EXPECT_EQ(at(Wrap::repeat, Wrap::mirror), 3);
+  EXPECT_EQ(at(Wrap::mirror, Wrap::clamp), 4);
+}
+
 TEST_P(BackendSampling, OnlyTrilinearReadsOtherLevels) {
   const std::vector<std::vector<std::byte>> levels = {bytes_of(std::vector<float>(16, 1)), bytes_of(std::vector<float>(4, 3)),
                                                       bytes_of(std::vector<float>(1, 7))};

@@ -28,6 +28,23 @@ TEST_P(LayeredMaterial_, TransparencyOneShowsTheInnerLayerAndZeroTheOuter) {
   }
 }
 
+// Red where u is in the picture's left half, green where v is in its upper half; the square shows it twice along both axes.
+TEST_P(LayeredMaterial_, APictureWrapsAsItsModelAsksAlongBothAxes) {
+  Texels halves = filled(64, [](uint32_t x, uint32_t y) { return glm::vec4(x < 32 ? 1 : 0, y < 32 ? 1 : 0, 0, 0); });
+  Scene scene = quad_scene({0, 0});
+  for (Vertex& vertex : scene.objects[0].mesh.vertices) vertex.uv *= 2.0f;
+  const auto seen = [&](std::optional<TextureWraps> wraps) {
+    halves.wraps = wraps;
+    layers_of(scene).textures["outer_albedo"] = make_texture("halves", halves, TexelMeaning::colour);
+    const glm::vec3 at = pixel(picture(scene, "vertex_normal"), 56, 40);  // u = 1.77, v = 1.27
+    return std::pair(at.r > 0.5f, at.g > 0.5f);
+  };
+  EXPECT_EQ(seen({}), std::pair(false, true));
+  EXPECT_EQ(seen(TextureWraps{Wrap::mirror, Wrap::clamp}), std::pair(true, false));
+  EXPECT_EQ(seen(TextureWraps{Wrap::repeat, Wrap::mirror}), std::pair(false, false));
+  EXPECT_EQ(seen(TextureWraps{Wrap::clamp, Wrap::repeat}), std::pair(false, true));
+}
+
 // Seen at angle a from the normal with transparency 1 the weight of the inner layer is N.V = cos a.
 TEST_P(LayeredMaterial_, GrazingViewPrefersTheOuterLayer) {
   for (const double degrees : {20.0, 45.0, 70.0}) {

@@ -9,6 +9,7 @@
 #include "harness/scene/gltf/gltf.h"
 #include "harness/scene/mesh/unwrap_check.h"
 #include "harness/scene/model_look.h"
+#include "tests/scene/declared.h"
 #include "tests/scene/made_files.h"
 
 namespace lamina {
@@ -156,14 +157,33 @@ TEST(GltfApplied, SamplersOfTheNearestTexel) {
   EXPECT_EQ(quad.load(folder).objects.at(0).look->base_colour.width, 2u);
 }
 
-TEST(GltfApplied, BordersThatAreHeldAreSaidWhereTheyAreCrossed) {
+TEST(GltfApplied, BordersAreHeldOrMirroredAsTheSamplerSays) {
   const Folder folder;
-  for (const auto& [reach, said] : {std::pair{1.0f, false}, {2.0f, true}}) {
-    QuadModel quad;
-    quad.uv(0, {0, reach, reach, reach, reach, 0, 0, 0});
-    quad.picture(folder, "", R"({"wrapS":33071,"wrapT":33071})");
-    EXPECT_EQ(all_of(quad.load(folder).warnings).find("held or mirrored") != std::string::npos, said) << reach;
+  QuadModel quad;
+  quad.uv(0, {1, 2, 2, 2, 2, 1, 1, 1});  // the tile beside and below the first
+  const auto load_it = [&](const std::string& sampler) {
+    quad.picture(folder, "", sampler);
+    const LoadedModel model = quad.load(folder);
+    EXPECT_EQ(all_of(model.warnings), "") << sampler;
+    return load_scene((folder / "model.glb").string(), builtin_library());
+  };
+  const auto wraps_of = [](const Scene& scene) {
+    return scene.objects.at(0).effects.at("layered_material").textures.at("outer_albedo")->wraps;
+  };
+  const auto uv_of = [](const Scene& scene) { return scene.objects.at(0).mesh.vertices.at(0).uv; };
+  for (const char* plain : {"{}", R"({"wrapS":10497,"wrapT":10497})"}) {
+    const Scene repeated = load_it(plain);
+    EXPECT_FALSE(wraps_of(repeated)) << plain;
+    EXPECT_EQ(uv_of(repeated), glm::vec2(0, 1)) << "every tile is the same, so the first is taken";
   }
+  const Scene mixed = load_it(R"({"wrapS":33648,"wrapT":33071})");
+  ASSERT_TRUE(wraps_of(mixed));
+  EXPECT_EQ(wraps_of(mixed)->u, Wrap::mirror);
+  EXPECT_EQ(wraps_of(mixed)->v, Wrap::clamp);
+  EXPECT_EQ(uv_of(mixed), glm::vec2(1, 2)) << "another tile shows another picture";
+  const Scene nearest = load_it(R"({"wrapS":33071,"wrapT":33071,"magFilter":9728})");
+  ASSERT_TRUE(wraps_of(nearest)) << "whose texels are repeated";
+  expect_refused([&] { load_it(R"({"wrapS":7})"); }, {"base colour texture", "wraps by 7"});
 }
 
 TEST(GltfApplied, BothSidesOfAnOpenSurface) {
@@ -254,7 +274,7 @@ TEST(GltfApplied, WhatIsNotUsedRefusesNoModel) {
   quad.maker.more = R"(,"animations":[{"channels":[{"sampler":9,"target":{"path":"pointer"}}]}],"cameras":[7],)"
                     R"("extensionsUsed":["KHR_xmp"],"extensionsRequired":["KHR_xmp"],"extensions":{"KHR_xmp":3})";
   const LoadedModel model = quad.load(folder);
-  EXPECT_NE(all_of(model.warnings).find("animations are not played"), std::string::npos);
+  EXPECT_NE(all_of(model.warnings).find("its animations are not played"), std::string::npos);
   EXPECT_NE(all_of(model.warnings).find("requires KHR_xmp, which changes no picture"), std::string::npos);
 }
 

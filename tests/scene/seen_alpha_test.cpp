@@ -84,6 +84,23 @@ TEST(SeenAlpha, BordersCountForBothWrapModes) {
   EXPECT_EQ(seen_alpha(endless, *one_texel(16, 8, 8)), 1.0f);
 }
 
+TEST(SeenAlpha, BordersCountAsTheTextureWraps) {
+  const auto seen = [](Wrap u, Wrap v, uint32_t x, uint32_t y, glm::vec2 at) {
+    TextureImage texture = *one_texel(16, x, y);
+    texture.wraps = {u, v};
+    return seen_alpha(triangle(at, at + glm::vec2(1e-4f, 0), at + glm::vec2(0, 1e-4f)), texture) > 0;
+  };
+  const glm::vec2 corner(0.001f, 0.001f), beyond(1 + 3.5f / 16, 0.5f);  // texel 19 of 16
+  EXPECT_TRUE(seen(Wrap::repeat, Wrap::clamp, 15, 0, corner));
+  EXPECT_FALSE(seen(Wrap::repeat, Wrap::clamp, 15, 15, corner));
+  EXPECT_FALSE(seen(Wrap::mirror, Wrap::clamp, 15, 0, corner));
+  EXPECT_TRUE(seen(Wrap::repeat, Wrap::repeat, 3, 8, beyond));
+  EXPECT_TRUE(seen(Wrap::mirror, Wrap::repeat, 12, 8, beyond));
+  EXPECT_FALSE(seen(Wrap::mirror, Wrap::repeat, 3, 8, beyond));
+  EXPECT_TRUE(seen(Wrap::clamp, Wrap::repeat, 15, 8, beyond));
+  EXPECT_FALSE(seen(Wrap::clamp, Wrap::repeat, 3, 8, beyond));
+}
+
 TEST(SeenAlpha, IsTheGreatestAlphaSeen) {
   Texels texels{4, 1, {{1, 1, 1, 0.2f}, {1, 1, 1, 0.4f}, {1, 1, 1, 0.6f}, {1, 1, 1, 0.8f}}};
   const auto texture = make_texture("steps", texels, TexelMeaning::colour);

@@ -68,16 +68,12 @@ TEST(UnwrapProblem, ASurfaceWithoutTexels) {
 }
 
 TEST(UnwrapProblem, NamesTheTilesThatAreSpanned) {
-  Object object;
-  object.mesh = rectangle({0, 0}, {3, 1});
-  settle_unwrap(object);
-  EXPECT_NE(object.unwrap_problem.find("span 3 x 1 tiles"), std::string::npos) << object.unwrap_problem;
-  object.mesh = rectangle({0.5f, 0}, {1.25f, 1});
-  settle_unwrap(object);
-  EXPECT_NE(object.unwrap_problem.find("cross the border"), std::string::npos) << object.unwrap_problem;
-  object.mesh = rectangle({4.5f, 0}, {5, 1});
-  settle_unwrap(object);
-  EXPECT_EQ(object.unwrap_problem, "") << "problems of an earlier mesh are gone";
+  EXPECT_NE(unwrap_problem(rectangle({0, 0}, {3, 1})).find("span 3 x 1 tiles"), std::string::npos);
+  EXPECT_NE(unwrap_problem(rectangle({0.5f, 0}, {1.25f, 1})).find("cross the border"), std::string::npos);
+  Mesh far_tile = rectangle({4.5f, 0}, {5, 1});
+  EXPECT_NE(unwrap_problem(far_tile).find("cross the border"), std::string::npos);
+  move_to_unit_tile(far_tile);
+  EXPECT_EQ(unwrap_problem(far_tile), "");
 }
 
 // Neighbours that share an edge or a corner, of either winding, share no texel: the edges run through texels' centres.

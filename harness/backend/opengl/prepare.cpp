@@ -16,7 +16,7 @@ BoundResource resolve(Resources& resources, const Draw& draw, const Pipeline& pi
       Texture& texture = resources.textures.at(given.texture, pipeline.desc.name);
       check_dimensions(pipeline.desc, at.slot, texture.desc);
       // An integer texture under a linear sampler is incomplete, even to a shader that only fetches texels.
-      const Sampler fetch{Filter::nearest, given.sampler.wrap};
+      const Sampler fetch{Filter::nearest, given.sampler.wrap, given.sampler.wrap_v};
       bound.name = given.level ? level_view(texture, *given.level) : texture.object.name();
       bound.sampler = resources.samplers.of(texture.desc.format == Format::r32_uint ? fetch : given.sampler);
       break;

@@ -101,20 +101,20 @@ std::vector<std::byte> read(const Buffer& buffer) {
 }
 
 Samplers::Samplers() {
-  for (Filter filter : {Filter::nearest, Filter::linear, Filter::trilinear}) {
-    for (Wrap wrap : {Wrap::clamp, Wrap::repeat}) {
-      GLuint name = 0;
-      glCreateSamplers(1, &name);
-      label(GL_SAMPLER, name, fmt::format("{} {}", name_of(filter), wrap == Wrap::clamp ? "clamp" : "repeat"));
-      const GLint within = filter == Filter::nearest ? GL_NEAREST : GL_LINEAR;
-      glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER, filter == Filter::trilinear ? GL_LINEAR_MIPMAP_LINEAR : within);
-      glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, within);
-      const GLint edge = wrap == Wrap::clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
-      glSamplerParameteri(name, GL_TEXTURE_WRAP_S, edge);
-      glSamplerParameteri(name, GL_TEXTURE_WRAP_T, edge);
-      glSamplerParameteri(name, GL_TEXTURE_WRAP_R, edge);
-      samplers_[index({filter, wrap})] = SamplerObject(name);
-    }
+  const auto edge = [](Wrap wrap) {
+    return wrap == Wrap::mirror ? GL_MIRRORED_REPEAT : wrap == Wrap::clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
+  };
+  for (const Sampler sampler : all_samplers()) {
+    GLuint name = 0;
+    glCreateSamplers(1, &name);
+    label(GL_SAMPLER, name, name_of(sampler));
+    const GLint within = sampler.filter == Filter::nearest ? GL_NEAREST : GL_LINEAR;
+    glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER, sampler.filter == Filter::trilinear ? GL_LINEAR_MIPMAP_LINEAR : within);
+    glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, within);
+    glSamplerParameteri(name, GL_TEXTURE_WRAP_S, edge(sampler.wrap));
+    glSamplerParameteri(name, GL_TEXTURE_WRAP_T, edge(sampler.wrap_v));
+    glSamplerParameteri(name, GL_TEXTURE_WRAP_R, edge(sampler.wrap));
+    samplers_[place_of(sampler)] = SamplerObject(name);
   }
   throw_on_error("samplers");
 }

@@ -36,15 +36,14 @@ void write(const Buffer& buffer, std::span<const std::byte> data);
 std::vector<std::byte> read(const Texture& texture, uint32_t level);
 std::vector<std::byte> read(const Buffer& buffer);
 
-// The six samplers that lamina::Sampler can name.
+// The samplers that lamina::Sampler can name.
 class Samplers {
  public:
   Samplers();
-  GLuint of(Sampler sampler) const { return samplers_[index(sampler)].name(); }
+  GLuint of(Sampler sampler) const { return samplers_[place_of(sampler)].name(); }
 
  private:
-  static size_t index(Sampler sampler) { return 2 * static_cast<size_t>(sampler.filter) + static_cast<size_t>(sampler.wrap); }
-  std::array<SamplerObject, 6> samplers_;
+  std::array<SamplerObject, sampler_count> samplers_;
 };
 
 }  // namespace lamina::gl

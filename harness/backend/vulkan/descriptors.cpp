@@ -11,26 +11,22 @@ namespace {
 
 constexpr std::array<BindingKind, 4> all_kinds = {BindingKind::texture, BindingKind::uniform_buffer,
                                                   BindingKind::storage_buffer, BindingKind::storage_image};
-constexpr std::array<Filter, 3> all_filters = {Filter::nearest, Filter::linear, Filter::trilinear};
-constexpr std::array<Wrap, 2> all_wraps = {Wrap::clamp, Wrap::repeat};
-
-size_t sampler_index(Sampler sampler) {
-  return static_cast<size_t>(sampler.filter) * all_wraps.size() + static_cast<size_t>(sampler.wrap);
+VkSamplerAddressMode address_mode(Wrap wrap) {
+  if (wrap == Wrap::mirror) return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+  return wrap == Wrap::clamp ? VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE : VK_SAMPLER_ADDRESS_MODE_REPEAT;
 }
 
 SamplerHandle make_sampler(Device& device, Sampler sampler) {
   const VkFilter filter = sampler.filter == Filter::nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
-  const VkSamplerAddressMode wrap =
-      sampler.wrap == Wrap::clamp ? VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE : VK_SAMPLER_ADDRESS_MODE_REPEAT;
   const bool mips = sampler.filter == Filter::trilinear;
   VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
   info.magFilter = info.minFilter = filter;
   info.mipmapMode = mips ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
-  info.addressModeU = info.addressModeV = info.addressModeW = wrap;
+  info.addressModeU = info.addressModeW = address_mode(sampler.wrap);
+  info.addressModeV = address_mode(sampler.wrap_v);
   info.maxLod = mips ? VK_LOD_CLAMP_NONE : 0;  // 0 keeps nearest and linear to the base level
   VkSampler created = VK_NULL_HANDLE;
-  const std::string name =
-      fmt::format("{} {} sampler", name_of(sampler.filter), sampler.wrap == Wrap::clamp ? "clamp" : "repeat");
+  const std::string name = name_of(sampler) + " sampler";
   check(vkCreateSampler(device.get(), &info, nullptr, &created), name, "vkCreateSampler");
   return device.own<SamplerHandle>(created, name);
 }
@@ -65,7 +61,7 @@ Target texture_target(Device& device, const Pipeline& pipeline, const BindingSlo
                                                  device.info().device, texture.desc.name, name_of(format)));
   Target target;
   const VkImageView view = given.level ? texture.levels[*given.level].get() : texture.whole.get();
-  target.image = {samplers[sampler_index(given.sampler)].get(), view, layouts.at(given.texture)[given.level.value_or(0)]};
+  target.image = {samplers[place_of(given.sampler)].get(), view, layouts.at(given.texture)[given.level.value_or(0)]};
   return target;
 }
 
@@ -84,8 +80,7 @@ Target storage_image_target(const Pipeline& pipeline, const BindingSlot& slot, c
 }  // namespace
 
 Descriptors::Descriptors(Device& device) : device_(device) {
-  for (const Filter filter : all_filters)
-    for (const Wrap wrap : all_wraps) samplers_[sampler_index({filter, wrap})] = make_sampler(device, {filter, wrap});
+  for (const Sampler sampler : all_samplers()) samplers_[place_of(sampler)] = make_sampler(device, sampler);
 }
 
 void Descriptors::start(std::span<const Pipeline* const> pipelines) {

@@ -25,11 +25,10 @@ class Descriptors {
   VkDescriptorSet make_set(const Pipeline& pipeline, const Draw& draw, Resources& resources, const PassLayouts& layouts);
 
  private:
-  static constexpr size_t kinds = 4;     // of BindingKind
-  static constexpr size_t samplers = 6;  // three filters, two wraps
+  static constexpr size_t kinds = 4;  // of BindingKind
 
   Device& device_;
-  std::array<SamplerHandle, samplers> samplers_;
+  std::array<SamplerHandle, sampler_count> samplers_;
   DescriptorPoolHandle pool_;
   std::array<uint32_t, kinds> capacity_{};
   uint32_t set_capacity_ = 0;

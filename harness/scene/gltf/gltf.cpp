@@ -12,7 +12,6 @@
 #include "harness/scene/gltf/gltf_file.h"
 #include "harness/scene/gltf/gltf_material.h"
 #include "harness/scene/gltf/gltf_mesh.h"
-#include "harness/scene/mesh/unwrap_check.h"
 #include "harness/scene/mesh/vertex_colours.h"
 
 namespace lamina {
@@ -177,34 +176,27 @@ class ObjectMaker {
   // The material's look as it is on this mesh; shared where the mesh adds nothing to it.
   std::shared_ptr<const ModelLook> look_of(const Material& material, GltfMesh& of, const std::string& object) {
     const GltfMaterial& asks = material.asks;
-    if (!asks.repeats && of.has_uv && leaves_unit_square(of.mesh))
-      result_.warnings.push_back(
-          fmt::format("The texture of '{}' is to be held or mirrored at its border, beyond which its texture coordinates go; "
-                      "it is repeated.",
-                      object));
-    const bool without_pictures = !of.has_uv && asks.textured;
-    if (of.colours.empty() && !without_pictures) return material.look;
-    auto look = std::make_shared<ModelLook>(*material.look);
-    look->made.clear();
-    if (without_pictures) {
-      look->base_colour = Texels{1, 1, {asks.factor}};
-      look->normal.reset();
+    std::shared_ptr<ModelLook> own;
+    const auto changed = [&]() -> ModelLook& {
+      if (!own) own = std::make_shared<ModelLook>(*material.look), own->made.clear();
+      return *own;
+    };
+    if (!of.has_uv && asks.textured) {
+      changed().base_colour = Texels{1, 1, {asks.factor}};
+      changed().normal.reset();
       result_.warnings.push_back(fmt::format("The textures of '{}' are left out: it has no texture coordinates.", object));
     }
-    if (of.colours.empty()) return look;
-    const bool textured = asks.textured && of.has_uv;
-    const size_t vertices = of.mesh.vertices.size();
-    const std::string why = apply_vertex_colours(of.mesh, of.colours, textured, !look->opaque && !asks.masked, *look);
-    if (!why.empty())
-      result_.warnings.push_back(fmt::format("The colours of the vertices of '{}' are not applied: {}.", object, why));
-    if (of.mesh.vertices.size() != vertices) of.has_uv = true;  // its own patches
-    return look;
-  }
-
-  static bool leaves_unit_square(const Mesh& mesh) {
-    return std::ranges::any_of(mesh.vertices, [](const Vertex& v) {
-      return v.uv.x < -tile_tolerance || v.uv.y < -tile_tolerance || v.uv.x > 1 + tile_tolerance || v.uv.y > 1 + tile_tolerance;
-    });
+    if (!of.colours.empty()) {
+      const bool textured = asks.textured && of.has_uv;
+      const size_t vertices = of.mesh.vertices.size();
+      const std::string why =
+          apply_vertex_colours(of.mesh, of.colours, textured, !material.look->opaque && !asks.masked, changed());
+      if (!why.empty())
+        result_.warnings.push_back(fmt::format("The colours of the vertices of '{}' are not applied: {}.", object, why));
+      if (of.mesh.vertices.size() != vertices) of.has_uv = true;  // its own patches
+    }
+    if (own) return own;
+    return material.look;
   }
 
   std::string unique(const std::string& wanted) {

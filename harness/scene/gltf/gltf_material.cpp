@@ -14,7 +14,7 @@ namespace {
 constexpr uint32_t nearest_side = 1024;
 
 Texels with_repeated_texels(const Texels& from, uint32_t times) {
-  Texels to{from.width * times, from.height * times, {}};
+  Texels to{from.width * times, from.height * times, {}, from.wraps};
   to.rgba.resize(size_t{to.width} * to.height);
   for (uint32_t y = 0; y < to.height; ++y)
     for (uint32_t x = 0; x < to.width; ++x)
@@ -31,6 +31,20 @@ void keep_nearest(Texels& texels, const tinygltf::Sampler& sampler, const std::s
   else
     warnings.push_back(fmt::format("The {} of {} x {} texels asks for the nearest texel; it is filtered linearly.", subject,
                                    texels.width, texels.height));
+}
+
+// glTF's numbers for what lies beyond a border (section 5.26.3).
+Wrap wrap_of(int number, const std::string& subject) {
+  switch (number) {
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+      return Wrap::clamp;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+      return Wrap::mirror;
+    case TINYGLTF_TEXTURE_WRAP_REPEAT:
+      return Wrap::repeat;
+    default:
+      refuse_gltf(subject, fmt::format("its sampler wraps by {}; glTF 2.0 has 33071, 33648 and 10497", number));
+  }
 }
 
 // Where a texture reference reads its picture.
@@ -85,8 +99,8 @@ Texels decode(const tinygltf::Model& model, const TextureInfo& info, bool srgb_c
   if (texture.sampler >= 0 && size_t(texture.sampler) < model.samplers.size()) {
     const tinygltf::Sampler& sampler = model.samplers[size_t(texture.sampler)];
     keep_nearest(texels, sampler, subject, warnings);
-    if (sampler.wrapS != TINYGLTF_TEXTURE_WRAP_REPEAT || sampler.wrapT != TINYGLTF_TEXTURE_WRAP_REPEAT)
-      material.repeats = false;
+    const TextureWraps wraps{wrap_of(sampler.wrapS, subject), wrap_of(sampler.wrapT, subject)};
+    if (wraps.u != Wrap::repeat || wraps.v != Wrap::repeat) texels.wraps = wraps;
   }
   return texels;
 }

@@ -20,12 +20,12 @@ struct GltfMaterial {
   glm::vec4 factor{1};    // of its base colour, with its opacity
   bool masked = false;    // alphaMode MASK
   bool textured = false;  // it has a picture
-  bool repeats = true;    // false: some sampler holds or mirrors its borders, which is not done
 };
 
 // `material` may be -1: glTF's default material, white. Alpha of BLEND and MASK materials is opacity (after MASK's cutoff).
 // Normal maps are turned from glTF's green-up to green-down. Pictures with a sampler of NEAREST are enlarged, each texel
-// repeated, so that they look like it under any filter. Throws Error(bad_input) naming the material.
+// repeated, so that they look like it under any filter. Borders are held or mirrored as samplers say. Throws Error(bad_input)
+// naming the material.
 GltfMaterial read_material(const tinygltf::Model& model, int material, std::vector<std::string>& warnings);
 
 }  // namespace lamina

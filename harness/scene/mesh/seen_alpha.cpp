@@ -33,12 +33,19 @@ uint8_t alpha(const TextureImage& texture, int64_t x, int64_t y) {
   return std::to_integer<uint8_t>(texture.levels[0][(static_cast<size_t>(y) * texture.width + static_cast<size_t>(x)) * 4 + 3]);
 }
 
-// The texels that stand for one beyond the border: of the clamp and of the repeat wrap mode.
+// The texels that stand for one beyond the border: of every wrap mode.
 uint8_t wrapped_alpha(const TextureImage& texture, int64_t x, int64_t y) {
   const int64_t width = texture.width, height = texture.height;
   const uint8_t clamped = alpha(texture, std::clamp<int64_t>(x, 0, width - 1), std::clamp<int64_t>(y, 0, height - 1));
-  const uint8_t repeated = alpha(texture, ((x % width) + width) % width, ((y % height) + height) % height);
-  return std::max(clamped, repeated);
+  const auto repeated = [](int64_t at, int64_t size) { return ((at % size) + size) % size; };
+  if (!texture.wraps) return std::max(clamped, alpha(texture, repeated(x, width), repeated(y, height)));
+  const auto wrapped = [&](int64_t at, int64_t size, Wrap wrap) {
+    if (wrap == Wrap::clamp) return std::clamp<int64_t>(at, 0, size - 1);
+    if (wrap == Wrap::repeat) return repeated(at, size);
+    const int64_t twice = repeated(at, 2 * size);
+    return std::min(twice, 2 * size - 1 - twice);
+  };
+  return alpha(texture, wrapped(x, width, texture.wraps->u), wrapped(y, height, texture.wraps->v));
 }
 
 uint8_t greatest_alpha(const TextureImage& texture) {

@@ -8,7 +8,8 @@ namespace lamina {
 
 // The greatest alpha, 0 to 1, of all base-level texels of `texture` that bilinear filtering may read anywhere on the mesh's
 // triangles: texels whose centre lies within one texel, along both axes, of a point of a triangle. Texels beyond the border
-// count for both wrap modes. Never too low; too high only where a triangle spans more than two tiles.
+// count as the texture wraps, or where it does not say for clamp and repeat. Never too low; too high only where a triangle
+// spans more than two tiles.
 float seen_alpha(const Mesh& mesh, const TextureImage& texture);
 
 // The same. Where it is 0, `texture` becomes a copy whose alpha is 0 everywhere, so that no unseen texel reaches the picture

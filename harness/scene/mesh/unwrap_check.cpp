@@ -88,11 +88,6 @@ double OverlapFractions::of(const Mesh& mesh) {
   return entry->second;
 }
 
-void settle_unwrap(Object& object) {
-  move_to_unit_tile(object.mesh);
-  object.unwrap_problem = unwrap_problem(object.mesh);
-}
-
 std::string overlap_warning(const Object& object, OverlapFractions& overlaps) {
   if (!object.unwrap_problem.empty()) return "";
   const double overlap = overlaps.of(object.mesh);

@@ -41,9 +41,6 @@ class OverlapFractions {
   std::map<std::string, double> known_;  // by a hash of texture coordinates and triangles
 };
 
-// Sets unwrap_problem after moving to the unit tile.
-void settle_unwrap(Object& object);
-
 // What to say of an object whose unwrap is used: of an overlap above worrying_overlap; else "".
 std::string overlap_warning(const Object& object, OverlapFractions& overlaps);
 

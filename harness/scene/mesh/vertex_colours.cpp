@@ -116,7 +116,7 @@ std::string apply_vertex_colours(Mesh& mesh, std::span<const glm::vec4> colours,
     return "";
   }
   Mesh moved = mesh;
-  move_to_unit_tile(moved);
+  if (!look.base_colour.wraps) move_to_unit_tile(moved);
   Texels drawn;
   if (unwrap_problem(moved).empty() && overlap_fraction(moved) <= worrying_overlap) {
     const uint32_t side = std::clamp(std::max(look.base_colour.width, look.base_colour.height), min_side, max_side);
