@@ -36,7 +36,8 @@ std::optional<Claim> claim_of(std::span<const std::byte> bytes) {
   if (!draco::PointCloudDecoder::DecodeHeader(&buffer, &header).ok()) return std::nullopt;
   if (header.version_major != 2 || header.version_minor != 2 || header.encoder_type != draco::TRIANGULAR_MESH)
     return std::nullopt;
-  buffer.set_bitstream_version(DRACO_BITSTREAM_VERSION(header.version_major, header.version_minor));
+  constexpr uint16_t version = DRACO_BITSTREAM_VERSION(2, 2);
+  buffer.set_bitstream_version(version);
   draco::GeometryMetadata metadata;
   if ((header.flags & METADATA_FLAG_MASK) != 0 && !draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &metadata))
     return std::nullopt;
