@@ -39,14 +39,6 @@ Scene read_scene(const std::string& source, const Library& library, std::optiona
   throw Error(ErrorKind::bad_input, "scene", source, fmt::format("{}; {}", unknown_name("scene", source, builtin), expected));
 }
 
-// Whether its pictures are the same in every tile.
-bool repeats(const Object& object) {
-  for (const auto& [effect, values] : object.effects)
-    for (const auto& [name, texture] : values.textures)
-      if (texture->wraps) return false;
-  return true;
-}
-
 }  // namespace
 
 Scene load_scene(const std::string& source, const Library& library, std::optional<float> time_s) {
@@ -56,7 +48,7 @@ Scene load_scene(const std::string& source, const Library& library, std::optiona
   if (scene.lights.empty()) scene.lights = default_lights(bounding_sphere(scene.objects));
   if (scene.views.empty()) scene.views = default_views(scene.objects);
   for (Object& object : scene.objects)
-    if (repeats(object)) move_to_unit_tile(object.mesh);
+    if (pictures_repeat(object)) move_to_unit_tile(object.mesh);
   OverlapFractions overlaps;
   split_overlapping_objects(scene.objects, library, overlaps, scene.warnings);
   for (Object& object : scene.objects) {

@@ -93,7 +93,9 @@ Texels read_texels(OIIO::ImageInput& input, const std::string& name, bool srgb_c
         name, fmt::format("{} x {} texels are too many; at most {} on a side", spec.width, spec.height, max_texels_on_a_side));
   const size_t channels = static_cast<size_t>(std::min(spec.nchannels, 4));
   const size_t texels = size_t(spec.width) * size_t(spec.height);
-  if (spec.format == OIIO::TypeDesc::UINT8)
+  // The reader of WebP does not do what unassociated_alpha() asks for: its codes are multiplied by alpha.
+  const bool multiplied = spec.nchannels == 4 && std::string_view(input.format_name()) == "webp";
+  if (spec.format == OIIO::TypeDesc::UINT8 && !multiplied)
     return {static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height),
             TexelArray::of_codes(read_codes(input, name, channels), srgb_colour)};
   std::vector<float> values(texels * channels);
@@ -109,7 +111,9 @@ Texels read_texels(OIIO::ImageInput& input, const std::string& name, bool srgb_c
   const auto width = static_cast<size_t>(spec.width);
   std::vector<glm::vec4> rgba(texels);
   for (size_t i = 0; i < texels; ++i) {
-    const float* in = &values[i * channels];
+    float* in = &values[i * channels];
+    if (multiplied && in[3] > 0)
+      for (int c = 0; c < 3; ++c) in[c] = std::min(in[c] / in[3], 1.0f);
     glm::vec4& out = rgba[i];
     for (int c = 0; c < 3; ++c) out[c] = colour(in[grey ? 0 : c]);
     out.a = has_alpha ? in[channels - 1] : 1.0f;

@@ -143,6 +143,31 @@ TEST_F(Compare, SceneWithoutLayersCostsNoLayeredMaterial) {
   }
 }
 
+// What an effect that covers nothing takes is the time of an empty frame.
+TEST_F(Compare, AnEffectThatIsInNoViewGetsNoTimeAndNoRatio) {
+  square_model();
+  const std::string scene =
+      write("away.toml", "[scene]\nmodel = \"square.gltf\"\n[views.away]\neye = [0, 0, 5]\ntarget = [0, 0, 10]\n").string();
+  const Outcome outcome = lamina_program("compare " + scene + " --quick --backend vulkan --size 64x64 --out " + out().string());
+  EXPECT_SAYS(outcome.output, "layered_material covers no pixel in any view, so no time or ratio is given; check the views");
+  const Record run = record();
+  ASSERT_FALSE(run.cells.empty());
+  for (const CellRow& cell : run.cells) {
+    EXPECT_FALSE(cell.failed) << cell.reason;
+    EXPECT_EQ(cell.covered_pixels, 0u);
+    EXPECT_FALSE(cell.median_ms || cell.ratio_to_baseline || cell.error_covered) << cell.variant;
+    EXPECT_NE(
+        std::ranges::find_if(cell.notes, [](const std::string& note) { return note.find("covers no pixel") != note.npos; }),
+        cell.notes.end());
+  }
+  for (const char* file : {"summary.md", "index.html"}) {
+    std::ifstream stream(out() / file);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    EXPECT_SAYS(text, "covers no pixel in any view, so no time or ratio is given") << file;
+    EXPECT_EQ(text.find("worth having\n"), std::string::npos) << file;
+  }
+}
+
 TEST_F(Compare, HelmetRendersWhereItIsThere) {
   const std::filesystem::path helmet = std::filesystem::path(LAMINA_DATA_DIR) / "models/DamagedHelmet.glb";
   if (!std::filesystem::exists(helmet)) GTEST_SKIP() << helmet << " is absent: the real model is not part of the product";

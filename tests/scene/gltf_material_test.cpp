@@ -6,6 +6,7 @@
 
 #include "harness/scene/gltf/gltf.h"
 #include "harness/scene/mesh/texel_density.h"
+#include "harness/scene/model_look.h"
 #include "tests/scene/declared.h"
 #include "tests/scene/made_files.h"
 
@@ -117,6 +118,34 @@ TEST(GltfMaterial, VolumeThicknessBecomesTexels) {
                  {"thicknessFactor"});
 }
 
+// Metres are counted in texels, which such a mesh has none of.
+TEST(GltfMaterial, AThicknessWithoutTextureCoordinatesIsLeftOutAloud) {
+  const Folder folder;
+  const auto load_without = [&](const std::string& attributes, const std::string& extensions) {
+    GltfMaker maker;
+    const int positions = maker.add_floats({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, 3);
+    maker.add_floats(std::vector<float>(8, 0.25f), 2);  // accessor 1: all in one point
+    const int indices = maker.add_accessor(std::vector<uint16_t>{0, 1, 2, 0, 2, 3}, 1, 5123);
+    maker.add_mesh("square", {fmt::format(R"({{"attributes":{{"POSITION":{}{}}},"indices":{},"material":0}})", positions,
+                                          attributes, indices)});
+    maker.add_node(R"({"mesh":0,"name":"wall"})");
+    maker.more = fmt::format(R"(,"materials":[{{{}}}])", extensions);
+    LoadedModel model = load_gltf(folder.write("model.glb", maker.glb()));
+    declare_objects(model.objects, builtin_library());
+    return model;
+  };
+  const std::string volume = R"("extensions":{"KHR_materials_volume":{"thicknessFactor":0.5}})";
+  for (const char* uv : {"", R"(,"TEXCOORD_0":1)"}) {
+    const LoadedModel model = load_without(uv, volume);
+    EXPECT_EQ(thickness(model), 5.12) << "that of a model that gives none";
+    const std::string said = fmt::format("{}", fmt::join(model.warnings, "|"));
+    const std::string words = "The thickness of 'wall' in metres is left out";
+    ASSERT_NE(said.find(words), std::string::npos) << said;
+    EXPECT_EQ(said.find(words, said.find(words) + 1), std::string::npos) << "once";
+    EXPECT_EQ(fmt::format("{}", fmt::join(load_without(uv, "").warnings, "|")).find("thickness"), std::string::npos);
+  }
+}
+
 // Density is the mesh's mean: a quad stretched to 2 m x 8 m over the same texture has sqrt(1 / 16) of the density.
 TEST(LengthInTexels, IsTheMeanDensityOfTheMesh) {
   Mesh mesh;
@@ -140,6 +169,28 @@ TEST(GltfMaterial, WarnsOfWhatItLeavesOut) {
                                  {"a.png"});
   ASSERT_EQ(model.warnings.size(), 1u);
   EXPECT_NE(model.warnings[0].find("material 'm''s normal map has other texture coordinates"), std::string::npos);
+}
+
+TEST(GltfMaterial, WebpAloneOrBesideAnother) {
+  const Folder folder;
+  write_png(folder / "green.png", 1, 1, 3, {0, 255, 0});
+  const auto colour = [&](const std::string& texture) {
+    GltfMaker maker;
+    maker.add_mesh("square", {maker.quad(R"(,"material":0)")});
+    maker.add_node(R"({"mesh":0,"name":"wall"})");
+    const int webp = maker.add_view(webp_bytes()), png = maker.add_view(bytes_of(folder / "green.png"));
+    maker.more =
+        fmt::format(R"(,"materials":[{{"pbrMetallicRoughness":{{"baseColorTexture":{{"index":0}}}}}}],"textures":[{}],)"
+                    R"("images":[{{"bufferView":{},"mimeType":"image/webp"}},{{"bufferView":{},"mimeType":"image/png"}}],)"
+                    R"("extensionsUsed":["EXT_texture_webp"],"extensionsRequired":["EXT_texture_webp"])",
+                    texture, webp, png);
+    const LoadedModel model = load_gltf(folder.write("model.glb", maker.glb()));
+    EXPECT_TRUE(model.warnings.empty()) << model.warnings.at(0);
+    return glm::vec3(model.objects.at(0).look->base_colour.rgba.at(0));
+  };
+  const std::string extension = R"("extensions":{"EXT_texture_webp":{"source":0}})";
+  EXPECT_EQ(colour("{" + extension + "}"), glm::vec3(1, 0, 0)) << "the picture in WebP is all there is";
+  EXPECT_EQ(colour(R"({"source":1,)" + extension + "}"), glm::vec3(0, 1, 0)) << "of two the plain one is taken";
 }
 
 TEST(GltfMaterial, RefusesPicturesThatCannotBeHad) {

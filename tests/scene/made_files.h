@@ -56,6 +56,14 @@ inline void write_png(const std::filesystem::path& file, int width, int height, 
   ASSERT_TRUE(output->close());
 }
 
+// 2 x 1 texels in WebP, lossless, as libwebp encodes them: red, and blue of an opacity of 51 in 255.
+inline std::string webp_bytes() {
+  return {
+      "\x52\x49\x46\x46\x20\x00\x00\x00\x57\x45\x42\x50\x56\x50\x38\x4c\x13\x00\x00\x00\x2f\x01\x00\x00"
+      "\x10\x0f\x10\xfb\x3f\xff\xa7\xf9\x8f\x0a\x15\x88\xe8\x7f\x00\x00",
+      40};
+}
+
 inline std::string bytes_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};

@@ -109,6 +109,14 @@ TEST(DecodeTexels, ReadsJpeg) {
   EXPECT_NEAR(decode_texels(std::as_bytes(std::span(bytes)), "grey", true).rgba.at(63).g, 0.503f, 0.02f);
 }
 
+TEST(DecodeTexels, ReadsWebp) {
+  const std::string bytes = webp_bytes();
+  const Texels texels = decode_texels(std::as_bytes(std::span(bytes)), "picture", true);
+  ASSERT_EQ(texels.rgba.size(), 2u);
+  EXPECT_EQ(texels.rgba[0], glm::vec4(1, 0, 0, 1));
+  EXPECT_LT(glm::distance(texels.rgba[1], glm::vec4(0, 0, 1, 0.2f)), 1e-3f) << "transparency darkens no colour";
+}
+
 TEST(MakeTexture, LevelZeroKeepsEveryCode) {
   Texels all{256, 1, {}};
   for (int k = 0; k < 256; ++k) {

@@ -12,6 +12,7 @@
 #include "harness/scene/gltf/gltf_file.h"
 #include "harness/scene/gltf/gltf_material.h"
 #include "harness/scene/gltf/gltf_mesh.h"
+#include "harness/scene/mesh/unwrap_check.h"
 #include "harness/scene/mesh/vertex_colours.h"
 
 namespace lamina {
@@ -194,6 +195,13 @@ class ObjectMaker {
       if (!why.empty())
         result_.warnings.push_back(fmt::format("The colours of the vertices of '{}' are not applied: {}.", object, why));
       if (of.mesh.vertices.size() != vertices) of.has_uv = true;  // its own patches
+    }
+    if (material.look->thickness && share_without_texels(of.mesh) == 1) {
+      changed().thickness.reset();
+      result_.warnings.push_back(
+          fmt::format("The thickness of '{}' in metres is left out: its texture coordinates have no area, and so no texels to "
+                      "count it in. It has the thickness of a model that gives none.",
+                      object));
     }
     if (own) return own;
     return material.look;

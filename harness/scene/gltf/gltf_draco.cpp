@@ -141,8 +141,9 @@ class Primitive {
     if (claim->faces > most || claim->vertices > 3 * most)
       refuse_gltf(subject_, fmt::format("its stream claims {} triangles of {} vertices; {} bytes cannot hold more than {}",
                                         claim->faces, claim->vertices, bytes.size(), most));
-    if (primitive_.indices < 0 || primitive_.mode != TINYGLTF_MODE_TRIANGLES) return;
-    if (const size_t indices = accessor_of(model_, primitive_.indices, subject_).count; indices != 3 * claim->faces)
+    if (!said_.Has("indices") || primitive_.mode != TINYGLTF_MODE_TRIANGLES) return;
+    const int accessor = number_of(said_.Get("indices"), "indices", subject_);
+    if (const size_t indices = accessor_of(model_, accessor, subject_).count; indices != 3 * claim->faces)
       refuse_gltf(subject_,
                   fmt::format("its stream has {} triangles, where its accessor has {} indices", claim->faces, indices));
   }

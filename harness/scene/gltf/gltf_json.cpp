@@ -217,14 +217,17 @@ void settle_uris(Json& root, const std::string& subject, const std::filesystem::
     }
 }
 
-// Of what a part's extensions say, that which is read.
-void keep_only(Json& part, const char* extension) {
-  const auto extensions = part.find("extensions");
-  if (extensions == part.end()) return;
-  if (extensions->is_object() && extensions->contains(extension))
-    part["extensions"] = Json{{extension, (*extensions)[extension]}};
-  else
-    part.erase(extensions);
+// Of what a primitive's extensions say, that which is read. Its indices have no buffer view, which parsers want: their accessor
+// goes to the extension.
+void keep_draco(Json& primitive) {
+  const char* name = "KHR_draco_mesh_compression";
+  const auto extensions = primitive.find("extensions");
+  if (extensions == primitive.end()) return;
+  Json said = extensions->is_object() && extensions->contains(name) ? (*extensions)[name] : Json();
+  primitive.erase("extensions");
+  if (!said.is_object()) return;
+  if (primitive.contains("indices")) said["indices"] = primitive["indices"], primitive.erase("indices");
+  primitive["extensions"] = Json{{name, said}};
 }
 
 // Primitives without POSITION draw nothing (section 3.7.2.1), and parsers need not know them.
@@ -238,7 +241,7 @@ void drop_unused(Json& root, const std::string& subject, std::vector<std::string
       const auto primitives = (*meshes)[i].find("primitives");
       if (primitives == (*meshes)[i].end() || !primitives->is_array()) continue;
       for (Json& primitive : *primitives)
-        if (primitive.is_object()) keep_only(primitive, "KHR_draco_mesh_compression");
+        if (primitive.is_object()) keep_draco(primitive);
     }
 }
 

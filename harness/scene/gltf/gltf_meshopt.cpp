@@ -116,7 +116,7 @@ std::vector<CompressedView> take_compressed_views(Json& root, const std::string&
       Json& buffer = (*buffers)[i];
       const bool is_binary_chunk = i == 0 && has_binary;
       if (extension_of(buffer) && !buffer.contains("uri") && !is_binary_chunk)
-        buffer = Json{{"byteLength", 1}, {"uri", "data:application/octet-stream;base64,AA=="}};
+        buffer = Json{{"byteLength", uint64_t{1}}, {"uri", "data:application/octet-stream;base64,AA=="}};
       buffer.erase("extensions");
     }
   return views;

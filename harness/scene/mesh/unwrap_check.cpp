@@ -79,6 +79,13 @@ double overlap_fraction(const Mesh& mesh) {
   return covered > 0 ? double(twice) / double(covered) : 0.0;
 }
 
+bool pictures_repeat(const Object& object) {
+  for (const auto& [effect, values] : object.effects)
+    for (const auto& [name, texture] : values.textures)
+      if (texture && texture->wraps) return false;
+  return true;
+}
+
 double OverlapFractions::of(const Mesh& mesh) {
   std::vector<glm::vec2> uvs;
   uvs.reserve(mesh.vertices.size());

@@ -19,6 +19,9 @@ inline constexpr double worrying_overlap = 0.02;
 // more than that.
 void move_to_unit_tile(Mesh& mesh);
 
+// Whether the object's pictures are the same in every tile: none of its textures holds or mirrors its borders.
+bool pictures_repeat(const Object& object);
+
 // The share of the surface (by area in space) whose texture coordinates have no area: a triangle that gets less than a
 // ten-thousandth of the texels that an even unwrap of the same texture would give it. 1 where nothing has any.
 double share_without_texels(const Mesh& mesh);
