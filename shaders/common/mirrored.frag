@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the mirror shows: every opaque surface as plain diffuse light lights it, and how far it is from the eye's reflection.
-#include "../common/frame.glsl"
-#include "../common/surface.glsl"
-#include "../common/mesh_in.glsl"
+#include "frame.glsl"
+#include "surface.glsl"
+#include "mesh_in.glsl"
 
 layout(binding = 4) uniform sampler2D albedo;
 layout(location = 0) out vec4 out_color;
