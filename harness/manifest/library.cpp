@@ -106,10 +106,11 @@ void check_effect(const Library& library, const EffectManifest& effect) {
   for (const VariantManifest& variant : effect.variants) check_bake(library, effect, variant);
   for (const VariantManifest& variant : effect.variants)
     for (const PassManifest& pass : variant.passes)
-      if (effect.only_where_seen && pass.view != PassView::eye)
-        throw Error(ErrorKind::bad_input, "variants", pass.where,
-                    fmt::format("pass '{}' is not drawn from the eye: remove 'only_where_seen = true' from {}", pass.name,
-                                effect.file.string()));
+      if (effect.only_where_seen && pass.view != PassView::eye && pass.of == DrawnObjects::own)
+        throw Error(
+            ErrorKind::bad_input, "variants", pass.where,
+            fmt::format("pass '{}' draws the effect's objects not from the eye: remove 'only_where_seen = true' from {}",
+                        pass.name, effect.file.string()));
       else if (pass.view == PassView::mirror && !effect.mirror)
         throw Error(ErrorKind::bad_input, "variants", pass.where,
                     fmt::format("a view of kind mirror needs a plane: add [mirror] with normal and height to {}",

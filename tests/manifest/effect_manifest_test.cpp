@@ -109,6 +109,21 @@ TEST_F(UserEffect, AMirrorNeedsAPlane) {
   EXPECT_EQ(refusal("key = \"wax\"", "[mirror]\n"), "");
 }
 
+// Its own objects are drawn from the eye alone; others may be drawn from a mirror.
+TEST_F(UserEffect, WhatIsLeftOutUnseenIsDrawnFromTheEye) {
+  const auto mirrored = [&](const std::string& of) {
+    write("wax/mirrored.toml",
+          "[variant]\nname = \"mirrored\"\n[targets.seen]\nformat = \"rgba16_float\"\n[[pass]]\nname = \"look\"\ndraw = "
+          "\"objects\"\n" +
+              of +
+              "view = \"mirror\"\nvertex = \"common/object.vert\"\nfragment = \"surface/lambert.frag\"\nwrite = [\"seen\"]\n");
+    return refusal("key = \"wax\"\nonly_where_seen = true", "[mirror]\n");
+  };
+  EXPECT_SAYS(mirrored(""),
+              "mirrored.toml:5: pass 'look' draws the effect's objects not from the eye: remove 'only_where_seen");
+  EXPECT_EQ(mirrored("of = \"opaque\"\n"), "");
+}
+
 // Whether the word stands in the line, and not as a part of a longer one.
 bool holds_word(const std::string& line, const std::string& word) {
   const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
