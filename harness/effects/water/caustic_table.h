@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two tileable textures that any shader may read: the light that small waves gather on a level bottom, and the bubbles of foam.
+#pragma once
+
+#include "harness/core/image.h"
+
+namespace lamina {
+
+inline constexpr uint32_t caustic_side = 256;
+// The mean of the lesser of the caustic table here and there: its own mean is 1.
+inline constexpr double caustic_lesser_mean = 0.7975;
+
+// One channel in half floats, mean 1, with its mips: sunlight from straight above, refracted once by a sum of sines that is as
+// wide as the tile, and gathered by where its rays land (rays of an even grid, each spread over four texels).
+TextureImage make_caustic_table();
+// One channel, 0 to 1: how thick foam must be for its bubbles to cover this place; each threshold as frequent as another.
+TextureImage make_foam_table();
+
+}  // namespace lamina

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/effects/water/water_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "harness/effects/water/water_light.h"
+#include "harness/effects/water/waves.h"
+#include "harness/truth/for_each_on_all_cores.h"
+#include "harness/truth/pixel_of.h"
+#include "harness/truth/scene_surfaces.h"
+#include "harness/truth/view_rays.h"
+
+namespace lamina {
+namespace {
+
+constexpr double endless_m = 1e4;  // of a way in the water that meets nothing
+constexpr double off_surface_m = 1e-5;
+constexpr double least_cosine = 0.01;  // of the surface to the eye: backs of waves are bent towards it
+
+bool is_water(const Object& object) { return object.effects.contains("water"); }
+
+class WaterRays : public Truth {
+ public:
+  explicit WaterRays(const TruthSetting& setting)
+      : scene_(setting.scene),
+        side_(std::clamp(static_cast<int>(std::sqrt(static_cast<double>(setting.rays))), 1, 16)),
+        light_(scene_),
+        waves_(scene_.effects.at("water")),
+        surfaces_(scene_, is_water,
+                  [](const Object& object) -> const Texture& { return object.effects.at("surface").textures.at("albedo"); }) {}
+
+  TruthAnswer answer(const Told& told, const std::function<void(double)>& progress) override {
+    const Image& seen = told.target("seen_ground", "water_rays");
+    TruthAnswer answer;
+    for (size_t pixel = 0; pixel < seen.rgba.size() / 4; ++pixel)
+      if (seen.rgba[4 * pixel + 3] > 0) answer.pixels.push_back(pixel);
+    // From under the water there is no truth.
+    if (answer.pixels.empty() || double(told.view.eye.y) < light_.number("height")) return {};
+    const ViewRays rays(told.view, seen.width, seen.height);
+    const glm::dvec3 eye(told.view.eye);
+    std::vector<glm::vec3> light(answer.pixels.size());
+    for_each_on_all_cores(light.size(), progress, [&](size_t i) {
+      const size_t pixel = answer.pixels[i];
+      const glm::dvec4 ground = pixel_of(seen, pixel);
+      const auto width = static_cast<size_t>(seen.width);
+      const double column = static_cast<double>(pixel % width), row = static_cast<double>(pixel / width);
+      glm::dvec3 sum(0);
+      for (int y = 0; y < side_; ++y)
+        for (int x = 0; x < side_; ++x)
+          sum += light_of(eye, rays.through(column + (x + 0.5) / side_, row + (y + 0.5) / side_), {ground.x, ground.y},
+                          rays.ahead());
+      light[i] = glm::vec3(sum / double(side_ * side_));
+    });
+    answer.steps = {{"rays", "this variant's pictures, lengths and normals against rays by the exact waves", std::move(light)}};
+    return answer;
+  }
+
+ private:
+  WavePoint point_at(glm::dvec2 ground) const {
+    WavePoint point = waves_.at(ground, double(scene_.time_s));
+    point.position.y += light_.number("height");
+    return point;
+  }
+
+  // Where a ray meets the waves, near a point that the device drew: the ground whose point lies on the ray, by Newton's method.
+  // The point itself where none is found near it.
+  WavePoint met(glm::dvec3 eye, glm::dvec3 direction, glm::dvec2 drawn) const {
+    const WavePoint first = point_at(drawn);
+    const glm::dvec3 u = glm::normalize(
+                         glm::cross(direction, std::abs(direction.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0))),
+                     v = glm::cross(u, direction);
+    const double far = glm::distance(first.position, eye);
+    glm::dvec2 ground = drawn;
+    for (int step = 0; step < 12; ++step) {
+      const WavePoint point = point_at(ground);
+      const glm::dvec3 from_eye = point.position - eye;
+      const glm::dvec2 off(glm::dot(u, from_eye), glm::dot(v, from_eye));
+      if (glm::length(off) < 1e-9 * far)
+        return glm::dot(from_eye, direction) > 0 && glm::dot(point.normal(), direction) < 0 ? point : first;
+      const double a = glm::dot(u, point.along_x), b = glm::dot(u, point.along_z), c = glm::dot(v, point.along_x),
+                   d = glm::dot(v, point.along_z), determinant = a * d - b * c;
+      if (std::abs(determinant) < 1e-9) return first;
+      const glm::dvec2 change(-(d * off.x - b * off.y) / determinant, -(a * off.y - c * off.x) / determinant);
+      ground += change * std::min(1.0, 0.2 * far / std::max(glm::length(change), 1e-12));
+      if (glm::distance(ground, drawn) > 0.5 * far) return first;
+    }
+    return first;
+  }
+
+  glm::dvec3 light_of(glm::dvec3 eye, glm::dvec3 direction, glm::dvec2 drawn, glm::dvec3 ahead) const {
+    const WavePoint point = met(eye, direction, drawn);
+    const glm::dvec3 to_eye = glm::normalize(eye - point.position);
+    glm::dvec3 normal = point.normal();
+    normal = glm::normalize(normal + std::max(least_cosine - glm::dot(normal, to_eye), 0.0) * to_eye);
+    const double cosine = std::clamp(glm::dot(normal, to_eye), least_cosine, 1.0), index = light_.number("refraction_index");
+    double share = reflected_by_water(cosine, index);
+
+    // Down to the bottom: Snell's law.
+    const glm::dvec3 across = (cosine * normal - to_eye) / index,
+                     into = glm::normalize(across - normal * std::sqrt(1 - glm::dot(across, across)));
+    const auto bottom = surfaces_.opaque(point.position - off_surface_m * normal, into);
+    const double way_m = bottom ? bottom->distance_m : endless_m;
+    glm::dvec3 body = light_.in_scatter(into, way_m);
+    if (bottom) {
+      const glm::dvec3 all = surfaces_.diffuse(bottom->position, bottom->normal);
+      const glm::dvec3 by_sun =
+          light_.sunlit() ? glm::dvec3(scene_.lights[0].radiance) * std::max(glm::dot(bottom->normal, light_.to_sun()), 0.0)
+                          : glm::dvec3(0);
+      body += light_.bottom(glm::dvec3(surfaces_.albedo(bottom->object).base(bottom->uv)), by_sun, all - by_sun,
+                            bottom->position, way_m);
+    }
+
+    // Up: what would meet the water again goes along its level.
+    glm::dvec3 along = 2 * glm::dot(normal, to_eye) * normal - to_eye;
+    const glm::dvec3 up = glm::normalize(glm::dvec3(along.x, std::max(along.y, 1e-3), along.z));
+    const auto above = surfaces_.opaque(point.position + off_surface_m * normal, up);
+    const glm::dvec3 mirrored = above ? surfaces_.light(above) : light_.sky(up);
+
+    // Straight on: what fades the water's edge, and foams.
+    const auto straight = surfaces_.opaque(point.position - off_surface_m * to_eye, -to_eye);
+    const glm::dvec3 behind = straight ? straight->position : point.position - endless_m * to_eye;
+    const double soft_m = light_.number("soft_edge");
+    const double edge = soft_m > 0 ? std::clamp(glm::dot(behind - point.position, ahead) / soft_m, 0.0, 1.0) : 1;
+    const glm::dvec3 surface = glm::mix(body, mirrored, share * edge) + edge * share * light_.glitter(along);
+    const double cover = edge * light_.foam(point.position, behind, way_m);
+    return glm::mix(surface, 0.85 * surfaces_.diffuse(point.position, normal), cover);
+  }
+
+  const Scene& scene_;
+  int side_;  // rays along a pixel's side
+  WaterLight light_;
+  GerstnerWaves waves_;
+  SceneSurfaces surfaces_;
+};
+
+}  // namespace
+
+std::unique_ptr<Truth> water_rays(const TruthSetting& setting) { return std::make_unique<WaterRays>(setting); }
+
+}  // namespace lamina
