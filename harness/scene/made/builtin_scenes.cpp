@@ -22,6 +22,8 @@
 #include "harness/scene/made/hollow_shell.h"
 #include "harness/scene/made/leaf_pair.h"
 #include "harness/scene/made/open_plane.h"
+#include "harness/scene/made/open_sea.h"
+#include "harness/scene/made/pool.h"
 #include "harness/scene/made/rough_glass.h"
 #include "harness/scene/made/skin_head.h"
 #include "harness/scene/made/skin_plate.h"
@@ -67,6 +69,8 @@ constexpr Builtin builtins[] = {
     {"skin_plate", [](float) { return make_skin_plate(); }},
     {"rough_glass", [](float) { return make_rough_glass(); }},
     {"glossy_floor", [](float) { return make_glossy_floor(); }},
+    {"pool", make_pool},
+    {"open_sea", make_open_sea},
 };
 
 }  // namespace

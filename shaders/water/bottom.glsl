@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light of what lies under water: it has come down through the water, and goes up to the surface through it. CAUSTICS: the sun's
+// part is gathered by waves.
+#ifdef CAUSTICS
+layout(binding = 9) uniform sampler2D caustic_table;
+
+// 1 in the mean: the lesser of two patterns that drift, found where the refracted sunlight came through the still surface. A
+// pattern blurs with the size of a pixel on the bottom.
+float caustic_light(vec3 position, float pixel_m) {
+  vec3 sun = sun_in_water();
+  float depth = max(height - position.y, 0.0);
+  vec2 entry = (position.xz + sun.xz / sun.y * depth) / caustic_size;
+  float time = eye_world.w, level = log2(max(pixel_m / caustic_size * 256.0, 1.0));
+  float pattern = min(textureLod(caustic_table, entry + vec2(0.031, 0.017) * time, level).r,
+                      textureLod(caustic_table, vec2(-entry.y, entry.x) * 0.83 + vec2(-0.023, 0.029) * time, level).r);
+  // Waves have to run some way before they gather light; and the mean of the lesser is under 1.
+  return mix(1.0, pattern * CAUSTIC_SCALE, min(caustics, 4.0) * smoothstep(0.0, 0.3, depth));
+}
+#endif
+
+vec3 bottom_light(vec3 color, Behind found, float way_m, float pixel_m) {
+  float depth = max(height - found.position.y, 0.0);
+  vec3 sun_share = found.sun_share;
+  vec3 c = extinction();
+#ifdef CAUSTICS
+  float gathered = max(caustic_light(found.position, pixel_m), 0.0);
+#else
+  const float gathered = 1.0;
+#endif
+  return color * (sun_share * gathered * exp(-c * (depth / sun_in_water().y)) + (1.0 - sun_share) * exp(-c * (depth / sky_cosine))) * exp(-c * way_m);
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the mirror's picture shows what a reflected ray meets. A ray that leaves along the mirror's own normal is seen in the same
+// place however far it goes; of all others the place depends on the distance. REFLECTION: by_depth (as far as what the picture
+// shows there, found in LANDINGS steps), by_distance (REFLECTION_DISTANCE metres), by_direction (far away), sky_alone.
+#define by_depth 0
+#define by_distance 1
+#define by_direction 2
+#define sky_alone 3
+
+#if REFLECTION != sky_alone
+layout(binding = 5) uniform sampler2D reflection;
+#endif
+#if REFLECTION == by_depth
+layout(binding = 6) uniform sampler2D mirrored_depth;  // metres along the view's axis; 0 where there is nothing
+#endif
+
+const float mirrored_far_m = 1e4;
+
+vec2 mirror_place(vec3 world) {
+  vec4 clip = mirror_clip_from_world * vec4(world, 1.0);
+  return clip.w > 1e-4 ? clip.xy / clip.w * 0.5 + 0.5 : vec2(-1.0);
+}
+float mirror_depth_of(vec4 world) { return (mirror_clip_from_world * world).w; }
+
+#if REFLECTION == by_depth
+float mirrored_depth_at(vec2 place) {
+  ivec2 size = textureSize(mirrored_depth, 0);
+  float found = texelFetch(mirrored_depth, clamp(ivec2(place * vec2(size)), ivec2(0), size - 1), 0).r;
+  return found > 0.0 ? found : mirrored_far_m;
+}
+// How far the ray goes until it is as deep as what the picture shows where it is. What lies before the water's point is not
+// reflected by it: the ray goes on as before.
+float reflected_way(vec3 from, vec3 along) {
+  float start = mirror_depth_of(vec4(from, 1.0)), ahead = mirror_depth_of(vec4(along, 0.0));
+  float found = mirrored_depth_at(mirror_place(from)), way = mirrored_far_m;
+  for (int i = 0; i < LANDINGS; ++i) {
+    way = found > start && ahead > 1e-4 ? min((found - start) / ahead, mirrored_far_m) : way;
+    found = mirrored_depth_at(mirror_place(from + way * along));
+  }
+  return found > start && ahead > 1e-4 ? min((found - start) / ahead, mirrored_far_m) : way;
+}
+#elif REFLECTION == by_distance
+float reflected_way(vec3 from, vec3 along) { return REFLECTION_DISTANCE; }
+#else
+float reflected_way(vec3 from, vec3 along) { return mirrored_far_m; }
+#endif
+
+// The light that comes along the reflected ray. Rays that would meet water again are taken along its level.
+vec3 reflected_light(vec3 from, vec3 along) {
+  along = normalize(vec3(along.x, max(along.y, 1e-3), along.z));
+#if REFLECTION == sky_alone
+  return sky_seen(along);
+#else
+  vec2 place = mirror_place(from + reflected_way(from, along) * along);
+#ifdef RGBM
+  vec4 seen = vec4(rgbm_decoded(textureLod(reflection, place, 0.0)), 1.0);
+#else
+  vec4 seen = textureLod(reflection, place, 0.0);
+#endif
+  // What is outside the picture is not known: the sky.
+  vec2 inside = clamp(min(place, 1.0 - place) / 0.01, 0.0, 1.0);
+  return mix(sky_seen(along), seen.rgb + (1.0 - seen.a) * sky_seen(along), inside.x * inside.y);
+#endif
+}

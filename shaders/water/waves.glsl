@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene's waves. WAVES: how many of them at most, the first ones; SINES: their points move up and down alone.
+#include "gerstner/gerstner.glsl"
+
+#ifndef WAVES
+#define WAVES 4
+#endif
+
+Wave wave_of(float amplitude, float wave_length, float degrees, float steepness) {
+  return Wave(amplitude, wave_length, vec2(cos(radians(degrees)), sin(radians(degrees))), steepness);
+}
+
+// Steepnesses are shrunk to a sum of 1, so that nothing folds.
+float steepness_share() {
+  float sum = 0.0;
+#ifdef WAVE_1
+  sum += wave_1_steepness;
+#endif
+#ifdef WAVE_2
+  sum += wave_2_steepness;
+#endif
+#ifdef WAVE_3
+  sum += wave_3_steepness;
+#endif
+#ifdef WAVE_4
+  sum += wave_4_steepness;
+#endif
+#ifdef SINES
+  return 0.0;
+#else
+  return 1.0 / max(sum, 1.0);
+#endif
+}
+
+// How much of a wave is drawn where details of this width are all that shows: edges of the mesh, or pixels.
+float kept_share(float wave_length, float width) { return 1.0 - smoothstep(0.25, 0.5, width / wave_length); }
+
+// Edges of the mesh here.
+float grid_width(vec2 ground) { return grid_spacing + grid_growth * length(ground); }
+
+// The surface's point that lies at `ground` when there are no waves. `lost` gains the variance of slopes of what is left out.
+WavePoint wave_point(vec2 ground, float width, inout float lost) {
+  WavePoint point = WavePoint(vec3(0), vec3(0), vec3(0));
+  float steep = steepness_share(), time = eye_world.w;
+#define ADD_WAVE(a, l, d, s) \
+  { \
+    float share = kept_share(l, width), slope = two_pi / l * a; \
+    lost += 0.5 * slope * slope * (1.0 - share * share); \
+    add_wave(point, wave_of(a, l, d, s * steep), ground, time, wave_depth, share); \
+  }
+#if defined(WAVE_1) && WAVES >= 1
+  ADD_WAVE(wave_1_amplitude, wave_1_length, wave_1_direction, wave_1_steepness)
+#endif
+#if defined(WAVE_2) && WAVES >= 2
+  ADD_WAVE(wave_2_amplitude, wave_2_length, wave_2_direction, wave_2_steepness)
+#endif
+#if defined(WAVE_3) && WAVES >= 3
+  ADD_WAVE(wave_3_amplitude, wave_3_length, wave_3_direction, wave_3_steepness)
+#endif
+#if defined(WAVE_4) && WAVES >= 4
+  ADD_WAVE(wave_4_amplitude, wave_4_length, wave_4_direction, wave_4_steepness)
+#endif
+  return point;
+}
