@@ -185,7 +185,8 @@ TEST_P(WaterShaders, InScatterIsWhatIsKnown) {
   for (int i = 0; i < 3; ++i)
     EXPECT_NEAR(.03 / (4 * std::numbers::pi) * value("water_in_scatter", "closed_in_scatter", {.1f, ways[i], 1, 1}), right[i],
                 1e-8);
-  EXPECT_EQ(errors(family_in("water_in_scatter"), "naive_in_scatter", "thin").max_under, -1) << "all light cancels";
+  const FunctionErrors naive = errors(family_in("water_in_scatter"), "naive_in_scatter", "thin");
+  EXPECT_GT(std::max(naive.max_over, -naive.max_under), 0.03) << "1 - e^-x cancels";
 }
 
 // In view angles from an eye 2 m over water 1 m deep, at 20, 45, 60 and 75 degrees.
