@@ -232,7 +232,8 @@ bool EffectRun::note_nothing_covered() {
 
 // Ratios are to the baseline, where it has not failed.
 RoundsResult EffectRun::time(const RoundOptions& rounds) {
-  if (!point_.timed || note_nothing_covered()) return {};
+  const bool said = point_.timed || point_.params.empty();  // and not again at each point of a sweep of errors
+  if ((said && note_nothing_covered()) || !point_.timed) return {};
   const Clock clock(spent_.device);
   std::vector<Arm> arms;
   std::vector<std::pair<const Variant*, CellRow*>> cells;  // beside arms

@@ -148,7 +148,8 @@ TEST_F(Compare, AnEffectThatIsInNoViewGetsNoTimeAndNoRatio) {
   square_model();
   const std::string scene =
       write("away.toml", "[scene]\nmodel = \"square.gltf\"\n[views.away]\neye = [0, 0, 5]\ntarget = [0, 0, 10]\n").string();
-  const Outcome outcome = lamina_program("compare " + scene + " --quick --backend vulkan --size 64x64 --out " + out().string());
+  const Outcome outcome =
+      lamina_program("compare " + scene + " --no-time --backend vulkan --size 64x64 --out " + out().string());
   EXPECT_SAYS(outcome.output, "layered_material covers no pixel in any view, so no time or ratio is given; check the views");
   const Record run = record();
   ASSERT_FALSE(run.cells.empty());
