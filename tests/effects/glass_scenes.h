@@ -11,6 +11,8 @@
 
 namespace lamina {
 
+inline constexpr float half_error = 2.0f / 1024;  // of frames in 16-bit floats, which llvmpipe rounds towards 0
+
 struct Sheet {
   double opacity;
   glm::vec3 color;

@@ -8,8 +8,6 @@
 namespace lamina {
 namespace {
 
-constexpr float half_error = 2.0f / 1024;  // of frames in 16-bit floats, which llvmpipe rounds towards 0
-
 const char* const order_free[] = {"weighted_blended", "weighted_blended_printed", "weighted_saturated", "moments_4"};
 
 class TransparentLayers : public GlassOnEachBackend {
