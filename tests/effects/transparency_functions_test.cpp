@@ -55,6 +55,39 @@ TEST_P(TransparencyShaders, TheMomentSystemNeedsItsBias) {
   EXPECT_GT(none.max_over - none.max_under, 0.2);
 }
 
+// Chebyshev, Markov and Stieltjes: of all layers with these moments at most a share rho lies at z, 1 / rho = (1, z, z^2) B^-1
+// (1, z, z^2)^T for the Hankel matrix B, and what is before z is known to within rho. rho is the least mean of a squared
+// parabola that is 1 at z. For two layers (x - z0)(x - z1) has none but what the bias b mixes in, an even distribution with the
+// moments 0, 3/8, 0, 3/8. So rho <= b (3/8 (1 + s^2 + 2 p) + p^2) / ((z - z0)(z - z1))^2 with s = z0 + z1, p = z0 z1. A quarter
+// of it counts as before z, and the bias itself moves a share of b.
+TEST_P(TransparencyShaders, TheBiasBoundsWhatFourMomentsErrBy) {
+  const Family family = family_in("moment_transmittance");
+  for (const auto& [function, bias] : {std::pair("bias_5e_5", 5e-5), {"bias_5e_4", 5e-4}, {"bias_5e_3", 5e-3}})
+    for (const char* set : {"apart", "near_one", "faint"}) {
+      const Points points = family.oracle->points(set, layer_inputs, 5);
+      const std::vector<float> found = FunctionRunner(*backend_, shaders_folder(), family, function).values(points);
+      size_t over = 0, under = 0;
+      double most = 0;
+      for (size_t i = 0; i < points.size(); ++i) {
+        const auto at = [&](size_t input) { return double(points[i][input]); };
+        const double z0 = at(0), z1 = at(1), total = at(3), z = at(4), sum = z0 + z1, product = z0 * z1,
+                     parabola = (z - z0) * (z - z1), even = 0.375 * (1 + sum * sum + 2 * product) + product * product;
+        const double rho = bias * even / (parabola * parabola), before = (z0 < z ? at(2) : 0) + (z1 < z ? 1 - at(2) : 0);
+        const double right = std::exp(-total * before), error = double(found[i]) - right;
+        // The system's last pivot is about the bias, of numbers of about 1 in binary32.
+        const double rounded = 1e-6 + 1e-7 / bias * std::min(rho, 1.0) * total;
+        over += error > right * std::expm1(total * (0.75 * rho + bias)) + rounded;
+        under += error < right * std::expm1(-total * (0.25 * rho + bias)) - rounded;
+        most = std::max(most, std::abs(error));
+      }
+      EXPECT_EQ(over, 0u) << function << " " << set;
+      EXPECT_EQ(under, 0u) << function << " " << set;
+      EXPECT_GT(most, set == std::string("faint") ? 1e-6 : 1e-3) << "what there is to bound";
+    }
+  // The corner of "apart" that errs most.
+  EXPECT_NEAR(values(family, "bias_5e_5", {{-0.95f, -0.45f, 0.1f, 4, -0.85f}})[0] - std::exp(-0.4f), 0.0664f, 0.003f);
+}
+
 // An opaque layer in front: sorting shows nothing behind it, weights do.
 TEST_P(TransparencyShaders, WeightsLeakBehindAnOpaqueLayer) {
   const Family family = family_in("compositing");
