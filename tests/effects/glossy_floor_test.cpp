@@ -197,6 +197,29 @@ TEST_P(GlossyFloor, WhatIsNearerDoesNotBleed) {
   EXPECT_GT(light_beside("one_blur_mirror"), 0.03) << "which has no depth";
 }
 
+// A white sheet just over the floor that faces down: the eye sees floor everywhere, the mirror's picture has the sheet. To the
+// floor behind its edge the sheet is nearer than the floor itself, and no facet there reflects it, however coarse a level is
+// asked.
+TEST_P(GlossyFloor, LevelsLeaveOutWhatIsNearerThanTheFloor) {
+  constexpr uint32_t size = 64;
+  Scene scene = declared_scene({mirror_floor(0.3, 8), coloured_square("sheet", level_square(6, 0.05f, false), glm::vec3(1))});
+  scene.objects[1].world_from_object[3].z = 2;  // from 1 m behind the middle to behind the eye
+  View& view = scene.views[0];
+  view.eye = {0, 1, 4}, view.target = {0, 0, 0};
+  view.fov_y_degrees = 30, view.near_m = 0.5f, view.far_m = 40;
+  // The sheet's edge, 5.1 m deep, stands at row 27.5; the floor there at 5.0 m, and 5.6 m four rows on.
+  const auto behind_edge = [&](const char* name) {
+    const Image image = picture(scene, name, size);
+    EXPECT_GT(pixel(image, 32, 40).r, 0.9f) << name << ": the sheet is reflected";
+    double most = 0;
+    for (int y = 18; y < 24; ++y) most = std::max(most, double(pixel(image, 32, y).r));
+    return most;
+  };
+  EXPECT_LT(behind_edge("facet_samples"), 0.02);
+  for (const char* name : {"thirteen_tap_mirror", "box_mirror", "stretched_mirror"}) EXPECT_LT(behind_edge(name), 0.02) << name;
+  EXPECT_GT(behind_edge("one_blur_mirror"), 0.1) << "which has no depth";
+}
+
 // Of a block only the face in the plane is a mirror: its sides reflect what is all around.
 TEST_P(GlossyFloor, OnlyThePlaneIsAMirror) {
   Object table = mirror_floor(0.2);
