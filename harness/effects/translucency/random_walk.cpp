@@ -20,8 +20,18 @@ glm::dvec3 WalkRandom::direction() {
   return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
+// Henyey and Greenstein, Astrophysical Journal 93, 1941; the inverse of their distribution.
+glm::dvec3 WalkRandom::scattered(glm::dvec3 from, double forward) {
+  if (forward == 0) return direction();
+  const double root = (1 - forward * forward) / (1 - forward + 2 * forward * uniform()),
+               cosine = std::clamp((1 + forward * forward - root * root) / (2 * forward), -1.0, 1.0),
+               sine = std::sqrt(1 - cosine * cosine), angle = 2 * std::numbers::pi * uniform();
+  const glm::dvec3 aside = glm::normalize(glm::cross(from, std::abs(from.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  return glm::normalize(from * cosine + (aside * std::cos(angle) + glm::cross(from, aside) * std::sin(angle)) * sine);
+}
+
 WalkEnd random_walk(const Solids& solids, size_t object, glm::dvec3 albedo, glm::dvec3 start, glm::dvec3 direction,
-                    WalkRandom& random, const std::function<void(glm::dvec3, glm::dvec3, int)>& at_event) {
+                    WalkRandom& random, const std::function<void(glm::dvec3, glm::dvec3, int)>& at_event, double forward) {
   const Medium& medium = *solids.medium(object);
   const double eta = medium.refraction_index, start_off = 1e-6 * solids.radius_m();
   const int hero = std::min(static_cast<int>(3 * random.uniform()), 2);
@@ -49,7 +59,7 @@ WalkEnd random_walk(const Solids& solids, size_t object, glm::dvec3 albedo, glm:
         if (random.uniform() >= survives) return {};
         carried /= survives;
       }
-      direction = random.direction();
+      direction = random.scattered(direction, forward);
       continue;
     }
     const glm::dvec3 passed = glm::exp(-medium.extinction * out->distance);
