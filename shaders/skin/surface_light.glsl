@@ -5,13 +5,33 @@
 
 layout(binding = 10) uniform sampler2D reflected_share;  // of all light from a direction: over its cosine and the slope
 
-vec2 specular_map(vec2 uv) { return texture(skin_specular, uv).rg; }
+// Factors of the highlight's strength and slope; oil and rim have their own.
+vec2 specular_map(vec2 uv) {
+#ifdef SPECULAR
+  return texture(skin_specular, uv).rg;
+#else
+  return vec2(1.0);
+#endif
+}
 
-// The share of light from (or to) this direction that goes into the skin (d'Eon and Luebke's 1 - rho_s rho_dt).
+#ifdef SPECULAR
+float reflected_by_slope(float cosine, float m) {
+  vec2 place = vec2(clamp(cosine, 0.0, 1.0), clamp(m, 0.0, 1.0));
+  return texture(reflected_share, (place * 31.0 + 0.5) / 32.0).r;
+}
+#endif
+
+// The share of light from (or to) this direction that goes into the skin (d'Eon and Luebke's 1 - rho_s rho_dt). LOBES: the
+// highlight is Clement's, whose lobes are the table's at other slopes; a factor of their weights.
 float entering(float cosine, vec2 map) {
 #ifdef SPECULAR
-  vec2 place = vec2(clamp(cosine, 0.0, 1.0), clamp(roughness * map.g, 0.0, 1.0));
-  return 1.0 - specular * map.r * texture(reflected_share, (place * 31.0 + 0.5) / 32.0).r;
+  float share = 0.0;
+#ifdef LOBES
+  for (int i = 0; i < 4; ++i) share += LOBES * clement_weights[i] * reflected_by_slope(cosine, clement_slopes[i] * roughness * map.g);
+#else
+  share = reflected_by_slope(cosine, roughness * map.g);
+#endif
+  return max(1.0 - specular * map.r * share, 0.0);
 #else
   return 1.0;
 #endif

@@ -65,6 +65,27 @@ TEST_P(SkinFunctions, SharpenedShadowsAreTheTable) {
   EXPECT_NEAR(values(family, "powers_by_logarithm", {{1, 16, 16, 1}})[0], 1, 1e-6f);
 }
 
+// Of the peak, 1 / m^2: 8 bits err by half a step of the stored root and by what a filter in 8 bits cuts off, 0.86 of a step at
+// most, ten times over in the tenth power; 16 bits and halves by what lies between two texels.
+TEST_P(SkinFunctions, TablesErrAsTheirBitsLet) {
+  const Family family = family_in("beckmann");
+  for (const float m : {0.2f, 0.3f, 0.5f}) {
+    std::vector<std::vector<float>> points;
+    for (int i = 0; i <= 500; ++i) points.push_back({0.8f + 0.2f * float(i) / 500, m});
+    const std::vector<float> right = values(family, "beckmann_without_angles", points);
+    const auto most = [&](const char* function) {
+      const std::vector<float> found = values(family, function, points);
+      float off = 0;
+      for (size_t i = 0; i < found.size(); ++i) off = std::max(off, std::abs(found[i] - right[i]) * m * m);
+      return off;
+    };
+    EXPECT_GT(most("beckmann_table_unorm8"), 0.005f) << m;
+    EXPECT_LT(most("beckmann_table_unorm8"), 10 * (0.5f + 0.86f) / 255 / (0.5f * std::pow(m, -0.2f))) << m;
+    EXPECT_LT(most("beckmann_table_unorm16"), 0.001f) << m;
+    EXPECT_LT(most("beckmann_table_half"), 0.005f) << m;
+  }
+}
+
 TEST_P(SkinFunctions, BurleysRadiusIsTheTable) {
   const float right[] = {.214462f, 1.552183f, 6.062229f, 12.952642f, 16.564399f};
   EXPECT_EQ(values(family_in("burley_radius"), "burley_series", {{.1f}, {.5f}, {.9f}, {.99f}, {.997f}}).size(), 5u);

@@ -31,11 +31,16 @@ TextureImage beckmann_table(const char* name, Format format, bool centres, Texel
 
 uint16_t half_of(double stored) { return glm::packHalf1x16(static_cast<float>(stored)); }
 uint8_t code_of_stored(double stored) { return static_cast<uint8_t>(std::lround(255 * stored)); }
+// 16 bits in a float, which a filter reads as a device's whole numbers of 16 bits are read: in floats.
+float rounded_to_16_bits(double stored) { return static_cast<float>(static_cast<double>(std::lround(65535 * stored)) / 65535); }
 
 }  // namespace
 
 TextureImage make_beckmann_unorm8() {
   return beckmann_table<uint8_t>("beckmann_unorm8", Format::r8_unorm, false, code_of_stored);
+}
+TextureImage make_beckmann_unorm16() {
+  return beckmann_table<float>("beckmann_unorm16", Format::r32_float, false, rounded_to_16_bits);
 }
 TextureImage make_beckmann_half() { return beckmann_table<uint16_t>("beckmann_half", Format::r16_float, false, half_of); }
 TextureImage make_beckmann_centres() { return beckmann_table<uint16_t>("beckmann_centres", Format::r16_float, true, half_of); }

@@ -7,8 +7,10 @@
 
 namespace lamina {
 
-// The first and the last texel hold 0 and 1; 8 bits or half floats.
+// The first and the last texel hold 0 and 1; whole numbers of 8 bits, of 16
+// (in floats: targets and textures have no 16-bit whole numbers here), or half floats.
 TextureImage make_beckmann_unorm8();
+TextureImage make_beckmann_unorm16();
 TextureImage make_beckmann_half();
 // Texels hold the values at their centres, so that none holds N.H = 1; half floats.
 TextureImage make_beckmann_centres();

@@ -18,6 +18,7 @@ void add_skin(EffectCode& code) {
   code.makers["skin_epidermal"] = epidermal_map;
   code.makers["skin_subdermal"] = subdermal_map;
   code.tables["beckmann_unorm8"] = make_beckmann_unorm8;
+  code.tables["beckmann_unorm16"] = make_beckmann_unorm16;
   code.tables["beckmann_half"] = make_beckmann_half;
   code.tables["beckmann_centres"] = make_beckmann_centres;
   code.oracles["beckmann"] = &beckmann_oracle();
