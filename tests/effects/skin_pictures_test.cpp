@@ -25,22 +25,6 @@ class SkinPictures : public EachBackend {
   }
 };
 
-// Furthest from the closed form along the middle row, from 0.35 to 6 mm beside the edge: nearer, texels of 0.23 mm show.
-glm::dvec3 edge_error(const Scene& scene, const Image& image) {
-  const DiffusionProfile profile = default_profile();
-  glm::dvec3 most(0);
-  const glm::dvec3 eye(scene.views[0].eye);
-  for (int x = 0; x < image.width; ++x) {
-    const int y = image.height / 2;
-    const glm::dvec3 d = ViewRays(scene.views[0], image.width, image.height).direction(x, y);
-    const double dark_mm = -1000 * (eye.x - d.x * eye.z / d.z);
-    if (std::abs(dark_mm) < 0.35 || std::abs(dark_mm) > 6) continue;
-    const float* found = &image.rgba[4 * (size_t(y) * size_t(image.width) + size_t(x))];
-    for (int c = 0; c < 3; ++c) most[c] = std::max(most[c], std::abs(double(found[c]) - profile.edge_of_light(dark_mm)[c]));
-  }
-  return most;
-}
-
 TEST_P(SkinPictures, AnEdgeOfLightFallsAsTheProfileSays) {
   const Scene scene = edge_of_light_scene();
   // Measured in red: .0013, .029 (eleven taps a direction stand in steps; two exact Gaussians err by .013), .082 and .029; .19
@@ -55,6 +39,43 @@ TEST_P(SkinPictures, AnEdgeOfLightFallsAsTheProfileSays) {
     EXPECT_LT(std::max(error.g, error.b), rest);
   }
   EXPECT_GT(edge_error(scene, with(scene, "plain_lambert", {{"shadow_texels", 2048}}, 128)).r, 0.15);
+}
+
+// A strip of light, 8 mm wide with soft edges: diffusion moves its light, and keeps all of it.
+TEST_P(SkinPictures, DiffusionKeepsEnergy) {
+  std::vector<Object> objects;
+  objects.push_back(skin_plate({{"skin.penumbra", 3}}));
+  for (const float side : {-1.0f, 1.0f}) {
+    Object blocker;
+    blocker.name = side < 0 ? "left" : "right";
+    blocker.mesh =
+        skin_square(std::min(0.004f * side, 0.06f * side), std::max(0.004f * side, 0.06f * side), -0.06f, 0.06f, 0.005f);
+    blocker.world_from_object[3].x = 0.00375f;  // the light slants by .6 over .8
+    objects.push_back(std::move(blocker));
+  }
+  Light lamp = directional_light("lamp", {0.6f, 0, 0.8f}, glm::vec3(1.25f));
+  lamp.casts = true;
+  Scene scene = skin_scene(std::move(objects), {lamp}, glm::vec3(0));
+  View& view = scene.views[0];
+  view.eye = {0, 0, 0.2f};
+  view.near_m = 0.1f, view.far_m = 0.3f;
+  for (size_t i = 1; i < scene.objects.size(); ++i)  // blockers face away: the eye looks through them, a lamp's map does not
+    std::swap(scene.objects[i].mesh.indices[1], scene.objects[i].mesh.indices[2]),
+        std::swap(scene.objects[i].mesh.indices[4], scene.objects[i].mesh.indices[5]);
+  const auto strip = [&](const std::string& name) {
+    const Image image =
+        with(scene, name, {{"map_texels", 256}, {"shadow_texels", 2048}, {"shadow_taps", 64}, {"precision", 1}}, 128);
+    glm::dvec3 sum(0);
+    for (int x = 0; x < 128; ++x) sum += glm::dvec3(pixel(image, x, 64)) / 128.0;
+    return sum;
+  };
+  const double right = 8 / (2 * 200 * std::tan(glm::radians(4.0)));  // of what is seen
+  const glm::dvec3 plain = strip("plain_lambert");
+  EXPECT_NEAR(plain.r, right, 0.015 * right) << "edges lie between pixels";
+  for (const char* name : {"six_gaussians", "two_gaussians", "one_gaussian", "mip_chain", "taps_12", "screen_separable"}) {
+    const glm::dvec3 found = strip(name), of = name == std::string("screen_separable") ? plain : glm::dvec3(right);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], of[c], 0.01 * of[c]) << name << " " << c;
+  }
 }
 
 // A pixel is 16 texels of the light map. Diffusion has smoothed what lies between: a point's light is asked for, not the mean
