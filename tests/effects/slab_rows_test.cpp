@@ -3,6 +3,7 @@
 // The rows are not part of the product: where they are absent the test is skipped.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
