@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the mirror's picture shows what a reflected ray meets. A ray that leaves along the mirror's own normal is seen in the same
 // place however far it goes; of all others the place depends on the distance. REFLECTION: by_depth (as far as what the picture
-// shows there, found in LANDINGS steps), by_distance (REFLECTION_DISTANCE metres), by_direction (far away), sky_alone.
+// shows there, found in LANDINGS steps), by_march (the first place along the ray that lies behind what the picture shows, in
+// MIRROR_STEPS steps), by_distance (REFLECTION_DISTANCE metres), by_direction (far away), sky_alone.
 #define by_depth 0
 #define by_distance 1
 #define by_direction 2
 #define sky_alone 3
+#define by_march 4
 
 #if REFLECTION != sky_alone
 layout(binding = 5) uniform sampler2D reflection;
 #endif
-#if REFLECTION == by_depth
+#if REFLECTION == by_depth || REFLECTION == by_march
 layout(binding = 6) uniform sampler2D mirrored_depth;  // metres along the view's axis; 0 where there is nothing
 #endif
 
@@ -22,12 +24,43 @@ vec2 mirror_place(vec3 world) {
 }
 float mirror_depth_of(vec4 world) { return (mirror_clip_from_world * world).w; }
 
-#if REFLECTION == by_depth
+#if REFLECTION == by_depth || REFLECTION == by_march
 float mirrored_depth_at(vec2 place) {
   ivec2 size = textureSize(mirrored_depth, 0);
   float found = texelFetch(mirrored_depth, clamp(ivec2(place * vec2(size)), ivec2(0), size - 1), 0).r;
   return found > 0.0 ? found : mirrored_far_m;
 }
+#endif
+
+#if REFLECTION == by_march
+// Steps are even on the picture, where the inverse of depth runs straight. What lies before the water's point is not met.
+float reflected_way(vec3 from, vec3 along) {
+  float start = mirror_depth_of(vec4(from, 1.0)), ahead = mirror_depth_of(vec4(along, 0.0));
+  float end = start + mirrored_far_m * ahead;
+  // Towards the mirrored eye: as far as a way that does not pass it.
+  end = max(end, 0.2 * start);
+  float reach = abs(ahead) > 1e-4 ? min((end - start) / ahead, mirrored_far_m) : mirrored_far_m;
+  vec2 first = mirror_place(from), last = mirror_place(from + reach * along);
+  float before = 0.0, behind = 1.0;
+  bool is_found = false;
+  for (int i = 1; i <= MIRROR_STEPS; ++i) {
+    float t = float(i) / float(MIRROR_STEPS), depth = 1.0 / mix(1.0 / start, 1.0 / end, t);
+    float seen = mirrored_depth_at(mix(first, last, t));
+    bool is_behind = depth >= seen && seen > start && seen < mirrored_far_m;
+    before = is_found || is_behind ? before : t;
+    behind = is_behind && !is_found ? t : behind;
+    is_found = is_found || is_behind;
+  }
+  for (int i = 0; i < 4; ++i) {
+    float t = 0.5 * (before + behind), depth = 1.0 / mix(1.0 / start, 1.0 / end, t), seen = mirrored_depth_at(mix(first, last, t));
+    bool is_behind = depth >= seen && seen > start && seen < mirrored_far_m;
+    before = is_behind ? before : t;
+    behind = is_behind ? t : behind;
+  }
+  float t = is_found ? behind : 1.0, depth = 1.0 / mix(1.0 / start, 1.0 / end, t);
+  return abs(ahead) > 1e-4 ? min((depth - start) / ahead, mirrored_far_m) : mirrored_far_m;
+}
+#elif REFLECTION == by_depth
 // How far the ray goes until it is as deep as what the picture shows where it is. What lies before the water's point is not
 // reflected by it: the ray goes on as before.
 float reflected_way(vec3 from, vec3 along) {

@@ -26,6 +26,7 @@ vec3 color_at(vec2 place) { return textureLod(frame, place, 0.0).rgb; }
 #endif
 
 const float bottom_far_m = 1e4;
+const float unknown_way_m = 8.0;  // where a ray is looked for whose pixel shows nothing below
 
 struct Behind {
   vec2 place;       // on the frame; outside 0 to 1 beside it
@@ -51,11 +52,12 @@ vec2 place_of(vec3 world, vec2 otherwise) {
 }
 
 // The way to the place along the ray that is as deep as what was found.
-float way_down(vec3 from, vec3 along, vec3 found, Behind straight, bool under) {
+float way_down(vec3 from, vec3 along, Behind found, Behind straight, bool under) {
+  if (found.view_depth >= bottom_far_m) return unknown_way_m;
 #if REFRACTION == as_long_as
   return distance(straight.position, from);
 #else
-  return under ? distance(straight.position, from) : way_to_depth(-along.y, max(from.y - found.y, 0.0));
+  return under ? distance(straight.position, from) : way_to_depth(-along.y, max(from.y - found.position.y, 0.0));
 #endif
 }
 
@@ -101,7 +103,7 @@ Behind refracted_behind(vec3 from, vec3 along, float own_depth, Behind straight,
 #endif
   float reach = 0.0;
   for (int i = 0; i <= landings; ++i) {
-    float way = min(way_down(from, along, found.position, straight, under), bottom_far_m);
+    float way = min(way_down(from, along, found, straight, under), bottom_far_m);
     reach = max(reach, way);
 #if REFRACTION == marched
     if (i == landings) way = under ? way : marched_way(from, along, 2.0 * reach, straight.place);

@@ -15,10 +15,30 @@
 #include "bottom.glsl"
 #include "top.glsl"
 
+#ifdef RIPPLES
+layout(binding = 13) uniform sampler2D ripple_table;
+// Slopes are added, not normals: of two patterns that drift, the second turned by a quarter.
+vec3 with_ripples(vec3 normal, vec2 ground) {
+  vec2 at = ground / ripple_size;
+  float time = eye_world.w;
+  vec2 first = texture(ripple_table, at + vec2(0.05, 0.021) * time).rg,
+       second = texture(ripple_table, 1.31 * vec2(-at.y, at.x) + vec2(-0.037, 0.043) * time).rg;
+  vec2 slopes = -normal.xz / max(normal.y, 0.05) + 0.70710678 * ripples * (first + vec2(second.y, -second.x));
+  return normalize(vec3(-slopes.x, 1.0, -slopes.y));
+}
+#endif
+
 layout(location = 0) in vec3 in_position;
 layout(location = 1) in vec2 in_ground;
 layout(location = 2) in vec3 in_normal;
+#ifdef TOLD
+// For the truth: which point of the surface a pixel shows, by where it lies without waves, and what is found below and above.
+layout(location = 0) out vec4 out_ground;
+layout(location = 1) out vec4 out_body;
+layout(location = 2) out vec4 out_mirrored;
+#else
 layout(location = 0) out vec4 out_color;
+#endif
 
 void main() {
   vec2 across = dFdx(in_ground), down = dFdy(in_ground);
@@ -29,6 +49,9 @@ void main() {
   vec3 normal = normalize(in_normal);
 #else
   vec3 normal = NORMAL(point);
+#endif
+#ifdef RIPPLES
+  normal = with_ripples(normal, in_ground);
 #endif
   bool under = eye_world.y < height;
   vec3 to_eye = normalize(eye_world.xyz - in_position);
@@ -43,11 +66,23 @@ void main() {
   refracted = dot(refracted, refracted) > 0.5 ? refracted : -to_eye;  // all is reflected: not seen
   Behind found = refracted_behind(in_position, refracted, own_depth, straight, under);
   vec3 behind = color_at(found.place);
+#ifdef DISPERSION
+  // Red and blue by their own indices, as far as green goes (1.3310, 1.3335, 1.3372 of water).
+  vec3 red = refract(-to_eye, normal, 1.0 / (index - 0.0025 * dispersion)), blue = refract(-to_eye, normal, 1.0 / (index + 0.0037 * dispersion));
+  float seen_m = min(distance(found.position, in_position), bottom_far_m);
+  behind.r = under ? behind.r : color_at(place_of(in_position + seen_m * red, found.place)).r;
+  behind.b = under ? behind.b : color_at(place_of(in_position + seen_m * blue, found.place)).b;
+#endif
   float way_m = max(distance(found.position, in_position), 0.0);
   vec3 body = under ? behind : bottom_light(behind, found, way_m, pixel_m) + in_scatter(refracted, way_m);
 
   vec3 along = reflect(-to_eye, normal);
   vec3 mirrored = under ? in_scatter(normalize(vec3(along.x, min(along.y, -1e-3), along.z)), bottom_far_m) : reflected_light(in_position, along);
+#ifdef TOLD
+  out_ground = vec4(in_ground, in_position.y, 1.0);
+  out_body = vec4(body, 1.0);
+  out_mirrored = vec4(mirrored, 1.0);
+#else
   float share = reflected_share(cosine, index, lost);
 #ifdef SOFT_EDGE
   float edge = clamp((straight.view_depth - own_depth) / soft_edge, 0.0, 1.0);
@@ -63,4 +98,5 @@ void main() {
   color = mix(color, foam_light(normal, in_position), cover);
 #endif
   out_color = vec4(min(color, vec3(6e4)), 1.0);
+#endif
 }

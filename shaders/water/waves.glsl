@@ -32,6 +32,17 @@ float steepness_share() {
 #endif
 }
 
+#ifdef SHORE
+layout(binding = 12) uniform sampler2D bottom;
+float bottom_at(vec2 ground) { return bottom_depth * textureLod(bottom, ground / bottom_width + 0.5, 0.0).r; }
+#endif
+
+// Over a bottom that is less deep than half the wave, less of it is left. `depth`: and its slopes along x and z.
+vec3 shore_share(vec3 depth, float wave_length) {
+  float t = clamp(2.0 * depth.x / wave_length, 0.0, 1.0);
+  return vec3(t * t * (3.0 - 2.0 * t), 12.0 * t * (1.0 - t) / wave_length * depth.yz);
+}
+
 // How much of a wave is drawn where details of this width are all that shows: edges of the mesh, or pixels.
 float kept_share(float wave_length, float width) { return 1.0 - smoothstep(0.25, 0.5, width / wave_length); }
 
@@ -42,11 +53,24 @@ float grid_width(vec2 ground) { return grid_spacing + grid_growth * length(groun
 WavePoint wave_point(vec2 ground, float width, inout float lost) {
   WavePoint point = WavePoint(vec3(0), vec3(0), vec3(0));
   float steep = steepness_share(), time = eye_world.w;
+#ifdef SHORE
+  float texel = bottom_width / float(textureSize(bottom, 0).x);
+  vec3 depth = vec3(bottom_at(ground), bottom_at(ground + vec2(texel, 0)) - bottom_at(ground - vec2(texel, 0)),
+                    bottom_at(ground + vec2(0, texel)) - bottom_at(ground - vec2(0, texel)));
+  depth.yz /= 2.0 * texel;
+#else
+  const vec3 depth = vec3(1e9, 0, 0);
+#endif
 #define ADD_WAVE(a, l, d, s) \
   { \
-    float share = kept_share(l, width), slope = two_pi / l * a; \
+    vec3 shore = shore_share(depth, l); \
+    float share = kept_share(l, width), slope = two_pi / l * a * shore.x; \
     lost += 0.5 * slope * slope * (1.0 - share * share); \
-    add_wave(point, wave_of(a, l, d, s * steep), ground, time, wave_depth, share); \
+    WavePoint whole = WavePoint(vec3(0), vec3(0), vec3(0)); \
+    add_wave(whole, wave_of(a, l, d, s * steep), ground, time, wave_depth, share); \
+    point.offset += shore.x * whole.offset; \
+    point.along_x += shore.x * whole.along_x + shore.y * whole.offset; \
+    point.along_z += shore.x * whole.along_z + shore.z * whole.offset; \
   }
 #if defined(WAVE_1) && WAVES >= 1
   ADD_WAVE(wave_1_amplitude, wave_1_length, wave_1_direction, wave_1_steepness)

@@ -9,6 +9,7 @@
 #include "harness/effects/water/caustic_table.h"
 #include "harness/effects/water/water_light.h"
 #include "harness/effects/water/waves.h"
+#include "harness/scene/textures.h"
 #include "tests/effects/family_shaders.h"
 
 namespace lamina {
@@ -125,6 +126,39 @@ TEST(GerstnerWaves, NeverFold) {
   EXPECT_TRUE(GerstnerWaves(no_waves()).waves().empty());
 }
 
+// A bottom that rises from 4 m to the shore along x, over 8 m around the middle.
+EffectValues rising_bottom() {
+  EffectValues values = no_waves();
+  set_wave(values, 1, .2, 3, 30, .3);
+  set_wave(values, 2, .1, 5, -50, .2);
+  Texels depth{64, 2, {}};
+  for (int i = 0; i < 128; ++i) depth.rgba.emplace_back(glm::vec3(1 - float(i % 64) / 63), 1);
+  values.textures["bottom"] = make_texture("bottom", depth, TexelMeaning::data);
+  values.numbers["bottom_depth"] = 4, values.numbers["bottom_width"] = 8;
+  return values;
+}
+
+TEST(GerstnerWaves, FadeTowardsTheShore) {
+  const GerstnerWaves waves(rising_bottom());
+  for (const double z : {-3.0, 0.7, 9.0}) {
+    EXPECT_NEAR(waves.at({5, z}, 1).position.y, 0, 1e-12) << "on the shore and beyond";
+    EXPECT_NEAR(waves.at({5, z}, 1).position.x, 5, 1e-12) << "points do not slide either";
+    // Where the bottom is 4 m deep, more than half of each wave, they are whole.
+    EffectValues values = rising_bottom();
+    values.numbers["bottom_depth"] = 0;
+    EXPECT_NEAR(waves.at({-4.5, z}, 1).position.y, GerstnerWaves(values).at({-4.5, z}, 1).position.y, 1e-9);
+  }
+  // Tangents hold the fading, but for steps of the map, which is of bytes.
+  for (int i = 0; i < 60; ++i) {
+    const glm::dvec2 ground(-3.4 + 0.11 * i, 0.3 * i);
+    const auto place = [&](double x, double z) { return waves.at(ground + glm::dvec2(x, z), 2).position; };
+    const double step = 1e-4;
+    const WavePoint point = waves.at(ground, 2);
+    EXPECT_LT(glm::distance((place(step, 0) - place(-step, 0)) / (2 * step), point.along_x), 0.015) << i;
+    EXPECT_LT(glm::distance((place(0, step) - place(0, -step)) / (2 * step), point.along_z), 0.015) << i;
+  }
+}
+
 class WaterShaders : public FamilyShaders {
  protected:
   WaterShaders() : FamilyShaders(500) {}
@@ -232,6 +266,17 @@ TEST(WaterTables, HaveTheMeansThatShadersCountOn) {
       const glm::dvec2 far = at * 6.0;
       lesser += std::min(caustics.at(far), caustics.at(glm::dvec2(-far.y, far.x) * .83)) / (side * side);
     }
+  // Ripples have slopes of mean 0 and mean square 1 along both axes.
+  const TiledTable ripples(make_ripple_table());
+  for (const uint32_t channel : {0u, 1u}) {
+    double sum = 0, squares = 0;
+    for (int i = 0; i < side * side; ++i) {
+      const double slope = ripples.at((glm::dvec2(i % side, i / side) + .37) / double(side), channel);
+      sum += slope / (side * side), squares += slope * slope / (side * side);
+    }
+    EXPECT_NEAR(sum, 0, 5e-3);
+    EXPECT_NEAR(squares, 1, 0.05) << "less a little that is lost between texels";
+  }
   EXPECT_NEAR(mean, 1, 2e-3);
   EXPECT_NEAR(foam_mean, .5, 5e-3);
   EXPECT_NEAR(lesser, caustic_lesser_mean, 4e-3);

@@ -202,8 +202,14 @@ TEST_P(WaterPictures, WhatIsNotAskedForIsLeftOut) {
   EXPECT_FALSE(make_plan(library(), away, 1).of("water")->called_for) << "no view sees it";
   // A feature whose number is next to nothing shows the same as one that is left out.
   const Image none = seen(still_pool(1.5), "full");
-  for (const auto& [name, value] :
-       Numbers{{"wave_3_amplitude", 1e-9}, {"caustics", 1e-9}, {"specular", 1e-9}, {"foam", 1e-9}, {"soft_edge", 1e-3}})
+  for (const auto& [name, value] : Numbers{{"wave_3_amplitude", 1e-9},
+                                           {"caustics", 1e-9},
+                                           {"specular", 1e-9},
+                                           {"foam", 1e-9},
+                                           {"ripples", 1e-9},
+                                           {"dispersion", 1e-9},
+                                           {"bottom_depth", 1e4},
+                                           {"soft_edge", 1e-3}})
     EXPECT_GT(decibels(none, seen(still_pool(1.5, {{name, value}}), "full")), 70) << name;
 }
 
@@ -258,9 +264,33 @@ TEST_P(WaterPictures, TheBaselineIsNearTheTruth) {
   }
 }
 
+// A red ball's edges are colour fringes where colours are bent apart.
+TEST_P(WaterPictures, DispersionBendsColoursApart) {
+  const auto scene_with = [](double factor) { return still_pool(2, {{"dispersion", factor}}, true); };
+  const Image none = seen(scene_with(0), "full"), some = seen(scene_with(1), "full");
+  EXPECT_GT(decibels(none, some), 50) << "over an even bottom no colour moves";
+}
+
+// The truth's steps: what is left when the device's own pictures are kept, and when they are dropped one after the other.
+TEST_P(WaterPictures, TheTruthTellsWhatCosts) {
+  Scene scene = load_scene("beach", builtin_library(), 0.4f);
+  const VariantManifest& baseline = variant("full");
+  DrawnFrame drawn(*backend_, library(), scene,
+                   {.variant = &baseline, .width = 64, .height = 64, .told = &baseline, .aspect = 1});
+  const auto targets = drawn.frame.targets_of(baseline);
+  DiskCache cache("");
+  const TruthAnswer answer =
+      water_rays({scene, drawn.bakes.occluders(), cache, 4})->answer({targets, scene.views[0], {}}, [](double) {});
+  ASSERT_EQ(answer.steps.size(), 3u);
+  EXPECT_GT(answer.pixels.size(), 1000u);
+  for (const TruthStep& step : answer.steps)
+    for (const glm::vec3& light : step.light)
+      ASSERT_TRUE(std::isfinite(light.r + light.g + light.b) && light.r >= 0) << step.name;
+}
+
 TEST(WaterBackends, AgreeAndHaveNoNaN) {
-  expect_backends_agree("water",
-                        {load_scene("pool", builtin_library(), 0.7f), load_scene("open_sea", builtin_library(), 0.7f)});
+  expect_backends_agree("water", {load_scene("pool", builtin_library(), 0.7f), load_scene("open_sea", builtin_library(), 0.7f),
+                                  load_scene("beach", builtin_library(), 0.7f)});
 }
 
 TEST(WaterNumbers, AreRefusedOutsideTheirRanges) {

@@ -18,12 +18,13 @@ constexpr int side = static_cast<int>(caustic_side);
 
 int wrapped(int i) { return ((i % side) + side) % side; }
 
-// Half floats, each level the 2x2 means of the one before.
-TextureImage with_mips(std::string name, std::vector<float> level) {
+// Half floats of one or two channels, each level the 2x2 means of the one before.
+TextureImage with_mips(std::string name, Format format, std::vector<float> level) {
   TextureImage image;
   image.name = std::move(name);
-  image.format = Format::r16_float;
+  image.format = format;
   image.width = image.height = caustic_side;
+  const size_t channels = level.size() / (size_t(side) * side);
   for (size_t width = caustic_side;; width /= 2) {
     std::vector<uint16_t> halves;
     for (const float value : level) halves.push_back(glm::packHalf1x16(value));
@@ -33,9 +34,10 @@ TextureImage with_mips(std::string name, std::vector<float> level) {
     std::vector<float> next;
     for (size_t y = 0; y < width; y += 2)
       for (size_t x = 0; x < width; x += 2)
-        next.push_back(
-            (level[y * width + x] + level[y * width + x + 1] + level[(y + 1) * width + x] + level[(y + 1) * width + x + 1]) /
-            4);
+        for (size_t c = 0; c < channels; ++c) {
+          const auto at = [&](size_t column, size_t row) { return level[(row * width + column) * channels + c]; };
+          next.push_back((at(x, y) + at(x + 1, y) + at(x, y + 1) + at(x + 1, y + 1)) / 4);
+        }
     level = std::move(next);
   }
 }
@@ -67,7 +69,7 @@ TextureImage make_caustic_table() {
           light[size_t(wrapped(int(low.y) + y)) * side + size_t(wrapped(int(low.x) + x))] +=
               static_cast<float>((x != 0 ? share.x : 1 - share.x) * (y != 0 ? share.y : 1 - share.y) / 4);
     }
-  return with_mips("caustic_table", std::move(light));
+  return with_mips("caustic_table", Format::r16_float, std::move(light));
 }
 
 TextureImage make_foam_table() {
@@ -101,7 +103,31 @@ TextureImage make_foam_table() {
   std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return noise[a] > noise[b]; });
   for (size_t rank = 0; rank < order.size(); ++rank)
     noise[order[rank]] = (static_cast<float>(rank) + 0.5f) / static_cast<float>(order.size());
-  return with_mips("foam_table", std::move(noise));
+  return with_mips("foam_table", Format::r16_float, std::move(noise));
+}
+
+TextureImage make_ripple_table() {
+  // Waves of all directions, 3 to 19 across the tile; heights fall so that each octave has about as much slope.
+  std::vector<glm::dvec2> slopes(size_t(side) * side, glm::dvec2(0));
+  uint32_t state = 12345;
+  const auto random = [&] { return (state = state * 1664525u + 1013904223u) >> 8; };
+  for (int i = 0; i < 24; ++i) {
+    const double turn = 2 * std::numbers::pi * random() / double(1 << 24), waves = 3 * std::pow(6.3, i / 23.0);
+    const glm::dvec2 k = glm::round(waves * glm::dvec2(std::cos(turn), std::sin(turn)));
+    const double phase = 2 * std::numbers::pi * random() / double(1 << 24);
+    if (k == glm::dvec2(0)) continue;
+    for (int row = 0; row < side; ++row)
+      for (int column = 0; column < side; ++column)
+        slopes[size_t(row) * side + size_t(column)] +=
+            k / glm::length(k) * std::cos(2 * std::numbers::pi * (k.x * column + k.y * row) / side + phase);
+  }
+  glm::dvec2 squares(0);
+  for (const glm::dvec2& slope : slopes) squares += slope * slope / double(slopes.size());
+  std::vector<float> level;
+  for (const glm::dvec2& slope : slopes)
+    level.push_back(static_cast<float>(slope.x / std::sqrt(squares.x))),
+        level.push_back(static_cast<float>(slope.y / std::sqrt(squares.y)));
+  return with_mips("ripple_table", Format::rg16_float, std::move(level));
 }
 
 }  // namespace lamina

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two tileable textures that any shader may read: the light that small waves gather on a level bottom, and the bubbles of foam.
+// Tileable textures that any shader may read: the light that small waves gather on a level bottom, and the bubbles of foam, and
+// the slopes of ripples.
 #pragma once
 
 #include "harness/core/image.h"
@@ -15,5 +16,8 @@ inline constexpr double caustic_lesser_mean = 0.7975;
 TextureImage make_caustic_table();
 // One channel, 0 to 1: how thick foam must be for its bubbles to cover this place; each threshold as frequent as another.
 TextureImage make_foam_table();
+
+// Two channels in half floats: slopes along x and z of a sum of sines as wide as the tile, each of mean square 1.
+TextureImage make_ripple_table();
 
 }  // namespace lamina

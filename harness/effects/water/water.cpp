@@ -18,6 +18,7 @@ void add_water(EffectCode& code) {
   for (const auto& [name, oracle] : oracles) code.oracles[name] = &oracle;
   code.tables["caustic_table"] = make_caustic_table;
   code.tables["foam_table"] = make_foam_table;
+  code.tables["ripple_table"] = make_ripple_table;
   code.truths["water_rays"] = water_rays;
 }
 

@@ -40,7 +40,10 @@ double reflected_by_water(double cosine, double index) {
   return (across * across + along * along) / 2;
 }
 
-TiledTable::TiledTable(const TextureImage& table) : side_(table.width), texels_(size_t(table.width) * table.height) {
+TiledTable::TiledTable(const TextureImage& table)
+    : side_(table.width),
+      channels_(table.format == Format::rg16_float ? 2 : 1),
+      texels_(size_t(table.width) * table.height * channels_) {
   for (size_t i = 0; i < texels_.size(); ++i) {
     uint16_t half = 0;
     std::memcpy(&half, &table.levels.front()[2 * i], 2);
@@ -48,19 +51,23 @@ TiledTable::TiledTable(const TextureImage& table) : side_(table.width), texels_(
   }
 }
 
-double TiledTable::at(glm::dvec2 uv) const {
+double TiledTable::at(glm::dvec2 uv, uint32_t channel) const {
   const double side = side_;
   const glm::dvec2 texel = (uv - glm::floor(uv)) * side - 0.5, low = glm::floor(texel), share = texel - low;
   const auto fetch = [&](double x, double y) {
     const auto wrapped = [&](double i) { return static_cast<size_t>(i < 0 ? i + side : i >= side ? i - side : i); };
-    return double(texels_[wrapped(y) * side_ + wrapped(x)]);
+    return double(texels_[(wrapped(y) * side_ + wrapped(x)) * channels_ + channel]);
   };
   return (1 - share.y) * ((1 - share.x) * fetch(low.x, low.y) + share.x * fetch(low.x + 1, low.y)) +
          share.y * ((1 - share.x) * fetch(low.x, low.y + 1) + share.x * fetch(low.x + 1, low.y + 1));
 }
 
 WaterLight::WaterLight(const Scene& scene)
-    : scene_(scene), values_(scene.effects.at("water")), caustics_(make_caustic_table()), foam_(make_foam_table()) {
+    : scene_(scene),
+      values_(scene.effects.at("water")),
+      caustics_(make_caustic_table()),
+      foam_(make_foam_table()),
+      ripples_(make_ripple_table()) {
   const auto channels = [&](const char* red, const char* green, const char* blue) {
     return glm::dvec3(number(red), number(green), number(blue));
   };
@@ -109,6 +116,16 @@ double WaterLight::caustic(glm::dvec3 position) const {
   const double pattern = std::min(caustics_.at(entry + glm::dvec2(0.031, 0.017) * time),
                                   caustics_.at(glm::dvec2(-entry.y, entry.x) * 0.83 + glm::dvec2(-0.023, 0.029) * time));
   return std::max(1 + (pattern / caustic_lesser_mean - 1) * contrast * smooth(0, 0.3, depth), 0.0);
+}
+
+glm::dvec3 WaterLight::with_ripples(glm::dvec3 normal, glm::dvec2 ground) const {
+  const double rms = number("ripples"), time = double(scene_.time_s);
+  if (!(rms > 0)) return normal;
+  const glm::dvec2 at = ground / number("ripple_size"), first = at + glm::dvec2(0.05, 0.021) * time,
+                   second = 1.31 * glm::dvec2(-at.y, at.x) + glm::dvec2(-0.037, 0.043) * time;
+  const glm::dvec2 ripple(ripples_.at(first, 0) + ripples_.at(second, 1), ripples_.at(first, 1) - ripples_.at(second, 0));
+  const glm::dvec2 slopes = -glm::dvec2(normal.x, normal.z) / std::max(normal.y, 0.05) + rms / std::sqrt(2.0) * ripple;
+  return glm::normalize(glm::dvec3(-slopes.x, 1, -slopes.y));
 }
 
 glm::dvec3 WaterLight::glitter(glm::dvec3 along) const {

@@ -15,14 +15,14 @@ namespace lamina {
 // air.
 double reflected_by_water(double cosine, double index);
 
-// A texture of one channel of half floats, tiled.
+// A texture of one or two channels of half floats, tiled.
 class TiledTable {
  public:
   explicit TiledTable(const TextureImage& table);
-  double at(glm::dvec2 uv) const;  // bilinear, in the base level
+  double at(glm::dvec2 uv, uint32_t channel = 0) const;  // bilinear, in the base level
 
  private:
-  uint32_t side_;
+  uint32_t side_, channels_;
   std::vector<float> texels_;
 };
 
@@ -39,6 +39,8 @@ class WaterLight {
   glm::dvec3 in_scatter(glm::dvec3 into, double way_m) const;  // of a way from the surface down
   double caustic(glm::dvec3 position) const;                   // of the sun's light at the bottom, 1 in the mean
   glm::dvec3 glitter(glm::dvec3 along) const;                  // the sun in a reflected ray, before Fresnel's share
+  // A normal of waves with the ripples at a place of the ground without waves: slopes are added.
+  glm::dvec3 with_ripples(glm::dvec3 normal, glm::dvec2 ground) const;
   // How much of the surface foam covers: a point of it, what stands behind it in the straight ray, and the way in the water.
   double foam(glm::dvec3 position, glm::dvec3 straight, double way_m) const;
   // Light that the bottom shows, of an albedo and its irradiance by the sun and by all else, at the end of a way in the water.
@@ -50,7 +52,7 @@ class WaterLight {
   const EffectValues& values_;
   bool sunlit_ = false;
   glm::dvec3 scattered_{0}, extinction_{0}, to_sun_{0, 1, 0}, sun_in_water_{0, 1, 0}, sunlight_{0}, sunlight_in_water_{0};
-  TiledTable caustics_, foam_;
+  TiledTable caustics_, foam_, ripples_;
   std::vector<glm::dvec3> sky_;  // along its width
 };
 

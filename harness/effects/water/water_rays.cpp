@@ -40,24 +40,45 @@ class WaterRays : public Truth {
     if (answer.pixels.empty() || double(told.view.eye.y) < light_.number("height")) return {};
     const ViewRays rays(told.view, seen.width, seen.height);
     const glm::dvec3 eye(told.view.eye);
-    std::vector<glm::vec3> light(answer.pixels.size());
-    for_each_on_all_cores(light.size(), progress, [&](size_t i) {
+    const Image &body = told.target("seen_body", "water_rays"), &mirrored = told.target("seen_mirrored", "water_rays");
+    std::vector<glm::vec3> surface(answer.pixels.size()), reflection(surface.size()), refraction(surface.size());
+    for_each_on_all_cores(surface.size(), progress, [&](size_t i) {
       const size_t pixel = answer.pixels[i];
       const glm::dvec4 ground = pixel_of(seen, pixel);
       const auto width = static_cast<size_t>(seen.width);
       const double column = static_cast<double>(pixel % width), row = static_cast<double>(pixel / width);
-      glm::dvec3 sum(0);
+      const Drawn drawn{{ground.x, ground.y}, glm::dvec3(pixel_of(body, pixel)), glm::dvec3(pixel_of(mirrored, pixel))};
+      Steps sum;
       for (int y = 0; y < side_; ++y)
-        for (int x = 0; x < side_; ++x)
-          sum += light_of(eye, rays.through(column + (x + 0.5) / side_, row + (y + 0.5) / side_), {ground.x, ground.y},
-                          rays.ahead());
-      light[i] = glm::vec3(sum / double(side_ * side_));
+        for (int x = 0; x < side_; ++x) {
+          const glm::dvec3 direction = rays.through(column + (x + 0.5) / side_, row + (y + 0.5) / side_);
+          const Steps light = light_of(eye, direction, drawn, rays.ahead());
+          sum.surface += light.surface, sum.reflection += light.reflection, sum.refraction += light.refraction;
+        }
+      const double count = side_ * side_;
+      surface[i] = sum.surface / count, reflection[i] = sum.reflection / count, refraction[i] = sum.refraction / count;
     });
-    answer.steps = {{"rays", "this variant's pictures, lengths and normals against rays by the exact waves", std::move(light)}};
+    answer.steps = {
+        {"surface",
+         "this variant's picture against Fresnel, highlight and foam of the exact waves, of what full finds above and below",
+         std::move(surface)},
+        {"reflection", "what full finds in the mirror's picture against what rays meet above", std::move(reflection)},
+        {"refraction", "what full finds below, and its ways in the water, against what rays meet below",
+         std::move(refraction)}};
     return answer;
   }
 
  private:
+  // What the device drew in a pixel: its point, and what the baseline found below and above.
+  struct Drawn {
+    glm::dvec2 ground;
+    glm::dvec3 body, mirrored;
+  };
+  // Light with one assumption less at a time.
+  struct Steps {
+    glm::dvec3 surface{0}, reflection{0}, refraction{0};
+  };
+
   WavePoint point_at(glm::dvec2 ground) const {
     WavePoint point = waves_.at(ground, double(scene_.time_s));
     point.position.y += light_.number("height");
@@ -89,10 +110,10 @@ class WaterRays : public Truth {
     return first;
   }
 
-  glm::dvec3 light_of(glm::dvec3 eye, glm::dvec3 direction, glm::dvec2 drawn, glm::dvec3 ahead) const {
-    const WavePoint point = met(eye, direction, drawn);
+  Steps light_of(glm::dvec3 eye, glm::dvec3 direction, const Drawn& drawn, glm::dvec3 ahead) const {
+    const WavePoint point = met(eye, direction, drawn.ground);
     const glm::dvec3 to_eye = glm::normalize(eye - point.position);
-    glm::dvec3 normal = point.normal();
+    glm::dvec3 normal = light_.with_ripples(point.normal(), point.ground);
     normal = glm::normalize(normal + std::max(least_cosine - glm::dot(normal, to_eye), 0.0) * to_eye);
     const double cosine = std::clamp(glm::dot(normal, to_eye), least_cosine, 1.0), index = light_.number("refraction_index");
     double share = reflected_by_water(cosine, index);
@@ -123,9 +144,12 @@ class WaterRays : public Truth {
     const glm::dvec3 behind = straight ? straight->position : point.position - endless_m * to_eye;
     const double soft_m = light_.number("soft_edge");
     const double edge = soft_m > 0 ? std::clamp(glm::dot(behind - point.position, ahead) / soft_m, 0.0, 1.0) : 1;
-    const glm::dvec3 surface = glm::mix(body, mirrored, share * edge) + edge * share * light_.glitter(along);
+    const glm::dvec3 highlight = edge * share * light_.glitter(along), foam = 0.85 * surfaces_.diffuse(point.position, normal);
     const double cover = edge * light_.foam(point.position, behind, way_m);
-    return glm::mix(surface, 0.85 * surfaces_.diffuse(point.position, normal), cover);
+    const auto composed = [&](glm::dvec3 below, glm::dvec3 reflected) {
+      return glm::mix(glm::mix(below, reflected, share * edge) + highlight, foam, cover);
+    };
+    return {composed(drawn.body, drawn.mirrored), composed(drawn.body, mirrored), composed(body, mirrored)};
   }
 
   const Scene& scene_;

@@ -27,19 +27,36 @@ struct GerstnerWave {
   double frequency() const;    // radians a second
 };
 
+// The depth of the bottom as waves feel it: bilinear in a texture around the world's middle, its edges held.
+class BottomMap {
+ public:
+  BottomMap() = default;  // deep everywhere
+  explicit BottomMap(const EffectValues& values);
+  // Metres, and the slopes of the depth along x and z, by differences over a texel.
+  glm::dvec3 at(glm::dvec2 ground) const;
+
+ private:
+  double depth_at(glm::dvec2 ground) const;
+  uint32_t width_ = 0, height_ = 0;
+  std::vector<double> depth_m_;
+  double width_m_ = 1;
+};
+
 // A point of the surface, that lies at `ground` (x, z) when there are no waves.
 struct WavePoint {
   glm::dvec3 position;          // y is height over the still water
   glm::dvec3 along_x, along_z;  // tangents: its derivatives by the ground's x and z
-  glm::dvec3 normal() const;    // unit; of the side that looks up where the surface has not folded
-  double jacobian() const;      // the area that a piece of ground covers, seen from above; below 0 where the surface has folded
+  glm::dvec2 ground{0};
+  glm::dvec3 normal() const;  // unit; of the side that looks up where the surface has not folded
+  double jacobian() const;    // the area that a piece of ground covers, seen from above; below 0 where the surface has folded
 };
 
 class GerstnerWaves {
  public:
   explicit GerstnerWaves(std::vector<GerstnerWave> waves) : waves_(std::move(waves)) {}
   // Numbers wave_1_amplitude, _length, _direction (degrees from +x towards +z), _steepness (w times reach) and so on, and
-  // wave_depth. A wave without amplitude is none. Steepnesses whose sum is above 1 are shrunk to it, so that nothing folds.
+  // wave_depth; bottom_depth and bottom_width with the texture bottom, where waves fade. A wave without amplitude is none.
+  // Steepnesses whose sum is above 1 are shrunk to it, so that nothing folds.
   explicit GerstnerWaves(const EffectValues& values);
 
   WavePoint at(glm::dvec2 ground, double time_s) const;
@@ -53,6 +70,7 @@ class GerstnerWaves {
 
  private:
   std::vector<GerstnerWave> waves_;
+  BottomMap bottom_;
 };
 
 }  // namespace lamina

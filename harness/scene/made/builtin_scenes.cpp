@@ -6,6 +6,7 @@
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
+#include "harness/scene/made/beach.h"
 #include "harness/scene/made/conical_pit.h"
 #include "harness/scene/made/ear.h"
 #include "harness/scene/made/far_ridges.h"
@@ -71,6 +72,7 @@ constexpr Builtin builtins[] = {
     {"glossy_floor", [](float) { return make_glossy_floor(); }},
     {"pool", make_pool},
     {"open_sea", make_open_sea},
+    {"beach", make_beach},
 };
 
 }  // namespace
