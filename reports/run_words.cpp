@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "reports/words.h"
@@ -44,6 +45,34 @@ std::string title_of(const Record& record) {
                      views.size() == 1 ? "" : "s");
 }
 
+namespace {
+
+// What cells have to say beside their figures, each once, with the variants that say it unless all of the effect do.
+std::vector<std::string> cell_notes(const Record& record) {
+  struct Note {
+    std::string effect, words;
+    std::set<std::string> variants;
+  };
+  std::vector<Note> notes;
+  std::map<std::string, std::set<std::string>> all;  // variants by effect
+  for (const CellRow& cell : record.cells) {
+    all[cell.effect].insert(cell.variant);
+    for (const std::string& words : cell.notes) {
+      auto known =
+          std::ranges::find_if(notes, [&](const Note& note) { return note.effect == cell.effect && note.words == words; });
+      if (known == notes.end()) known = notes.insert(known, Note{cell.effect, words, {}});
+      known->variants.insert(cell.variant);
+    }
+  }
+  std::vector<std::string> sentences;
+  for (const Note& note : notes)
+    sentences.push_back(note.variants == all[note.effect] ? note.words
+                                                          : fmt::format("{}: {}", fmt::join(note.variants, ", "), note.words));
+  return sentences;
+}
+
+}  // namespace
+
 std::vector<std::string> warnings_of(const Record& record) {
   std::vector<std::string> warnings;
   if (const std::string build = text_at(record.run, "/build"); build != "release")
@@ -60,6 +89,7 @@ std::vector<std::string> warnings_of(const Record& record) {
       warnings.push_back(fmt::format("the functions' build is '{}', not 'release': their times do not count", build));
   if (const auto own = record.run.find("warnings"); own != record.run.end() && own->is_array())
     for (const Json& warning : *own) warnings.push_back(warning.is_string() ? warning.get<std::string>() : warning.dump());
+  for (const std::string& note : cell_notes(record)) warnings.push_back(note);
   return warnings;
 }
 

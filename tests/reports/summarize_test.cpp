@@ -213,5 +213,13 @@ TEST(SummarizePasses, EveryClassOfOperationsHasAGroup) {
   EXPECT_EQ(operation_group("teleport"), "other") << "of a record from another version";
 }
 
+TEST(Warnings, HoldWhatCellsHaveToSayOnce) {
+  std::vector<CellRow> cells = example_cells();
+  for (CellRow& cell : cells) cell.notes = {"it covers no pixel"};
+  cells.back().notes.push_back("8 layers were not enough");
+  const std::vector<std::string> said = warnings_of(example_record(cells));
+  EXPECT_EQ(said, (std::vector<std::string>{"it covers no pixel", cells.back().variant + ": 8 layers were not enough"}));
+}
+
 }  // namespace
 }  // namespace lamina
