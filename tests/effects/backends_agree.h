@@ -18,6 +18,7 @@ inline constexpr double min_agreement_db = 45;
 
 // Small pictures of each scene's first view: 45 dB at least, no value that is not finite, no message of an API's checker. Skips
 // the test where one of the two is not here. `said` are values of parameters by name, for the variants that have them.
+// `baseline_alone`: no other variant is drawn.
 inline void expect_backends_agree(std::string_view effect, const std::vector<Scene>& scenes, uint32_t size = 48,
                                   const std::map<std::string, double>& said = {}, bool baseline_alone = false) {
   std::vector<std::unique_ptr<Backend>> backends;

@@ -220,7 +220,9 @@ TEST_P(HairPictures, OpaqueCardsAreSolid) {
 }
 
 // Every variant on two backends, of the built-in head. Pixels whose opacity is a threshold's may differ.
-TEST(HairBackends, AgreeAndHaveNoNaN) { expect_backends_agree("hair", {load_scene("hair_head", builtin_library())}); }
+TEST(HairBackends, AgreeAndHaveNoNaN) {
+  expect_backends_agree("hair", {load_scene("hair_head", builtin_library())}, 48, {{"layers", 48}});
+}
 
 INSTANTIATE_TEST_SUITE_P(Backends, HairPictures, backend_parameters, backend_test_name);
 
