@@ -203,6 +203,7 @@ int run_compare(const CompareOptions& options) {
     } catch (const StopRequested&) {
       break;
     } catch (const Error& error) {
+      if (error.stage() == "record") throw;  // the disk's failure, not the backend's
       failure = error.what();
     }
     if (failure.empty()) continue;

@@ -21,13 +21,20 @@ namespace {
 namespace fs = std::filesystem;
 using namespace lamina;
 
-// A shader cache of this process alone, so that the first frame's cost is the same in every run; gone with the process.
+// A shader cache of this process alone, so that the first frame's cost is the same in every run; gone with the process. Where
+// there is no place for one there is none at all: Mesa maps the file of its index, and on a full disk a write to it would end
+// the process.
 class PrivateShaderCache {
  public:
   PrivateShaderCache() {
-    std::error_code none;  // TMPDIR may name what is no folder, be full or be read-only: then there is no such cache
-    std::string pattern = (fs::temp_directory_path(none) / "lamina-shaders-XXXXXX").string();
-    if (none || !::mkdtemp(pattern.data())) return;
+    constexpr uintmax_t least_bytes = 64 << 20;
+    std::error_code none;  // TMPDIR may name what is no folder, be full or be read-only
+    const fs::path folder = fs::temp_directory_path(none);
+    std::string pattern = (folder / "lamina-shaders-XXXXXX").string();
+    if (none || fs::space(folder, none).available < least_bytes || none || !::mkdtemp(pattern.data())) {
+      ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+      return;
+    }
     folder_ = pattern;
     ::setenv("MESA_SHADER_CACHE_DIR", folder_.c_str(), 1);
   }
