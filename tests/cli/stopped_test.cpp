@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ctrl-C in the middle of a comparison, and surroundings that lack what programs take for granted.
-#include <algorithm>
 
 #include "tests/cli/program.h"
 
@@ -57,17 +56,15 @@ TEST_F(Surroundings, CtrlCEndsAGateWithItsReportAndKeepsItsBaseline) {
 }
 
 TEST_F(Surroundings, NoHomeAndNoFolderForTemporaryFilesAreNoProblem) {
-  const Outcome outcome =
-      shell("env -u HOME -u XDG_CACHE_HOME TMPDIR=/nowhere/at/all " + compare_square("--quick --budget 0.1"));
-  const bool certified = std::ranges::all_of(record().timers, &TimerRow::ok);
-  EXPECT_EQ(outcome.status, certified ? 0 : 1) << outcome.output;
+  const Outcome outcome = shell("env -u HOME -u XDG_CACHE_HOME TMPDIR=/nowhere/at/all " + compare_square("--no-time"));
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_TRUE(std::filesystem::exists(out() / "index.html"));
 }
 
 TEST_F(Surroundings, AHomeThatIsNoFolderCostsOnlyTheCache) {
   write("file", "");
   const Outcome outcome =
-      shell("env -u XDG_CACHE_HOME HOME=" + (folder_ / "file").string() + " " + compare_square("--quick --budget 0.1"));
+      shell("env -u XDG_CACHE_HOME HOME=" + (folder_ / "file").string() + " " + compare_square("--no-time"));
   EXPECT_NE(outcome.status, 2) << outcome.output;
   EXPECT_TRUE(std::filesystem::exists(out() / "index.html"));
 }
