@@ -53,13 +53,15 @@ class SkinLooks : public EachBackend {
     const Plan plan = make_plan(library(), scene, 1);
     ShaderCache shaders(backend_->info().api, library().shaders);
     std::set<std::string> found;
-    for (const GraphPass& pass : make_graph(plan, configuration_with(plan, of_skin(name)), scene, shaders).passes)
+    const Graph graph = make_graph(plan, configuration_with(plan, of_skin(name)), scene, shaders);
+    for (const GraphPass& pass : graph.passes)
       for (const GraphDraw& draw : pass.draws)
         for (const ResolvedRead& read : draw.reads) found.insert(read.sampler);
     return found;
   }
   bool has_feature(const Scene& scene, std::string_view define) {
-    for (const FeaturePlan& planned : make_plan(library(), scene, 1).of("skin")->features)
+    const Plan plan = make_plan(library(), scene, 1);
+    for (const FeaturePlan& planned : plan.of("skin")->features)
       if (planned.define == define) return planned.on;
     throw std::runtime_error("no such feature");
   }
