@@ -201,6 +201,7 @@ test('switches of cost, error and what it is against work by keyboard, and show 
 test('a switch works by mouse', async () => {
   const page = await open(browser, 'truth');
   const list = page.locator('#pareto label.control', {hasText: 'Error'}).locator('select');
+  await list.scrollIntoViewIfNeeded();  // the table of choices stands above it
   const box = await list.boundingBox();
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   await page.keyboard.press('ArrowDown');
