@@ -27,11 +27,11 @@ using namespace lamina;
 class PrivateShaderCache {
  public:
   PrivateShaderCache() {
-    constexpr uintmax_t least_bytes = 64 << 20;
+    constexpr uintmax_t min_bytes = 64 << 20;
     std::error_code none;  // TMPDIR may name what is no folder, be full or be read-only
     const fs::path folder = fs::temp_directory_path(none);
     std::string pattern = (folder / "lamina-shaders-XXXXXX").string();
-    if (none || fs::space(folder, none).available < least_bytes || none || !::mkdtemp(pattern.data())) {
+    if (none || fs::space(folder, none).available < min_bytes || none || !::mkdtemp(pattern.data())) {
       ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
       return;
     }

@@ -19,7 +19,7 @@ constexpr double index_of_water = 1.333;
 
 EffectValues no_waves() {
   EffectValues values;
-  for (int i = 1; i <= most_waves; ++i)
+  for (int i = 1; i <= max_waves; ++i)
     for (const auto& [name, value] : {std::pair("amplitude", 0.0), {"length", 1.0}, {"direction", 0.0}, {"steepness", 0.0}})
       values.numbers[fmt::format("wave_{}_{}", i, name)] = value;
   values.numbers["wave_depth"] = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tileable textures that any shader may read: the light that small waves gather on a level bottom, and the bubbles of foam, and
-// the slopes of ripples.
+// Tileable textures that any shader may read: the light that small waves gather on a level bottom, the bubbles of foam, and the
+// slopes of ripples.
 #pragma once
 
 #include "harness/core/image.h"

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double endless_m = 1e4;  // of a way in the water that meets nothing
 constexpr double off_surface_m = 1e-5;
-constexpr double least_cosine = 0.01;  // of the surface to the eye: backs of waves are bent towards it
+constexpr double min_cosine = 0.01;  // of the surface to the eye: backs of waves are bent towards it
 
 bool is_water(const Object& object) { return object.effects.contains("water"); }
 
@@ -114,8 +114,8 @@ class WaterRays : public Truth {
     const WavePoint point = met(eye, direction, drawn.ground);
     const glm::dvec3 to_eye = glm::normalize(eye - point.position);
     glm::dvec3 normal = light_.with_ripples(point.normal(), point.ground);
-    normal = glm::normalize(normal + std::max(least_cosine - glm::dot(normal, to_eye), 0.0) * to_eye);
-    const double cosine = std::clamp(glm::dot(normal, to_eye), least_cosine, 1.0), index = light_.number("refraction_index");
+    normal = glm::normalize(normal + std::max(min_cosine - glm::dot(normal, to_eye), 0.0) * to_eye);
+    const double cosine = std::clamp(glm::dot(normal, to_eye), min_cosine, 1.0), index = light_.number("refraction_index");
     double share = reflected_by_water(cosine, index);
 
     // Down to the bottom: Snell's law.

@@ -50,7 +50,7 @@ glm::dvec3 BottomMap::at(glm::dvec2 ground) const {
 
 GerstnerWaves::GerstnerWaves(const EffectValues& values) : bottom_(values) {
   double sum = 0;
-  for (int i = 1; i <= most_waves; ++i) {
+  for (int i = 1; i <= max_waves; ++i) {
     const auto number = [&](const char* name) { return values.numbers.find(fmt::format("wave_{}_{}", i, name))->second; };
     if (!(number("amplitude") > 0)) continue;
     const double turn = number("direction") * std::numbers::pi / 180;

@@ -15,7 +15,7 @@
 namespace lamina {
 
 inline constexpr double wave_gravity = 9.81;  // m/s^2
-inline constexpr int most_waves = 4;
+inline constexpr int max_waves = 4;
 
 struct GerstnerWave {
   double amplitude_m = 0, length_m = 1;
