@@ -1,18 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layered material on screen. One of three definitions says where the light comes from:
+// The layered material on screen. One of these definitions says where the light comes from:
 //   LIGHT_FROM_MAP     both layers from the light map, the inner one's blurred by the thickness (Oat 2006, listing 3)
 //   LIGHT_FROM_TAPS    outer: N.L of the mapped normal; inner: the mean of N.L over 13 taps of the normal map (section 4.6, first
 //                      optimization; the lighting terms are averaged, never the normals)
 //   LIGHT_FROM_VERTEX  outer: N.L of the mapped normal; inner: N.L of the vertex normal (section 4.6, second optimization)
+//   LIGHT_FROM_MEAN    both layers by the mean of the normals and by how much they scatter (mean_normal.glsl)
+// and two which filter takes the place of the 13 taps, each a function of (sampler, center, radius, footprint):
+//   BASE_BLURRED  the inner layer is read from maps that were blurred once (blurred_base.glsl)
+//   LIGHT_FILTER, BASE_FILTER  poisson_disc, golden_disc, ring_disc, merged_disc, one_fetch_disc, one_fetch_thirteen
 #include "../common/frame.glsl"
 #include "../common/surface.glsl"
 #include "../common/mesh_in.glsl"
 #include "../common/extra_fetches.glsl"
 #include "layers.glsl"
 #include "poisson_disc.glsl"
+#include "footprints.glsl"
+#include "one_fetch.glsl"
+#include "ring_disc.glsl"
+#include "golden_disc.glsl"
+#include "merged_disc.glsl"
+#if defined(BASE_BLURRED) && defined(LAYER_DEPTH)
+#include "blurred_base.glsl"
+#endif
+#ifndef LIGHT_FILTER
+#define LIGHT_FILTER poisson_disc
+#endif
+#ifndef BASE_FILTER
+#define BASE_FILTER poisson_disc
+#endif
 
 #ifdef LIGHT_FROM_MAP
 layout(binding = 7) uniform sampler2D light_map;
+#endif
+#ifdef LIGHT_FROM_MEAN
+#include "mean_normal.glsl"
+layout(binding = 7) uniform sampler2D outer_normal_mean;  // 1/2 + 1/2 of the mean of unit normals
 #endif
 layout(location = 0) out vec4 out_color;
 
@@ -38,6 +60,9 @@ void main() {
 
 #ifdef LIGHT_FROM_MAP
   vec3 outer_light = textureGrad(light_map, point.uv, footprint.uv_dx, footprint.uv_dy).rgb;
+#elif defined(LIGHT_FROM_MEAN)
+  vec3 outer_mean = fetch_of(outer_normal_mean, point.uv, footprint).rgb * 2.0 - 1.0;
+  vec3 outer_light = mean_diffuse_light(point.world_from_tangent * outer_mean, point.position);
 #else
   vec3 outer_light = diffuse_light(point.world_from_tangent * normal_tangent, point.position);
 #endif
@@ -49,7 +74,11 @@ void main() {
   vec2 texel = 1.0 / vec2(textureSize(inner_albedo, 0));
   vec2 light_radius = thickness * scattering * texel;
   InnerPoint inner = inner_point(point.uv, view_tangent, normal_tangent, thickness, texel);
-  vec3 inner_base = poisson_disc(inner_albedo, inner.uv, inner.distance_texels * texel, footprint);
+#ifdef BASE_BLURRED
+  vec3 inner_base = blurred_base(inner.uv, thickness * texel, inner.distance_texels / thickness, footprint).rgb;
+#else
+  vec3 inner_base = BASE_FILTER(inner_albedo, inner.uv, inner.distance_texels * texel, footprint).rgb;
+#endif
 #else
   // No depth: no offset, and a disc of radius 0 is its centre.
   vec3 inner_base = textureGrad(inner_albedo, point.uv, footprint.uv_dx, footprint.uv_dy).rgb;
@@ -60,7 +89,10 @@ void main() {
 #elif !defined(LAYER_DEPTH)
   vec3 inner_light = outer_light;
 #elif defined(LIGHT_FROM_MAP)
-  vec3 inner_light = poisson_disc(light_map, inner.uv, light_radius, footprint);
+  vec3 inner_light = LIGHT_FILTER(light_map, inner.uv, light_radius, footprint).rgb;
+#elif defined(LIGHT_FROM_MEAN)
+  vec3 inner_mean = LIGHT_FILTER(outer_normal_mean, inner.uv, light_radius, footprint).rgb * 2.0 - 1.0;
+  vec3 inner_light = mean_diffuse_light(point.world_from_tangent * inner_mean, point.position);
 #else
   vec3 inner_light = light_over_disc(point, inner.uv, light_radius, footprint);
 #endif
