@@ -55,7 +55,7 @@ TEST_P(LayeredMaterial_, GrazingViewPrefersTheOuterLayer) {
     Scene scene = quad_scene({4, 1, glm::vec3(0.0f), glm::vec3(0.25f)});
     const float angle = float(degrees * M_PI / 180);
     scene.views[0].eye = {10 * std::sin(angle), 0, 10 * std::cos(angle)};
-    for (const std::string_view name : every_variant)
+    for (const std::string_view name : all_variants)
       EXPECT_NEAR(pixel(picture(scene, name), 32, 32).r, 0.25f * std::cos(angle), 2 * tolerance) << name << " at " << degrees;
   }
 }
@@ -134,7 +134,7 @@ TEST_P(LayeredMaterial_, LampsFallOffWithTheSquareOfTheDistance) {
     Scene scene = quad_scene({4, 0, glm::vec3(1.0f), glm::vec3(0.0f)});
     scene.ambient = glm::vec3(0);
     scene.lights.push_back({"lamp", Light::Kind::point, {}, {0, 0, distance}, glm::vec3(1)});
-    for (const std::string_view name : every_variant)
+    for (const std::string_view name : all_variants)
       EXPECT_NEAR(pixel(picture(scene, name), 32, 32).r, 1 / (distance * distance), tolerance) << name << " at " << distance;
   }
 }
@@ -166,13 +166,13 @@ TEST_P(LayeredMaterial_, CompositeMakesTheChaptersNumberOfFetches) {
 
 TEST_P(LayeredMaterial_, CountingBuildDrawsTheSamePictureToTheBit) {
   const Scene scene = bumpy_scene(6, 1);
-  for (const std::string_view name : every_variant)
+  for (const std::string_view name : all_variants)
     EXPECT_EQ(picture(scene, name).rgba, picture(scene, name, 64, Build::counting).rgba) << name;
 }
 
 TEST_P(LayeredMaterial_, SameInputsGiveTheSameBits) {
   const Scene scene = bumpy_scene(6, 1);
-  for (const std::string_view name : every_variant) EXPECT_EQ(picture(scene, name).rgba, picture(scene, name).rgba) << name;
+  for (const std::string_view name : all_variants) EXPECT_EQ(picture(scene, name).rgba, picture(scene, name).rgba) << name;
 }
 
 // Culling changes no pixel. The un-culled picture is made by telling the plan a fact that is not so.
