@@ -24,7 +24,7 @@ TEST(LayerTruth, UniformStacksShowWhatTheRuleGives) {
   for (const float shadowing : {0.0f, 0.5f, 1.0f}) {
     const Scene scene = stack_scene(sheets, shadowing);
     const glm::dvec2 middle(0.5);
-    EXPECT_NEAR(LayerModel(scene, 0).light(seen_at(middle), straight_above(middle), 64, 0.3).r,
+    EXPECT_NEAR(LayerModel(scene, 0).light(seen_at(middle), straight_above(middle), 64, 0.3).all.r,
                 single_bounce(sheets, double(shadowing)), 0.003);
   }
 }
