@@ -112,7 +112,7 @@ vec3 layer_light(int layer, SurfacePoint point, LightRay ray, Footprint footprin
 #elif defined(SHADOWS_AT_TAPS)
   vec3 middle = shadowed_tap(layer, ray, vec2(0.0), footprint), difference = vec3(0.0);
   for (int i = 0; i < 12; ++i) difference += shadowed_tap(layer, ray, disc_taps[i], footprint) - middle;
-  return middle + difference / 13.0;
+  return difference / 13.0 + middle;
 #else
   vec2 entry = ray.uv + depth * ray.slant;
 #ifdef SHADOWS_PREMULTIPLIED
