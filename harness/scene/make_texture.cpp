@@ -131,7 +131,9 @@ Texture made_texture(const TextureRequest& request, const Texture& before, bool 
   if (request.rgb)
     if (const auto* finished = std::get_if<Texture>(&request.rgb->value)) {
       const auto* alpha = request.alpha ? std::get_if<Texture>(&request.alpha->value) : nullptr;
-      if (declared.alpha.empty() || (alpha && *alpha == *finished)) return *finished;
+      // Levels of means are made from the base: what is finished may have been made of unit normals.
+      if (declared.meaning != TextureMeaning::normal_mean && (declared.alpha.empty() || (alpha && *alpha == *finished)))
+        return *finished;
     }
   Texture old = before;
   if (!old && !request.rgb) old = default_texture(request);

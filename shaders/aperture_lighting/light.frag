@@ -2,7 +2,7 @@
 // Oat and Sander, "Ambient Aperture Lighting" (in: Oat, "Efficient Shader Tricks That Will Impress Your Friends", GDC 2006, part 2).
 // A spherical light is a cap. The area that it shares with the aperture lets its light in, times the cosine at the middle between the
 // two. The rest of the aperture is filled by the sky. CAP_INTERSECTION is the function that finds the shared area; with ANTI_APERTURE
-// the cap is what is blocked of the hemisphere.
+// the cap is what is blocked of the hemisphere. With LENS_COSINE the cosine is that over the shared area instead.
 #include "../cap_intersection/cap_intersection.glsl"
 #include "../common/frame.glsl"
 #include "../common/surface.glsl"
@@ -42,6 +42,20 @@ float angle_between(vec3 a, vec3 b) { return atan(length(cross(a, b)), dot(a, b)
 // Lambert's cosine at the middle of two directions; where they are opposite there is none.
 float middle_cosine(vec3 normal, vec3 a, vec3 b) { return max(dot(normal, unit_or(a + b, vec3(0))), 0.0); }
 
+// The cosine integrated over what two caps share, over its area. Both caps hold the smaller one's share of the line through their
+// centres from max(-r, d - R) to r, r and R their radii, d apart: its middle lies r (1 - overlap) from the smaller one's centre. Over a
+// whole cap above the horizon the cosine's mean is that at its centre times (1 + cos r) / 2, here to the fourth power of r.
+float lens_cosine(vec3 normal, vec4 aperture, LightCap light, float apart) {
+  bool light_is_smaller = light.radius <= aperture.w;
+  float r = max(min(light.radius, aperture.w), least_radius);
+  vec3 from = light_is_smaller ? light.direction : aperture.xyz, to = light_is_smaller ? aperture.xyz : light.direction;
+  float cosine = dot(from, to), shift = r * (1.0 - cap_overlap(light.radius, max(aperture.w, least_radius), apart));
+  vec3 across = to - from * cosine;
+  vec3 middle = from + across * (shift * inversesqrt(max(dot(across, across), 1e-12)));
+  float squared = r * r;
+  return max(dot(normal, middle), 0.0) * inversesqrt(dot(middle, middle)) * (1.0 + squared * (squared / 48.0 - 0.25));
+}
+
 void main() {
   vec3 normal = unit_or(in_normal, vec3(0, 1, 0));
   vec4 apertures[APERTURES];
@@ -65,8 +79,14 @@ void main() {
     unfilled -= shared_area;
 #else
     for (int a = 0; a < APERTURES; ++a) {
-      float shared_area = cap_intersection(apertures[a].w, light.radius, angle_between(apertures[a].xyz, light.direction));
-      lit += light.irradiance * (shared_area / area * middle_cosine(normal, apertures[a].xyz, light.direction));
+      float apart = angle_between(apertures[a].xyz, light.direction);
+      float shared_area = cap_intersection(apertures[a].w, light.radius, apart);
+#ifdef LENS_COSINE
+      float cosine = lens_cosine(normal, apertures[a], light, apart);
+#else
+      float cosine = middle_cosine(normal, apertures[a].xyz, light.direction);
+#endif
+      lit += light.irradiance * (shared_area / area * cosine);
       unfilled -= shared_area;
     }
 #endif

@@ -16,11 +16,11 @@ struct Footprint {
   vec2 uv_dx, uv_dy;
 };
 
-// Mean of rgb over the disc around `center`; `radius` is in texture coordinates per axis.
-vec3 poisson_disc(sampler2D source, vec2 center, vec2 radius, Footprint footprint) {
-  vec3 middle = textureGrad(source, center, footprint.uv_dx, footprint.uv_dy).rgb;
-  vec3 difference = vec3(0.0);
+// Mean of rgba over the disc around `center`; `radius` is in texture coordinates per axis.
+vec4 poisson_disc(sampler2D source, vec2 center, vec2 radius, Footprint footprint) {
+  vec4 middle = textureGrad(source, center, footprint.uv_dx, footprint.uv_dy);
+  vec4 difference = vec4(0.0);
   for (int i = 0; i < 12; ++i)
-    difference += textureGrad(source, center + disc_taps[i] * radius, footprint.uv_dx, footprint.uv_dy).rgb - middle;
+    difference += textureGrad(source, center + disc_taps[i] * radius, footprint.uv_dx, footprint.uv_dy) - middle;
   return middle + difference / 13.0;
 }

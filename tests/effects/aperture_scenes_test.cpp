@@ -17,7 +17,7 @@ namespace {
 class ApertureScenes : public EachBackend {
  protected:
   struct Pictures {
-    Image device, exact, traced_share;
+    Image device, exact, integrated, traced_share;
     Mask covered;
   };
   // Few rays for the large scenes: enough to be lit unevenly.
@@ -27,26 +27,29 @@ class ApertureScenes : public EachBackend {
       if (object.mesh.vertices.size() > 500) apertures_of(object).numbers["rays"] = 64;
     return scene;
   }
-  // View 0 by a variant with passes for the truth; and by the models, over the covered pixels.
-  Pictures pictures(const Scene& scene, Bakes& bakes, bool traced, const std::string& name = "exact_cap") {
+  // View 0 by a variant; and by the models, over the covered pixels. `teller`: a variant with passes for the truth, if it has
+  // none.
+  Pictures pictures(const Scene& scene, Bakes& bakes, bool traced, const std::string& name = "exact_cap",
+                    std::string teller = "") {
+    if (teller.empty()) teller = name;
     constexpr uint32_t size = 64;
     const Plan plan = make_plan(library(), scene);
     ShaderCache shaders(backend_->info().api, library().shaders);
     SceneResources resources(*backend_, scene, library(), size, size, &bakes);
     const Configuration configuration = configuration_with(plan, variant(name));
     const Graph graph = make_graph(plan, configuration, scene, shaders),
-                truth = make_graph(plan, configuration, scene, shaders, &variant(name));
+                truth = make_graph(plan, configuration_with(plan, variant(teller)), scene, shaders, &variant(teller));
     Frame frame(resources, graph, Build::timed), told(resources, truth, Build::timed);
     frame.run(0, Timing::off);
     told.run(0, Timing::off);
     const ApertureKind kind = aperture_kind(variant(name).bake);
-    const std::map<std::string, Image> targets = told.targets_of(variant(name));
+    const std::map<std::string, Image> targets = told.targets_of(variant(teller));
     std::vector<Image> apertures;
     for (uint32_t i = 0; i < kind.count; ++i) apertures.push_back(targets.at(fmt::format("seen_aperture_{}", i)));
     const ShadingPoints points =
         shading_points(targets.at("seen_point"), targets.at("seen_normal"), targets.at("seen_albedo"), apertures, kind);
     EXPECT_GT(points.points.size(), size * size / 4) << "the view shows little of the effect";
-    Pictures made{frame.picture(), frame.picture(), frame.picture(), {points.width, points.height, {}}};
+    Pictures made{frame.picture(), frame.picture(), frame.picture(), frame.picture(), {points.width, points.height, {}}};
     made.covered.on.assign(made.device.rgba.size() / 4, 0);
     const auto light = [&](LightModel model, Image& into) {
       const auto lit = direct_light(points, scene, bakes.occluders(), model, {200, 200, 1, bakes.occluders().default_bias_m()},
@@ -57,6 +60,7 @@ class ApertureScenes : public EachBackend {
       }
     };
     light(LightModel::exact_intersection, made.exact);
+    if (teller != name) light(LightModel::integrated_cosine, made.integrated);
     if (traced) light(LightModel::traced_share, made.traced_share);
     return made;
   }
@@ -72,6 +76,20 @@ TEST_P(ApertureScenes, ExactCapIsTheDoubleForm) {
       EXPECT_EQ(nonfinite_pixels(made.device), 0u);
       EXPECT_GE(psnr(made.device, made.exact, made.covered), 55) << name << " " << told;
     }
+  }
+}
+
+// The cosine over the shared area, in closed form, against the double form's sum over the area; the cosine at the middle of the
+// two directions is far from it.
+TEST_P(ApertureScenes, LensCosineIsTheCosineOverTheSharedArea) {
+  for (const std::string name : {"sphere_over_plane", "two_windows"}) {
+    const Scene scene = small(name);
+    Bakes bakes(scene, effect_code(), DiskCache(""));
+    const Pictures lens = pictures(scene, bakes, false, "exact_lens_cosine", "exact_cap");
+    const double near_db = psnr(lens.device, lens.integrated, lens.covered),
+                 middle_db = psnr(lens.exact, lens.integrated, lens.covered);
+    EXPECT_GE(near_db, 40) << name;
+    EXPECT_GE(near_db, middle_db + 6) << name;
   }
 }
 

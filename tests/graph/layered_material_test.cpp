@@ -12,6 +12,10 @@ namespace {
 class LayeredMaterial_ : public EachBackend {};
 INSTANTIATE_TEST_SUITE_P(Backends, LayeredMaterial_, backend_parameters, backend_test_name);
 constexpr std::string_view all_variants[] = {"light_map", "normal_map_taps", "vertex_normal"};
+// Those that take other filters or other light in place of the chapter's, too.
+constexpr std::string_view every_variant[] = {
+    "light_map", "normal_map_taps", "vertex_normal", "base_level_taps", "blurred_once",    "footprint_map", "golden_disc",
+    "half_map",  "mean_normal",     "merged_taps",   "one_fetch_disc",  "one_light_fetch", "reached_light", "ring_disc"};
 EffectValues& layers_of(Scene& scene) { return scene.objects[0].effects.at("layered_material"); }
 // Half floats keep 11 bits; albedos are stored in 8.
 constexpr float tolerance = 0.004f;
@@ -19,7 +23,7 @@ constexpr float tolerance = 0.004f;
 // The alpha channel is transparency: 1 shows the inner layer, 0 the outer. Head-on, N.V = 1; light is 1, so the picture is the
 // albedo.
 TEST_P(LayeredMaterial_, TransparencyOneShowsTheInnerLayerAndZeroTheOuter) {
-  for (const std::string_view name : all_variants) {
+  for (const std::string_view name : every_variant) {
     EXPECT_NEAR(pixel(picture(quad_scene({4, 1, glm::vec3(0.5f), glm::vec3(0.25f)}), name), 32, 32).r, 0.25f, tolerance)
         << name;
     EXPECT_NEAR(pixel(picture(quad_scene({4, 0, glm::vec3(0.5f), glm::vec3(0.25f)}), name), 32, 32).r, 0.5f, tolerance) << name;
@@ -140,7 +144,10 @@ TEST_P(LayeredMaterial_, CompositeMakesTheChaptersNumberOfFetches) {
   const Plan plan = make_plan(library(), scene);
   ShaderCache shaders(backend_->info().api, library().shaders);
   SceneResources resources(*backend_, scene, library(), 96, 80);
-  const std::map<std::string_view, uint64_t> expected = {{"light_map", 29}, {"normal_map_taps", 28}, {"vertex_normal", 15}};
+  const std::map<std::string_view, uint64_t> expected = {
+      {"light_map", 29},     {"normal_map_taps", 28}, {"vertex_normal", 15}, {"one_light_fetch", 17},
+      {"half_map", 17},      {"merged_taps", 9},      {"ring_disc", 11},     {"golden_disc", 29},
+      {"one_fetch_disc", 5}, {"blurred_once", 8},     {"mean_normal", 17}};
   for (const auto& [name, fetches] : expected) {
     const Graph graph = make_graph(plan, configuration_with(plan, variant(name)), scene, shaders);
     Frame frame(resources, graph, Build::counting);
@@ -173,7 +180,7 @@ TEST_P(LayeredMaterial_, CullingAtThicknessZeroChangesNoPixel) {
   const Scene culled = bumpy_scene(0, 1);
   Scene whole = culled;
   layers_of(whole).numbers["thickness"] = 1e-30f;  // above 0 for the plan, nothing for the picture
-  for (const std::string_view name : all_variants) EXPECT_EQ(picture(culled, name).rgba, picture(whole, name).rgba) << name;
+  for (const std::string_view name : every_variant) EXPECT_EQ(picture(culled, name).rgba, picture(whole, name).rgba) << name;
 }
 
 TEST_P(LayeredMaterial_, CullingUnderAnOpaqueLayerChangesNoPixel) {
@@ -182,7 +189,7 @@ TEST_P(LayeredMaterial_, CullingUnderAnOpaqueLayerChangesNoPixel) {
   layers_of(culled).facts["transparency"] = 0;
   Scene uncut = whole;
   layers_of(uncut).facts["transparency"] = 1;
-  for (const std::string_view name : all_variants) EXPECT_EQ(picture(culled, name).rgba, picture(uncut, name).rgba) << name;
+  for (const std::string_view name : every_variant) EXPECT_EQ(picture(culled, name).rgba, picture(uncut, name).rgba) << name;
 }
 
 TEST_P(LayeredMaterial_, CullingDropsFetchesAndTextures) {

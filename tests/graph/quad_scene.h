@@ -44,6 +44,9 @@ inline Scene quad_scene(const QuadOptions& options) {
       TexelMeaning::colour);
   layers.textures["outer_normal"] = make_texture(
       "normal", filled(options.size, [](uint32_t, uint32_t) { return glm::vec4(0.5f, 0.5f, 1, 1); }), TexelMeaning::normal);
+  layers.textures["outer_normal_mean"] =
+      make_texture("normal", filled(options.size, [](uint32_t, uint32_t) { return glm::vec4(0.5f, 0.5f, 1, 1); }),
+                   TexelMeaning::normal_mean);
   layers.textures["inner_albedo"] = make_texture(
       "inner", filled(options.size, [&](uint32_t, uint32_t) { return glm::vec4(options.inner, 1); }), TexelMeaning::colour);
   layers.numbers = {{"thickness", options.thickness_texels}, {"scattering", 1}};
@@ -75,13 +78,11 @@ inline Scene bumpy_scene(float thickness_texels, float transparency) {
                                                                   wave(x, y, 0.2f), transparency * wave(y, x, 0.13f));
                                                }),
                                         TexelMeaning::colour);
-  layers["outer_normal"] = make_texture("normal",
-                                        filled(64,
-                                               [&](uint32_t x, uint32_t y) {
-                                                 return glm::vec4(0.5f + 0.3f * (wave(x, y, 0.6f) - 0.5f),
-                                                                  0.5f + 0.3f * (wave(y, x, 0.4f) - 0.5f), 0.9f, 1);
-                                               }),
-                                        TexelMeaning::normal);
+  const Texels normals = filled(64, [&](uint32_t x, uint32_t y) {
+    return glm::vec4(0.5f + 0.3f * (wave(x, y, 0.6f) - 0.5f), 0.5f + 0.3f * (wave(y, x, 0.4f) - 0.5f), 0.9f, 1);
+  });
+  layers["outer_normal"] = make_texture("normal", normals, TexelMeaning::normal);
+  layers["outer_normal_mean"] = make_texture("normal", normals, TexelMeaning::normal_mean);
   layers["inner_albedo"] = make_texture(
       "inner", filled(64, [&](uint32_t x, uint32_t y) { return glm::vec4((x / 8 + y / 8) % 2 ? 0.8f : 0.1f, 0.1f, 0.3f, 1); }),
       TexelMeaning::colour);

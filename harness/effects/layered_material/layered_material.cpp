@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "harness/effects/layered_material/layer_truth.h"
 #include "harness/manifest/effect_code.h"
 #include "harness/scene/effect_values.h"
 #include "harness/scene/made/kept.h"
@@ -24,13 +25,18 @@ Texture marble_layer(const EffectValues& so_far) {
   Texture& layer = made[{width, height}];
   if (!layer)
     layer = kept_textures(fmt::format("marble_{}x{}", width, height), [&] {
-              return std::vector{make_texture("inner layer", marble(width, height, 1), TexelMeaning::colour)};
+              Texels texels = marble(width, height, 1);
+              for (glm::vec4& texel : texels.rgba) texel.a = 0.5f;  // what lies below it, if anything, shows as much as it does
+              return std::vector{make_texture("inner layer", texels, TexelMeaning::colour)};
             }).front();
   return layer;
 }
 
 }  // namespace
 
-void add_layered_material(EffectCode& code) { code.makers["marble"] = marble_layer; }
+void add_layered_material(EffectCode& code) {
+  code.makers["marble"] = marble_layer;
+  code.truths["layers"] = layer_truth;
+}
 
 }  // namespace lamina

@@ -21,6 +21,7 @@
 #include "harness/scene/made/hair_head.h"
 #include "harness/scene/made/heart.h"
 #include "harness/scene/made/hollow_shell.h"
+#include "harness/scene/made/layered_scenes.h"
 #include "harness/scene/made/leaf_pair.h"
 #include "harness/scene/made/open_plane.h"
 #include "harness/scene/made/open_sea.h"
@@ -73,6 +74,9 @@ constexpr Builtin builtins[] = {
     {"pool", make_pool},
     {"open_sea", make_open_sea},
     {"beach", make_beach},
+    {"three_layer_heart", make_three_layer_heart},
+    {"marble_stack", [](float) { return make_marble_stack(); }},
+    {"lattice_plate", [](float) { return make_lattice_plate(); }},
 };
 
 }  // namespace

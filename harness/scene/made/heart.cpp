@@ -48,6 +48,7 @@ Scene make_heart(const HeartOptions& options) {
                         {"outer.transparency", {textures.outer_albedo}},
                         {"outer.normal", {textures.outer_normal}},
                         {"inner.albedo", {textures.inner_albedo}},
+                        {"inner.transparency", {textures.inner_albedo}},
                         {"thickness", {double(thickness)}}};
 
   Scene scene;

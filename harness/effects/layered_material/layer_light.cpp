@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "harness/effects/layered_material/layer_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace lamina {
+namespace {
+
+int repeated(int at, int count) { return ((at % count) + count) % count; }
+
+}  // namespace
+
+LayerLight::LayerLight(const Scene& scene, const Object& object, const TextureImage& normals)
+    : scene_(scene),
+      normals_(normals),
+      world_from_object_(object.world_from_object),
+      normal_matrix_(glm::transpose(glm::inverse(glm::dmat3(world_from_object_)))),
+      width_(static_cast<int>(normals.width)),
+      height_(static_cast<int>(normals.height)),
+      chart_of_(size_t(width_) * size_t(height_), -1) {
+  // A normal map of one texel is a grid too coarse for charts.
+  if (width_ < 256 || height_ < 256) {
+    width_ = std::max(width_, 256), height_ = std::max(height_, 256);
+    chart_of_.assign(size_t(width_) * size_t(height_), -1);
+  }
+  const Mesh& mesh = object.mesh;
+  for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    Chart chart;
+    for (size_t c = 0; c < 3; ++c) chart.corner[c] = &mesh.vertices[mesh.indices[i + c]];
+    chart.first_uv = glm::dvec2(chart.corner[0]->uv);
+    const glm::dmat2 uv_from_weights(glm::dvec2(chart.corner[1]->uv) - chart.first_uv,
+                                     glm::dvec2(chart.corner[2]->uv) - chart.first_uv);
+    if (std::abs(glm::determinant(uv_from_weights)) < 1e-14) continue;
+    chart.weights_from_uv = glm::inverse(uv_from_weights);
+    charts_.push_back(chart);
+    cover(static_cast<uint32_t>(charts_.size() - 1));
+  }
+  spread();
+}
+
+// Texels whose middle lies in the triangle.
+void LayerLight::cover(uint32_t triangle) {
+  const Chart& chart = charts_[triangle];
+  glm::dvec2 low(1e30), high(-1e30);
+  for (const Vertex* vertex : chart.corner)
+    low = glm::min(low, glm::dvec2(vertex->uv)), high = glm::max(high, glm::dvec2(vertex->uv));
+  const int left = std::max(static_cast<int>(std::floor(low.x * width_)), 0),
+            right = std::min(static_cast<int>(std::ceil(high.x * width_)), width_);
+  const int top = std::max(static_cast<int>(std::floor(low.y * height_)), 0),
+            bottom = std::min(static_cast<int>(std::ceil(high.y * height_)), height_);
+  for (int y = top; y < bottom; ++y)
+    for (int x = left; x < right; ++x) {
+      const glm::dvec2 w = chart.weights_from_uv * (glm::dvec2((x + 0.5) / width_, (y + 0.5) / height_) - chart.first_uv);
+      if (w.x >= -1e-9 && w.y >= -1e-9 && w.x + w.y <= 1 + 1e-9)
+        chart_of_[size_t(y) * size_t(width_) + size_t(x)] = static_cast<int32_t>(triangle);
+    }
+}
+
+// From texel to texel, the nearest of what the neighbours know first: near enough to the nearest of all, over a texture that
+// repeats.
+void LayerLight::spread() {
+  nearest_of_.assign(chart_of_.size(), -1);
+  std::deque<int32_t> front;
+  for (size_t i = 0; i < chart_of_.size(); ++i)
+    if (chart_of_[i] >= 0) nearest_of_[i] = static_cast<int32_t>(i), front.push_back(static_cast<int32_t>(i));
+  const auto apart = [&](int32_t a, int32_t b) {
+    const auto wrapped = [](int d, int n) { return std::min(std::abs(d), n - std::abs(d)); };
+    const int dx = wrapped(a % width_ - b % width_, width_), dy = wrapped(a / width_ - b / width_, height_);
+    return int64_t{dx} * dx + int64_t{dy} * dy;
+  };
+  while (!front.empty()) {
+    const int32_t at = front.front();
+    front.pop_front();
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const int32_t there = repeated(at / width_ + dy, height_) * width_ + repeated(at % width_ + dx, width_);
+        const int32_t known = nearest_of_[size_t(there)], offered = nearest_of_[size_t(at)];
+        if (known >= 0 && apart(known, there) <= apart(offered, there)) continue;
+        nearest_of_[size_t(there)] = offered;
+        front.push_back(there);
+      }
+  }
+}
+
+glm::dvec3 LayerLight::mapped_normal(glm::dvec2 uv) const {
+  const glm::dvec3 n = glm::dvec3(normals_.base(uv)) * 2.0 - 1.0;
+  const double squared = glm::dot(n, n);
+  return squared > 1e-6 ? n / std::sqrt(squared) : glm::dvec3(0, 0, 1);
+}
+
+LightsAt LayerLight::at(glm::dvec2 uv) const {
+  LightsAt lights{};
+  uv -= glm::floor(uv);
+  const size_t texel = size_t(std::min(static_cast<int>(uv.y * height_), height_ - 1)) * size_t(width_) +
+                       size_t(std::min(static_cast<int>(uv.x * width_), width_ - 1));
+  const int32_t nearest = nearest_of_[texel];
+  if (nearest < 0) return lights;
+  if (size_t(nearest) != texel) uv = {(nearest % width_ + 0.5) / width_, (nearest / width_ + 0.5) / height_};
+  const Chart& chart = charts_[size_t(chart_of_[size_t(nearest)])];
+  const glm::dvec2 w = chart.weights_from_uv * (uv - chart.first_uv);
+  const auto mixed = [&](const auto& of) {
+    return (1 - w.x - w.y) * of(*chart.corner[0]) + w.x * of(*chart.corner[1]) + w.y * of(*chart.corner[2]);
+  };
+  const glm::dvec3 position(world_from_object_ * glm::dvec4(mixed([](const Vertex& v) { return glm::dvec3(v.position); }), 1));
+  const glm::dvec3 normal = glm::normalize(normal_matrix_ * mixed([](const Vertex& v) { return glm::dvec3(v.normal); }));
+  glm::dvec3 along = glm::dmat3(world_from_object_) * mixed([](const Vertex& v) { return glm::dvec3(v.tangent); });
+  along -= normal * glm::dot(normal, along);
+  along = glm::dot(along, along) > 1e-12
+              ? glm::normalize(along)
+              : glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  const double handedness =
+      double(chart.corner[0]->tangent.w) * (glm::determinant(glm::dmat3(world_from_object_)) < 0 ? -1 : 1);
+  const glm::dvec3 mapped = mapped_normal(uv);
+  const glm::dvec3 lit =
+      along * mapped.x + glm::cross(normal, along) * (handedness < 0 ? -mapped.y : mapped.y) + normal * mapped.z;
+  for (size_t i = 0; i < std::min(scene_.lights.size(), max_lights); ++i) {
+    const Light& light = scene_.lights[i];
+    const bool point = light.kind == Light::Kind::point;
+    const glm::dvec3 to_light = point ? glm::dvec3(light.position) - position : -glm::dvec3(light.direction);
+    const double squared = std::max(glm::dot(to_light, to_light), 1e-8);
+    lights[i] =
+        glm::dvec3(light.radiance) * (std::max(glm::dot(lit, to_light), 0.0) / std::sqrt(squared) / (point ? squared : 1.0));
+  }
+  return lights;
+}
+
+}  // namespace lamina

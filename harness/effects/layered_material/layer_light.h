@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light on an object's surface by texture coordinates, as a light map holds it, but exact: at any place, from each light apart,
+// by doubles. Beyond the charts it is that of the nearest texel that a chart covers. Shares no code with shaders.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "harness/scene/scene.h"
+#include "harness/truth/filtered_texture.h"
+
+namespace lamina {
+
+// Irradiance of each light of the scene, in its order. What comes from all around is the scene's ambient light everywhere.
+using LightsAt = std::array<glm::dvec3, max_lights>;
+
+class LayerLight {
+ public:
+  // `normals`: tangent-space normals, 1/2 + 1/2 n. The object's charts are sought on a grid of as many texels as this texture
+  // has; an object without any covered texel is dark.
+  LayerLight(const Scene& scene, const Object& object, const TextureImage& normals);
+
+  LightsAt at(glm::dvec2 uv) const;
+  // The unit normal of the normal map's base level.
+  glm::dvec3 mapped_normal(glm::dvec2 uv) const;
+
+ private:
+  struct Chart {
+    glm::dmat2 weights_from_uv;  // of the second and third corner
+    glm::dvec2 first_uv;
+    std::array<const Vertex*, 3> corner;
+  };
+  void cover(uint32_t triangle);
+  void spread();
+
+  const Scene& scene_;
+  FilteredTexture normals_;
+  glm::dmat4 world_from_object_;
+  glm::dmat3 normal_matrix_;
+  int width_, height_;
+  std::vector<Chart> charts_;
+  std::vector<int32_t> chart_of_;    // by texel: a triangle, or -1
+  std::vector<int32_t> nearest_of_;  // by texel: the nearest covered texel, itself where it is covered
+};
+
+}  // namespace lamina
