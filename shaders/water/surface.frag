@@ -61,17 +61,17 @@ void main() {
   float cosine = clamp(dot(normal, to_eye), 0.01, 1.0), index = under ? 1.0 / refraction_index : refraction_index;
 
   float own_depth = 1.0 / gl_FragCoord.w;
-  Behind straight = behind_at(gl_FragCoord.xy * frame_size_px.zw);
+  Behind straight = behind_at(0, gl_FragCoord.xy * frame_size_px.zw);
   vec3 refracted = refract(-to_eye, normal, 1.0 / index);
   refracted = dot(refracted, refracted) > 0.5 ? refracted : -to_eye;  // all is reflected: not seen
   Behind found = refracted_behind(in_position, refracted, own_depth, straight, under);
-  vec3 behind = color_at(found.place);
+  vec3 behind = below_light_over_pixel(found);
 #ifdef DISPERSION
   // Red and blue by their own indices, as far as green goes (1.3310, 1.3335, 1.3372 of water).
   vec3 red = refract(-to_eye, normal, 1.0 / (index - 0.0025 * dispersion)), blue = refract(-to_eye, normal, 1.0 / (index + 0.0037 * dispersion));
   float seen_m = min(distance(found.position, in_position), bottom_far_m);
-  behind.r = under ? behind.r : color_at(place_of(in_position + seen_m * red, found.place)).r;
-  behind.b = under ? behind.b : color_at(place_of(in_position + seen_m * blue, found.place)).b;
+  behind.r = under ? behind.r : below_light(found.layer, place_of(in_position + seen_m * red, found.place)).r;
+  behind.b = under ? behind.b : below_light(found.layer, place_of(in_position + seen_m * blue, found.place)).b;
 #endif
   float way_m = max(distance(found.position, in_position), 0.0);
   vec3 body = under ? behind : bottom_light(behind, found, way_m, pixel_m) + in_scatter(refracted, way_m);
