@@ -28,6 +28,17 @@ vec3 with_ripples(vec3 normal, vec2 ground) {
 }
 #endif
 
+#ifdef SPLASHES
+#include "splash_map.glsl"
+layout(binding = 17) uniform sampler2D splash_slopes;
+// The slopes of waves that objects throw back are added too.
+vec3 with_splashes(vec3 normal, vec2 at) {
+  vec2 place = splash_place(at), slopes = -normal.xz / max(normal.y, 0.05);
+  slopes += splashes * splash_fade(place) * textureLod(splash_slopes, place, 0.0).rg;
+  return normalize(vec3(-slopes.x, 1.0, -slopes.y));
+}
+#endif
+
 layout(location = 0) in vec3 in_position;
 layout(location = 1) in vec2 in_ground;
 layout(location = 2) in vec3 in_normal;
@@ -52,6 +63,9 @@ void main() {
 #endif
 #ifdef RIPPLES
   normal = with_ripples(normal, in_ground);
+#endif
+#ifdef SPLASHES
+  normal = with_splashes(normal, in_position.xz);
 #endif
   bool under = eye_world.y < height;
   vec3 to_eye = normalize(eye_world.xyz - in_position);
