@@ -85,6 +85,7 @@ vec3 below_light_over_pixel(Behind found) {
   vec2 pixels = abs(right) + abs(down);
   float layers = abs(dFdx(float(found.layer))) + abs(dFdy(float(found.layer)));
   if (layers > 0.0 || pixels.x * frame_size_px.x > 6.0 || pixels.y * frame_size_px.y > 6.0) return below_light(found.layer, found.place);
-  return 0.25 * (below_light(found.layer, found.place - 0.25 * (right + down)) + below_light(found.layer, found.place + 0.25 * (right - down)) +
-                 below_light(found.layer, found.place - 0.25 * (right - down)) + below_light(found.layer, found.place + 0.25 * (right + down)));
+  vec2 one = 0.25 * (right + down), other = 0.25 * (right - down);
+  return 0.25 * (below_light(found.layer, found.place - one) + below_light(found.layer, found.place + other) +
+                 below_light(found.layer, found.place - other) + below_light(found.layer, found.place + one));
 }

@@ -11,6 +11,7 @@ float height_at(ivec2 at) { return texelFetch(splash_waves, clamp(at, ivec2(0), 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   float solid = texelFetch(splash_solid, at, 0).r, twice_m = 2.0 * splash_size / float(textureSize(splash_waves, 0).x);
-  vec2 slopes = vec2(height_at(at + ivec2(1, 0)) - height_at(at - ivec2(1, 0)), height_at(at + ivec2(0, 1)) - height_at(at - ivec2(0, 1))) / twice_m;
+  vec2 slopes = vec2(height_at(at + ivec2(1, 0)) - height_at(at - ivec2(1, 0)),
+                     height_at(at + ivec2(0, 1)) - height_at(at - ivec2(0, 1))) / twice_m;
   out_slopes = vec4(solid > 0.5 ? vec2(0.0) : slopes, 0.0, 1.0);
 }

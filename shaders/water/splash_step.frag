@@ -28,14 +28,18 @@ void main() {
   vec2 place = gl_FragCoord.xy / splash_side, state = iteration.x == 0 ? vec2(0.0) : texelFetch(before, at, 0).rg;
   float around = 0.0;
   if (iteration.x > 0)
-    around = texelFetch(before, clamp(at + ivec2(1, 0), ivec2(0), last), 0).r + texelFetch(before, clamp(at - ivec2(1, 0), ivec2(0), last), 0).r +
-             texelFetch(before, clamp(at + ivec2(0, 1), ivec2(0), last), 0).r + texelFetch(before, clamp(at - ivec2(0, 1), ivec2(0), last), 0).r;
+    for (int side = 0; side < 4; ++side) {
+      ivec2 step_texels = side < 2 ? ivec2(2 * side - 1, 0) : ivec2(0, 2 * side - 5);
+      around += texelFetch(before, clamp(at + step_texels, ivec2(0), last), 0).r;
+    }
   float next = 2.0 * state.x - state.y + 0.25 * (around - 4.0 * state.x);
   if (texelFetch(splash_solid, at, 0).r > 0.5) {
     float time = eye_world.w - step_s * float(iteration.y - 1 - iteration.x);
     vec2 ground = splash_ground(place);
-    float sum = come(ground, time, wave_1_amplitude, wave_1_length, wave_1_direction) + come(ground, time, wave_2_amplitude, wave_2_length, wave_2_direction) +
-                come(ground, time, wave_3_amplitude, wave_3_length, wave_3_direction) + come(ground, time, wave_4_amplitude, wave_4_length, wave_4_direction);
+    float sum = come(ground, time, wave_1_amplitude, wave_1_length, wave_1_direction);
+    sum += come(ground, time, wave_2_amplitude, wave_2_length, wave_2_direction);
+    sum += come(ground, time, wave_3_amplitude, wave_3_length, wave_3_direction);
+    sum += come(ground, time, wave_4_amplitude, wave_4_length, wave_4_direction);
     // It starts slowly: a sudden start is a wave of its own.
     next = -sum * smoothstep(0.0, 0.25, float(iteration.x) / float(iteration.y));
   }

@@ -82,7 +82,8 @@ void main() {
   vec3 behind = below_light_over_pixel(found);
 #ifdef DISPERSION
   // Red and blue by their own indices, as far as green goes (1.3310, 1.3335, 1.3372 of water).
-  vec3 red = refract(-to_eye, normal, 1.0 / (index - 0.0025 * dispersion)), blue = refract(-to_eye, normal, 1.0 / (index + 0.0037 * dispersion));
+  vec3 red = refract(-to_eye, normal, 1.0 / (index - 0.0025 * dispersion));
+  vec3 blue = refract(-to_eye, normal, 1.0 / (index + 0.0037 * dispersion));
   float seen_m = min(distance(found.position, in_position), bottom_far_m);
   behind.r = under ? behind.r : below_light(found.layer, place_of(in_position + seen_m * red, found.place)).r;
   behind.b = under ? behind.b : below_light(found.layer, place_of(in_position + seen_m * blue, found.place)).b;
@@ -91,7 +92,8 @@ void main() {
   vec3 body = under ? behind : bottom_light(behind, found, way_m, pixel_m) + in_scatter(refracted, way_m);
 
   vec3 along = reflect(-to_eye, normal);
-  vec3 mirrored = under ? in_scatter(normalize(vec3(along.x, min(along.y, -1e-3), along.z)), bottom_far_m) : reflected_light(in_position, along);
+  vec3 level = normalize(vec3(along.x, min(along.y, -1e-3), along.z));
+  vec3 mirrored = under ? in_scatter(level, bottom_far_m) : reflected_light(in_position, along);
 #ifdef TOLD
   out_ground = vec4(in_ground, in_position.y, 1.0);
   out_body = vec4(body, 1.0);
