@@ -81,12 +81,12 @@ void main() {
   Behind found = refracted_behind(in_position, refracted, own_depth, straight, under);
   vec3 behind = below_light_over_pixel(found);
 #ifdef DISPERSION
-  // Red and blue by their own indices, as far as green goes (1.3310, 1.3335, 1.3372 of water).
+  // Red and blue by their own indices (1.3310, 1.3335, 1.3372 of water), as deep as green goes.
   vec3 red = refract(-to_eye, normal, 1.0 / (index - 0.0025 * dispersion));
   vec3 blue = refract(-to_eye, normal, 1.0 / (index + 0.0037 * dispersion));
-  float seen_m = min(distance(found.position, in_position), bottom_far_m);
-  behind.r = under ? behind.r : below_light(found.layer, place_of(in_position + seen_m * red, found.place)).r;
-  behind.b = under ? behind.b : below_light(found.layer, place_of(in_position + seen_m * blue, found.place)).b;
+  float seen_m = min(max(in_position.y - found.position.y, 0.0), bottom_far_m);
+  behind.r = under ? behind.r : below_light(found.layer, place_of(in_position + way_to_depth(-red.y, seen_m) * red, found.place)).r;
+  behind.b = under ? behind.b : below_light(found.layer, place_of(in_position + way_to_depth(-blue.y, seen_m) * blue, found.place)).b;
 #endif
   float way_m = max(distance(found.position, in_position), 0.0);
   vec3 body = under ? behind : bottom_light(behind, found, way_m, pixel_m) + in_scatter(refracted, way_m);
