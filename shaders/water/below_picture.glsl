@@ -63,20 +63,22 @@ Behind behind_at(int layer, vec2 place) {
   return Behind(place, eye_world.xyz + depth * ray, depth, texel.gba, layer);
 }
 
-// The light of what a layer shows in a place, before the water takes of it.
-vec3 below_light(int layer, vec2 place) {
+// The light of what a layer shows in a place, before the water takes of it; from a level of its pyramid.
+vec3 below_light(int layer, vec2 place, float level) {
 #ifdef FRAME_BELOW
-  return textureLod(frame, place, 0.0).rgb;
+  return textureLod(frame, place, level).rgb;
 #else
   vec2 at = below_place(place);
 #if BELOW_LAYERS == 2
-  vec4 seen = layer == 1 ? textureLod(below_hidden_color, at, 0.0) : textureLod(below_color, at, 0.0);
+  vec4 seen = layer == 1 ? textureLod(below_hidden_color, at, level) : textureLod(below_color, at, level);
 #else
-  vec4 seen = textureLod(below_color, at, 0.0);
+  vec4 seen = textureLod(below_color, at, level);
 #endif
   return seen.a > 0.05 ? seen.rgb / seen.a : background.rgb;  // beside nothing a surface keeps its colour
 #endif
 }
+
+vec3 below_light(int layer, vec2 place) { return below_light(layer, place, 0.0); }
 
 // The same over what a pixel of the frame shows of it: four looks, as far apart as neighbouring pixels look. Where they look at
 // other things, one look.

@@ -10,7 +10,7 @@ layout(location = 1) out vec2 out_lands;   // less the way of a still surface's 
 layout(location = 2) out float out_passes; // of the light, over what a still surface lets through
 
 void main() {
-  vec2 still = (world_from_object * vec4(position, 1.0)).xz;
+  vec2 still = (world_from_object * vec4(position, 1.0)).xz + grid_moved();
   float lost = 0.0;
   WavePoint point = wave_point(still, grid_width(still), lost);
   vec3 normal = exact_normal(point), to_sun = light_position[0].w == 0.0 ? light_position[0].xyz : vec3(0, 1, 0);

@@ -79,7 +79,13 @@ void main() {
   vec3 refracted = refract(-to_eye, normal, 1.0 / index);
   refracted = dot(refracted, refracted) > 0.5 ? refracted : -to_eye;  // all is reflected: not seen
   Behind found = refracted_behind(in_position, refracted, own_depth, straight, under);
+#if defined(BLUR_LEVELS) && defined(SCATTERING)
+  // Turbid water blurs what is far: from level to level of the picture's pyramid, by the share of light that is scattered on the way.
+  float scattered_share = 1.0 - exp(-scattered().g * distance(found.position, in_position));
+  vec3 behind = below_light(found.layer, found.place, BLUR_LEVELS * scattered_share);
+#else
   vec3 behind = below_light_over_pixel(found);
+#endif
 #ifdef DISPERSION
   // Red and blue by their own indices (1.3310, 1.3335, 1.3372 of water), as deep as green goes.
   vec3 red = refract(-to_eye, normal, 1.0 / (index - 0.0025 * dispersion));

@@ -47,8 +47,18 @@ vec3 shore_share(vec3 depth, float wave_length) {
 // How much of a wave is drawn where details of this width are all that shows: edges of the mesh, or pixels.
 float kept_share(float wave_length, float width) { return 1.0 - smoothstep(0.25, 0.5, width / wave_length); }
 
+// How far the mesh has moved with the eye, by whole edges of its middle.
+vec2 grid_moved() {
+#ifdef GRID_FOLLOWS
+  float whole = max(grid_spacing, 1e-3);
+  return grid_follows * round(eye_world.xz / whole) * whole;
+#else
+  return vec2(0.0);
+#endif
+}
+
 // Edges of the mesh here.
-float grid_width(vec2 ground) { return grid_spacing + grid_growth * length(ground); }
+float grid_width(vec2 ground) { return grid_spacing + grid_growth * length(ground - grid_moved()); }
 
 #ifdef FFT
 #include "sea_point.glsl"

@@ -3,6 +3,7 @@
 // areas, the second picture of what lies below, and waves that objects throw back.
 #include <gtest/gtest.h>
 
+#include "harness/effects/water/waves.h"
 #include "harness/scene/made/block_mesh.h"
 #include "tests/effects/water_scenes.h"
 
@@ -133,6 +134,60 @@ TEST_P(WaterMaps, OnlyWhatStandsInTheWaterThrowsWavesBack) {
   for (int y = 0; y < 12; ++y)
     for (int x = 0; x < int(water_size); ++x)
       EXPECT_LT(glm::distance(pixel(none, x, y), pixel(some, x, y)), 1e-3f) << x << " " << y;
+}
+
+// Turbid water takes contrast from lines on the bottom, more of it the further they are; an even bottom stays as it is.
+TEST_P(WaterMaps, TurbidWaterBlursWhatIsFar) {
+  const auto pool_of = [](double scattering, bool lines) {
+    Scene scene = still_pool(1.5, {{"scattering", scattering}});
+    if (lines) add_lines(scene, 1.5f);
+    return scene;
+  };
+  const auto contrast = [&](const Image& image) {
+    float least = 1e9f, most = 0;
+    for (int x = 12; x < 36; ++x) least = std::min(least, pixel(image, x, 24).g), most = std::max(most, pixel(image, x, 24).g);
+    return double(most - least);
+  };
+  const Scene even = pool_of(8, false);
+  EXPECT_GT(decibels(seen(even, "full"), seen(even, "blur_by_distance")), 50);
+  const auto kept = [&](double scattering) {
+    const Scene scene = pool_of(scattering, true);
+    return contrast(seen(scene, "blur_by_distance")) / contrast(seen(scene, "full"));
+  };
+  const double clear = kept(1), turbid = kept(20);
+  EXPECT_GT(clear, 0.85);
+  EXPECT_LT(turbid, 0.6);
+  EXPECT_GT(turbid, 0.01);
+}
+
+// Far from the world's middle a mesh that goes with the eye has short edges, and its points are the waves'.
+TEST_P(WaterMaps, TheMeshGoesWithTheEye) {
+  const auto worst_of = [&](double follows) {
+    Scene scene = still_pool(2,
+                             {{"wave_1_amplitude", 0.1},
+                              {"wave_1_length", 8},
+                              {"wave_1_steepness", 0.1},
+                              {"grid_follows", follows},
+                              {"grid_spacing", 0.5},
+                              {"grid_growth", 0.1}},
+                             true);
+    scene.objects[0].mesh = water_disc(400, 0.5f, 0.1f);
+    scene.views[0].eye += glm::vec3(60, 0, 20), scene.views[0].target += glm::vec3(60, 0, 20);
+    const VariantManifest& baseline = variant("full");
+    DrawnFrame drawn(*backend_, library(), scene,
+                     {.variant = &baseline, .width = water_size, .height = water_size, .told = &baseline, .aspect = 1});
+    const Image told = drawn.frame.targets_of(baseline).at("seen_ground");
+    const GerstnerWaves waves(scene.effects.at("water"));
+    double worst = 0;
+    // The lower half shows water up to 5 m away.
+    for (size_t i = told.rgba.size() / 2; i < told.rgba.size(); i += 4)
+      if (told.rgba[i + 3] > 0)
+        worst = std::max(worst, std::abs(waves.at({told.rgba[i], told.rgba[i + 1]}, 0).position.y - double(told.rgba[i + 2])));
+    return worst;
+  };
+  const double followed = worst_of(1);
+  EXPECT_LT(followed, 0.02);
+  EXPECT_GT(worst_of(0), 3 * followed);
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, WaterMaps, backend_parameters, backend_test_name);
