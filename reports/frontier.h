@@ -4,7 +4,6 @@
 // answer is one of three: on the frontier, dominated, not told apart.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -12,22 +11,10 @@
 #include <vector>
 
 #include "harness/measure/statistics.h"
-#include "harness/quality/quality.h"
+#include "harness/quality/error_metrics.h"
 
 namespace lamina {
 
-// The figures that may stand for the error, in the order of the page's data.
-struct ErrorMetric {
-  const char *name, *words;  // the record's field; for people
-  bool more_is_closer;
-  double ErrorFigures::*figure;
-};
-inline constexpr std::array<ErrorMetric, 5> error_metrics = {
-    {{"ssim", "SSIM", true, &ErrorFigures::ssim},
-     {"psnr_db", "PSNR, dB", true, &ErrorFigures::psnr_db},
-     {"flip", "FLIP", false, &ErrorFigures::flip},
-     {"max_linear", "max, linear", false, &ErrorFigures::max_linear},
-     {"rmse_linear", "RMSE, linear", false, &ErrorFigures::rmse_linear}}};
 enum class Cost { time, fetches };
 enum class Reference { baseline, truth };
 

@@ -50,6 +50,7 @@ std::vector<PassRow> count_rows(const Frame& counting, const std::vector<PassCou
       row.fetches = counts[i].fetches();
       row.by_texture = counts[i].by_texture;
       row.operations = counts[i].operations;
+      row.issued = counts[i].issued;
       row.lines = dearest_lines(counts[i]);
     }
   };

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // lamina compare: every variant of every effect that the scene calls for, on every backend. The whole flow, top to bottom.
+#include "harness/cli/compare.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "harness/cli/calibrate_cost.h"
 #include "harness/cli/commands.h"
 #include "harness/cli/devices.h"
 #include "harness/cli/effect_run.h"
 #include "harness/cli/run_line.h"
-#include "harness/cli/watch.h"
 #include "harness/core/stop_signals.h"
 #include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
@@ -21,16 +23,6 @@
 
 namespace lamina {
 namespace {
-
-// Below it people see another picture at a glance; no built-in variant that is meant to be used is.
-constexpr const char* default_limit = "ssim=0.7";
-
-struct CompareOptions : WatchOptions {                // the rounds are of a backend and effect
-  std::vector<std::string> limits = {default_limit};  // METRIC=NUMBER, against the baseline
-  bool quick = false;
-  bool times = true;
-  bool watch = false;
-};
 
 // Bakes, or reads what was baked before, everything that variants of these effects want. What cannot be baked fails again, with
 // its reason, for the variants that want it.
@@ -99,6 +91,7 @@ size_t run_backend(const std::string& name, const Scene& scene, const Library& l
     timed = timer.ok;
   }
   SceneResources resources(*backend, scene, library, options.width_px, options.height_px, &bakes);
+  const std::optional<CostModel> cost_model = kept_cost_model(options.cache, name, backend->info().device);
   const SceneOnDevice there{&scene, &plan, &bakes, &resources};
   ShaderCache shaders(backend->info().api, library.shaders);
   while (!effects.empty()) {
@@ -115,7 +108,9 @@ size_t run_backend(const std::string& name, const Scene& scene, const Library& l
       append_rows_so_far(run, record);
       throw;
     }
-    for (const CellRow& row : run.rows()) append_row(record, row);
+    std::vector<CellRow> rows = run.rows();
+    if (cost_model) note_times_that_counts_do_not_tell(*cost_model, rows);
+    for (const CellRow& row : rows) append_row(record, row);
     spent.drawing += (run.spent().device - rounds.wall_ms + run.spent().read_back) / 1000;
     spent.errors += run.spent().metrics / 1000;
     spent.timing += rounds.wall_ms / 1000;
@@ -154,6 +149,8 @@ nlohmann::ordered_json limit_settings(const std::vector<std::string>& texts) {
   }
   return settings;
 }
+
+}  // namespace
 
 int run_compare(const CompareOptions& options) {
   pin_rasterizer_threads();
@@ -226,8 +223,6 @@ int run_compare(const CompareOptions& options) {
   const bool uncertified = !std::ranges::all_of(written.timers, &TimerRow::ok);
   return failed || uncertified || messages > 0 ? 1 : 0;
 }
-
-}  // namespace
 
 Command add_compare(CLI::App& program) {
   auto options = std::make_shared<CompareOptions>();

@@ -79,7 +79,11 @@ void add_truth(CLI::App& command, CellOptions& options) {
   command.add_option("--truth-rays", options.truth_rays, "Rays a pixel and light for the truth; 0: no truth")
       ->capture_default_str()
       ->check(CLI::Range(0, 65536));
-  command.add_option("--cache", options.cache, "Folder that keeps bakes and truths; \"\": none")
+  add_cache(command, options.cache);
+}
+
+void add_cache(CLI::App& command, std::filesystem::path& cache) {
+  command.add_option("--cache", cache, "Folder that keeps bakes, truths and cost models; \"\": none")
       ->capture_default_str()
       ->type_name(placeholder::directory);
 }

@@ -65,6 +65,7 @@ void add_size(CLI::App& command, FrameSize& size);
 // --budget and --precision; `timed`: what has a budget of its own.
 void add_rounds(CLI::App& command, RoundOptions& rounds, const std::string& timed);
 void add_truth(CLI::App& command, CellOptions& options);  // --truth-rays and --cache
+void add_cache(CLI::App& command, std::filesystem::path& cache);
 void add_alpha(CLI::App& command, CellOptions& options);
 void add_seed(CLI::App& command, uint64_t& seed, const std::string& help = "Seed of the order of rounds");
 void add_validation(CLI::App& command, DeviceOptions& options);

@@ -17,6 +17,7 @@ struct TextureFetches {
   std::string format;   // "rgba8_srgb"
   std::string filter;   // "trilinear"
   uint64_t fetches = 0;
+  uint64_t issued = 0;  // likewise of the untaken side of branches (shader/block_work.h)
 };
 
 struct PassCounts {
@@ -25,7 +26,8 @@ struct PassCounts {
   bool early_tests = true;  // false: some shader discards or writes depth, so fragments hidden later are counted too
   std::vector<TextureFetches> by_texture;
   std::map<std::string, uint64_t> operations;  // by the name of the class (shader/operations.h), of all stages
-  std::map<SourceLine, LineWork> lines;         // likewise; files are relative to the folder of shaders where they lie in it
+  std::map<std::string, uint64_t> issued;      // likewise of what is issued, the untaken side of branches too
+  std::map<SourceLine, LineWork> lines;        // likewise; files are relative to the folder of shaders where they lie in it
 
   uint64_t fetches() const {
     uint64_t sum = 0;

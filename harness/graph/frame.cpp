@@ -165,13 +165,14 @@ std::vector<PassCounts> Frame::counts(Sequence& sequence) {
       return value;
     };
     ShaderWork work;  // of all stages
+    Operations all_issued;
     for (const Counted& counted : step.counted) {
       const uint64_t invocations = counter(counted.first_word);
       (counted.stage == Stage::vertex ? pass.vertices : pass.fragments) += invocations;
       pass.early_tests = pass.early_tests && (counted.stage != Stage::fragment || counted.early_tests);
       std::vector<uint64_t> counts(counted.work.counted_labels().size());
       for (size_t i = 0; i < counts.size(); ++i) counts[i] = counter(counted.first_word + 2 + static_cast<uint32_t>(2 * i));
-      const ShaderWork done = counted.work.executed(invocations, counts);
+      const ShaderWork done = counted.work.executed(invocations, counts), issued = counted.work.issued(invocations, counts);
       for (const auto& [binding, fetches] : done.fetches) {
         const auto texture = counted.textures.find(binding);
         if (texture == counted.textures.end()) continue;
@@ -181,10 +182,13 @@ std::vector<PassCounts> Frame::counts(Sequence& sequence) {
         });
         TextureFetches& row = same == pass.by_texture.end() ? pass.by_texture.emplace_back(texture->second) : *same;
         row.fetches += fetches;
+        row.issued += issued.fetches.at(binding);
       }
       work.add(done, 1);
+      all_issued.add(issued.operations);
     }
     pass.operations = work.operations.by_name();
+    pass.issued = all_issued.by_name();
     for (const auto& [line, done] : work.lines) {
       const std::filesystem::path file = std::filesystem::path(line.file).lexically_relative(resources_.library().shaders);
       const bool within = !file.empty() && *file.begin() != "..";

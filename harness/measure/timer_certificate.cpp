@@ -20,14 +20,15 @@ static_assert(timer_passes.size() == kinds);
 constexpr int passes_a_frame = std::accumulate(timer_passes.begin(), timer_passes.end(), 0);
 constexpr int whole = std::inner_product(multiples.begin(), multiples.end(), timer_passes.begin(), 0);  // of the work, in a frame
 constexpr uint32_t size_px = 256;
-// What the 1x pass lasts, and how many rounds are run at most. On a machine that is busy with other things a pass waits for
-// slices of time, of some milliseconds each: longer passes and more rounds tell its time all the same. Measured beside builds
-// that kept both cores busy, the quartiles of a pass of 45 ms lay 10% apart and those of one of 125 ms 4%.
+// What the 1x pass lasts, and how many rounds are run at most. At rest passes of 12 ms tell enough, within two seconds. On a
+// machine that is busy with other things a pass waits for slices of time, of some milliseconds each: longer passes and more
+// rounds tell its time all the same. Measured beside builds that kept both cores busy, the quartiles of a pass of 45 ms lay 10%
+// apart and those of one of 125 ms 4%.
 struct Effort {
   double one_ms;
   size_t max_rounds;
 };
-constexpr std::array<Effort, 2> efforts = {{{40, 12}, {120, 40}}};
+constexpr std::array<Effort, 3> efforts = {{{12, 9}, {40, 12}, {120, 40}}};
 // Greatest share of the 1x pass that the pass without work takes too: waking threads takes half a millisecond, up to three on a
 // busy machine. A timer that gives every pass the same time has a share of 1.
 constexpr double max_fixed_share = 0.25;

@@ -57,7 +57,7 @@ std::optional<double> once_ms(const std::vector<PassRow>& passes) {
 constexpr auto fields(const TextureFetches*) {
   using Row = TextureFetches;
   return std::tuple(field("texture", &Row::texture), field("format", &Row::format), field("filter", &Row::filter),
-                    field("fetches", &Row::fetches));
+                    field("fetches", &Row::fetches), may_lack("issued", &Row::issued));
 }
 
 constexpr auto fields(const LineRow*) {
@@ -72,7 +72,7 @@ constexpr auto fields(const PassRow*) {
                     field("median_ms", &Row::median_ms), field("fragments", &Row::fragments), field("vertices", &Row::vertices),
                     field("fetches", &Row::fetches), field("early_tests", &Row::early_tests),
                     field("by_texture", &Row::by_texture), left_out("operations", &Row::operations),
-                    left_out("lines", &Row::lines));
+                    left_out("issued", &Row::issued), left_out("lines", &Row::lines));
 }
 
 constexpr auto fields(const ErrorFigures*) {

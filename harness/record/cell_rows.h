@@ -33,6 +33,7 @@ struct PassRow {
   bool early_tests = true;  // false: fragments hidden later are counted too, since the shader discards or writes depth
   std::vector<TextureFetches> by_texture;
   std::map<std::string, uint64_t> operations;  // by class (shader/operations.h); empty: a record of before has none
+  std::map<std::string, uint64_t> issued;      // likewise, the untaken sides of branches too (shader/block_work.h)
   std::vector<LineRow> lines;                  // the dearest, by the sum of their shares of the pass's fetches and operations
 };
 

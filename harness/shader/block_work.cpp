@@ -72,17 +72,26 @@ void ShaderWork::add(const ShaderWork& other, uint64_t times) {
     for (const auto& [line, work] : other.lines) lines[line].add(work, times);
 }
 
+// A block stands between the header and the merge block of every construct that it lies in.
+BlockWork::Issue BlockWork::issue_of(uint32_t block, std::span<const Construct> open) {
+  const auto innermost = std::find_if(open.rbegin(), open.rend(), [](const Construct& construct) { return construct.loop; });
+  if (innermost == open.rend()) return {};
+  const auto branch = innermost.base();  // the first construct within that loop
+  return {branch == open.end() ? block : branch->header, innermost->before};
+}
+
 BlockWork::BlockWork(const SpirvModule& module, Stage stage) {
   std::map<uint32_t, uint32_t> block_of;  // by label
   for (const SpirvInstruction& i : module.instructions())
     if (i.op() == spv::OpLabel) block_of.emplace(i.result, static_cast<uint32_t>(block_of.size())), labels_.push_back(i.result);
   work_.resize(labels_.size());
+  issues_.resize(labels_.size());
   std::vector<FlowBlock> blocks(labels_.size());
 
   bool calls = false, in_function = false;
   uint32_t block = 0;
-  SourceLine line;                  // 0: the module does not say
-  std::vector<uint32_t> loop_ends;  // labels behind the loops that are open
+  SourceLine line;              // 0: the module does not say
+  std::vector<Construct> open;  // the innermost last
   for (const SpirvInstruction& i : module.instructions()) {
     if (i.op() == spv::OpFunction) in_function = true;
     if (!in_function || i.op() == spv::OpFunction || i.op() == spv::OpFunctionParameter) continue;
@@ -92,10 +101,16 @@ BlockWork::BlockWork(const SpirvModule& module, Stage stage) {
     if (i.op() == spv::OpLabel) {
       block = block_of.at(i.result);
       line.line = 0;
-      while (!loop_ends.empty() && loop_ends.back() == i.result) loop_ends.pop_back();
-      blocks[block].loops = static_cast<uint32_t>(loop_ends.size());
+      while (!open.empty() && open.back().merge == i.result) open.pop_back();
+      blocks[block].loops = static_cast<uint32_t>(std::ranges::count(open, true, &Construct::loop));
+      issues_[block] = issue_of(block, open);
     }
-    if (i.op() == spv::OpLoopMerge) loop_ends.push_back(i.words[1]), ++blocks[block].loops;
+    if (i.op() == spv::OpSelectionMerge) open.push_back({false, i.words[1], block, block});
+    if (i.op() == spv::OpLoopMerge) {
+      open.push_back({true, i.words[1], block, std::max(block, 1U) - 1});
+      ++blocks[block].loops;
+      issues_[block] = issue_of(block, open);
+    }
     for (const uint32_t next : labels_behind(i)) blocks[block].next.push_back(block_of.at(next));
     LineWork done;
     if (is_texture_operation(i.op())) {
@@ -112,7 +127,7 @@ BlockWork::BlockWork(const SpirvModule& module, Stage stage) {
   }
   // A function that is called may discard, and then what comes into the block of the call does not leave it.
   if (calls)
-    for (block = 0; block < blocks.size(); ++block) blocks[block].next = {block};
+    for (block = 0; block < blocks.size(); ++block) blocks[block].next = {block}, issues_[block] = {block, block};
   flow_ = BlockFlow(blocks);
 }
 
@@ -120,6 +135,22 @@ std::vector<uint32_t> BlockWork::counted_labels() const {
   std::vector<uint32_t> labels;
   for (const uint32_t block : flow_.counted()) labels.push_back(labels_[block]);
   return labels;
+}
+
+ShaderWork BlockWork::issued(uint64_t invocations, std::span<const uint64_t> counts) const {
+  ShaderWork sum;
+  const std::vector<uint64_t> times = flow_.times(invocations, counts);
+  const auto issued_times = [&](auto&& self, size_t block) -> uint64_t {
+    const Issue& issue = issues_[block];
+    if (!issue.by) return invocations;
+    return issue.around == block ? times[block] : std::max(times[*issue.by], self(self, issue.around));
+  };
+  for (size_t block = 0; block < work_.size(); ++block) {
+    const uint64_t issued = issued_times(issued_times, block);
+    for (const auto& [binding, count] : work_[block].fetches) sum.fetches[binding] += issued * count;
+    sum.operations.add(work_[block].operations, issued);
+  }
+  return sum;
 }
 
 ShaderWork BlockWork::executed(uint64_t invocations, std::span<const uint64_t> counts) const {

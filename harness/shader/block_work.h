@@ -6,6 +6,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -44,11 +45,29 @@ class BlockWork {
   std::vector<uint32_t> counted_labels() const;
   // What the shader did; `counts`: beside counted_labels(). Textures that it has and did not read have 0.
   ShaderWork executed(uint64_t invocations, std::span<const uint64_t> counts) const;
+  // What a machine issues that runs all that stands in a branch, taken or not, with the lanes that did not take it masked, and
+  // goes through every loop at least once: each block as often as the code around it, as far out as the loop that it lies in.
+  // Lanes that go on while others of their group have left a loop are not in it. No lines. Equal to executed() where a function
+  // cannot be inlined.
+  ShaderWork issued(uint64_t invocations, std::span<const uint64_t> counts) const;
 
  private:
   BlockFlow flow_;
   std::vector<uint32_t> labels_;  // by block
   std::vector<ShaderWork> work_;  // by block
+  // A branch or a loop that is open: the label behind it, its first block, and the block before it.
+  struct Construct {
+    bool loop;
+    uint32_t merge, header, before;
+  };
+  // The block that is issued as often as another: the header of the outermost branch around it within its loop, or itself; none
+  // outside of loops, where a block is issued once an invocation. `around`: the block before the loop.
+  struct Issue {
+    std::optional<uint32_t> by;
+    uint32_t around = 0;
+  };
+  static Issue issue_of(uint32_t block, std::span<const Construct> open);
+  std::vector<Issue> issues_;  // by block
 };
 
 }  // namespace lamina

@@ -102,7 +102,10 @@ std::string watch_page(const WatchState& state) {
   if (!state.failure.empty())
     html += fmt::format("<pre class=\"failure\">{}</pre>\n<p class=\"note\">Below is what was drawn before.</p>\n",
                         escaped_html(state.failure));
-  for (const WatchedVariant& variant : state.variants) html += section_of(variant, state.generation);
+  // What failed stands first: whoever writes a shader looks for it.
+  for (const bool failures : {true, false})
+    for (const WatchedVariant& variant : state.variants)
+      if (variant.failure.empty() != failures) html += section_of(variant, state.generation);
   return html + fmt::format("<script>const shown = {};{}</script>\n</body></html>\n", state.generation, reload_script);
 }
 

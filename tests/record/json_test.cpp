@@ -89,7 +89,7 @@ TEST(CellToJson, HasTheFieldsThatTheDesignFixes) {
   EXPECT_EQ(names_of(line), all);
   EXPECT_EQ(names_of(line["passes"][0]), (std::set<std::string>{"name", "once", "ms", "median_ms", "fragments", "vertices",
                                                                 "fetches", "early_tests", "by_texture", "operations"}));
-  EXPECT_EQ(names_of(line["passes"][0]["by_texture"][0]), (std::set<std::string>{"texture", "format", "filter", "fetches"}));
+  EXPECT_EQ(names_of(line["passes"][0]["by_texture"][0]), (std::set<std::string>{"texture", "format", "filter", "fetches", "issued"}));
   EXPECT_EQ(names_of(line["ratio_to_baseline"]), (std::set<std::string>{"median", "low", "high", "rounds", "coverage"}));
   EXPECT_EQ(names_of(line["error"]), (std::set<std::string>{"baseline", "frame", "truth"}));
   EXPECT_EQ(names_of(line["error"]["baseline"]),

@@ -34,8 +34,10 @@ struct Counts {
   uint64_t invocations = 0;
   std::map<uint32_t, uint64_t> fetches;        // by binding
   std::map<std::string, uint64_t> operations;  // by class
-  std::map<uint32_t, LineWork> lines;          // by line of the one file
-  std::vector<uint32_t> coverage;              // a word a pixel
+  std::map<std::string, uint64_t> issued;      // likewise
+  std::map<uint32_t, uint64_t> issued_fetches;
+  std::map<uint32_t, LineWork> lines;  // by line of the one file
+  std::vector<uint32_t> coverage;      // a word a pixel
   bool early_fragment_tests = false;
   std::vector<float> picture;  // RGBA of the counting build
 
@@ -136,10 +138,12 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
   }
 
   // What a stage did whose counters begin at `first_word`.
-  static ShaderWork work_of(const std::vector<uint32_t>& words, const CountingShader& counting, size_t first_word) {
+  static ShaderWork work_of(const std::vector<uint32_t>& words, const CountingShader& counting, size_t first_word,
+                            bool issued = false) {
     std::vector<uint64_t> blocks(counting.counters());
     for (size_t i = 0; i < blocks.size(); ++i) blocks[i] = counter_at(words, first_word + 2 + 2 * i);
-    return counting.work.executed(counter_at(words, first_word), blocks);
+    const uint64_t invocations = counter_at(words, first_word);
+    return issued ? counting.work.issued(invocations, blocks) : counting.work.executed(invocations, blocks);
   }
 
   static void bind_counters(PipelineDesc& desc, Draw& draw, BufferId buffer) {
@@ -198,6 +202,9 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
     const ShaderWork work = work_of(words, counting, 2);
     counts.fetches = work.fetches;
     counts.operations = work.operations.by_name();
+    const ShaderWork issued = work_of(words, counting, 2, true);
+    counts.issued = issued.operations.by_name();
+    counts.issued_fetches = issued.fetches;
     for (const auto& [line, done] : work.lines) counts.lines[line.line].add(done);
     counts.early_fragment_tests = counting.early_fragment_tests;
   }

@@ -155,6 +155,44 @@ void main() {
                                       {"sin", pixels / 2},
                                       {"cos", pixels / 2},
                                       {"add", pixels / 2}}));
+  EXPECT_EQ(counts.issued, (Named{{"compare", pixels},
+                                  {"branch", pixels},
+                                  {"exp", pixels},
+                                  {"multiply", pixels},
+                                  {"sin", pixels},
+                                  {"cos", pixels},
+                                  {"add", pixels}}))
+      << "both sides";
+}
+
+// The untaken side of a branch is issued as often as the code around it, a loop within it once at least.
+TEST_P(OperationsRun, WhatIsIssuedFollowsTheCodeAround) {
+  const Counts counts = run({.fragment = R"(
+layout(location = 0) out vec4 o;
+layout(binding = 1) uniform sampler2D t;
+void main() {
+  float a = gl_FragCoord.y;
+  for (int i = 0; i < 4; ++i) {
+    if (i == 1 && gl_FragCoord.x < 16.0) {
+      a = exp(a);
+      if (a > 2.0) a = textureLod(t, vec2(a), 0.0).x;
+    }
+    a = log(a);
+  }
+  if (gl_FragCoord.x < 16.0)
+    for (int i = 0; i < 8; ++i) a = atan(a);
+  if (gl_FragCoord.x < 0.0)
+    for (int i = 0; i < 8; ++i) a = sin(a);
+  o = vec4(a);
+}
+)"});
+  EXPECT_EQ(counts.operations.at("exp"), pixels / 4);
+  EXPECT_EQ(counts.issued.at("exp"), 4 * pixels);
+  EXPECT_EQ(counts.issued_fetches.at(1), 4 * pixels) << "of the outermost branch in the loop";
+  EXPECT_EQ(counts.issued.at("log"), counts.operations.at("log"));
+  EXPECT_EQ(counts.issued.at("atan"), 2 * pixels) << "8 times by a quarter";
+  EXPECT_FALSE(counts.operations.contains("sin"));
+  EXPECT_EQ(counts.issued.at("sin"), pixels) << "a loop that nobody enters is gone through once";
 }
 
 TEST_P(OperationsRun, AnEarlyReturnCountsWhatCameBefore) {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What lamina compare does, for commands that measure as it does.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/cli/watch.h"
+
+namespace lamina {
+
+// Below it people see another picture at a glance; no built-in variant that is meant to be used is.
+inline constexpr const char* default_limit = "ssim=0.7";
+
+struct CompareOptions : WatchOptions {                // the rounds are of a backend and effect
+  std::vector<std::string> limits = {default_limit};  // METRIC=NUMBER, against the baseline
+  bool quick = false;
+  bool times = true;
+  bool watch = false;
+};
+
+// Measures, and leaves the record and the report in options.out. Returns the exit status.
+int run_compare(const CompareOptions& options);
+
+}  // namespace lamina

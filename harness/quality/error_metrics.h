@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The figures that may stand for the error, by the names that records and options have for them.
+#pragma once
+
+#include <array>
+
+#include "harness/quality/quality.h"
+
+namespace lamina {
+
+// In the order of the page's data.
+struct ErrorMetric {
+  const char *name, *words;  // the record's field; for people
+  bool more_is_closer;
+  double ErrorFigures::*figure;
+};
+inline constexpr std::array<ErrorMetric, 5> error_metrics = {
+    {{"ssim", "SSIM", true, &ErrorFigures::ssim},
+     {"psnr_db", "PSNR, dB", true, &ErrorFigures::psnr_db},
+     {"flip", "FLIP", false, &ErrorFigures::flip},
+     {"max_linear", "max, linear", false, &ErrorFigures::max_linear},
+     {"rmse_linear", "RMSE, linear", false, &ErrorFigures::rmse_linear}}};
+
+}  // namespace lamina
