@@ -42,9 +42,10 @@ float angle_between(vec3 a, vec3 b) { return atan(length(cross(a, b)), dot(a, b)
 // Lambert's cosine at the middle of two directions; where they are opposite there is none.
 float middle_cosine(vec3 normal, vec3 a, vec3 b) { return max(dot(normal, unit_or(a + b, vec3(0))), 0.0); }
 
-// The cosine integrated over what two caps share, over its area. Both caps hold the smaller one's share of the line through their
+// The cosine integrated over what two caps share, over its area, and over that integral's share of a whole light's, which gives its
+// irradiance at normal incidence. Both caps hold the smaller one's share of the line through their
 // centres from max(-r, d - R) to r, r and R their radii, d apart: its middle lies r (1 - overlap) from the smaller one's centre. Over a
-// whole cap above the horizon the cosine's mean is that at its centre times (1 + cos r) / 2, here to the fourth power of r.
+// whole cap above the horizon the cosine's mean is that at its centre times (1 + cos r) / 2: a smaller light's own factor cancels.
 float lens_cosine(vec3 normal, vec4 aperture, LightCap light, float apart) {
   bool light_is_smaller = light.radius <= aperture.w;
   float r = max(min(light.radius, aperture.w), least_radius);
@@ -52,8 +53,8 @@ float lens_cosine(vec3 normal, vec4 aperture, LightCap light, float apart) {
   float cosine = dot(from, to), shift = r * (1.0 - cap_overlap(light.radius, max(aperture.w, least_radius), apart));
   vec3 across = to - from * cosine;
   vec3 middle = from + across * (shift * inversesqrt(max(dot(across, across), 1e-12)));
-  float squared = r * r;
-  return max(dot(normal, middle), 0.0) * inversesqrt(dot(middle, middle)) * (1.0 + squared * (squared / 48.0 - 0.25));
+  float whole = light_is_smaller ? 1.0 : (1.0 + cos(r)) / (1.0 + cos(light.radius));
+  return max(dot(normal, middle), 0.0) * inversesqrt(dot(middle, middle)) * whole;
 }
 
 void main() {

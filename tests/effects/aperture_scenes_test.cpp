@@ -82,7 +82,7 @@ TEST_P(ApertureScenes, ExactCapIsTheDoubleForm) {
 // The cosine over the shared area, in closed form, against the double form's sum over the area; the cosine at the middle of the
 // two directions is far from it.
 TEST_P(ApertureScenes, LensCosineIsTheCosineOverTheSharedArea) {
-  for (const std::string name : {"sphere_over_plane", "two_windows"}) {
+  for (const std::string name : {"sphere_over_plane", "conical_pit"}) {
     const Scene scene = small(name);
     Bakes bakes(scene, effect_code(), DiskCache(""));
     const Pictures lens = pictures(scene, bakes, false, "exact_lens_cosine", "exact_cap");
