@@ -118,7 +118,7 @@ TEST_P(WaterPictures, WhatIsNotAskedForIsLeftOut) {
   EXPECT_TRUE(passes_of(scene, "full").contains("mirror"));
   EXPECT_FALSE(passes_of(scene, "full").contains("told"));
   EXPECT_FALSE(passes_of(scene, "sky_map").contains("mirror"));
-  EXPECT_FALSE(passes_of(scene, "sky_map").contains("mirror_blur"));
+  EXPECT_FALSE(passes_of(scene, "full").contains("splash_step"));
   Scene away = still_pool(2);
   away.views[0].target = {0, 20, 0}, away.views[0].eye = {0, 10, 0};
   EXPECT_FALSE(make_plan(library(), away, 1).of("water")->called_for) << "no view sees it";
