@@ -39,7 +39,7 @@ struct SchemaKind {
   const char *name, *of;
   Schema (*make)(const Library& library);
 };
-const std::array<SchemaKind, 6> kinds_of_schemas = {
+const std::array<SchemaKind, 7> kinds_of_schemas = {
     {{"scene", "a scene file", [](const Library& library) { return schema_of_form(*scene_form(library)); }},
      {"manifest", "a variant's manifest", [](const Library&) { return schema_of_form(*variant_form()); }},
      {"effect", "an effect.toml", [](const Library& library) { return schema_of_form(*effect_form(*library.code)); }},
