@@ -23,6 +23,7 @@ Command add_gate(CLI::App& program);
 Command add_sweep(CLI::App& program);
 Command add_merge(CLI::App& program);
 Command add_stress(CLI::App& program);
+Command add_choose(CLI::App& program);
 Command add_calibrate(CLI::App& program);
 Command add_diff(CLI::App& program);
 Command add_plan(CLI::App& program);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "harness/core/text.h"
+#include "harness/plan/configuration_file.h"
 
 namespace lamina {
 
@@ -16,6 +17,12 @@ bool is_compared(const VariantManifest& variant, const CellOptions& options) {
 
 Library load_library_for(const SceneOptions& options) {
   return load_library(home_folder(), effect_code(), options.variants_dirs);
+}
+
+Plan plan_for(const SceneOptions& options, const Library& library, const Scene& scene, std::optional<double> aspect) {
+  Plan plan = make_plan(library, scene, aspect);
+  if (!options.configuration.empty()) apply_configuration(plan, options.configuration);
+  return plan;
 }
 
 void check_variant_names(std::string_view stage, const std::vector<std::string>& wanted,

@@ -16,6 +16,10 @@ Library load_library_for(const SceneOptions& options);
 // A scene that has objects and views, or Error(bad_input).
 Scene load_scene_for(const SceneOptions& options, const Library& library);
 
+// make_plan(), and at which variants effects stand by the options' configuration file.
+Plan plan_for(const SceneOptions& options, const Library& library, const Scene& scene,
+              std::optional<double> aspect = std::nullopt);
+
 // Whether the options ask for this variant; a baseline is always compared.
 bool is_compared(const VariantManifest& variant, const CellOptions& options);
 // Effects with something to compare; where there are none, whatever the scene calls for, so that its picture and cost are

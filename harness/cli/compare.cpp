@@ -159,7 +159,7 @@ int run_compare(const CompareOptions& options) {
   const nlohmann::ordered_json limits = limit_settings(options.limits);
   const Library library = load_library_for(options.scene);
   const Scene scene = load_scene_for(options.scene, library);
-  const Plan plan = make_plan(library, scene, options.aspect());
+  const Plan plan = plan_for(options.scene, library, scene, options.aspect());
   const std::vector<const EffectManifest*> effects = compared_effects(plan);
   check_variant_names("compare", options.variants, variant_names(effects));
   const std::vector<ProbedBackend> backends = probe_backends(options);
@@ -229,6 +229,7 @@ Command add_compare(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "compare", "Every variant of every effect the scene calls for, on every backend: table, record, report");
   add_scene(command, options->scene);
+  add_configuration(command, options->scene);
   add_out(command, options->out);
   add_backends(command, *options);
   add_variant(command, options->variants);

@@ -157,7 +157,7 @@ void EffectRun::prepare(Variant& variant) {
     double cold_ms = 0;
     {
       const Clock clock(cold_ms);
-      auto ready = std::make_unique<ReadyFrame>(*scene_.resources, *scene_.plan, *variant.manifest, shaders_, parameters,
+      auto ready = std::make_unique<ReadyFrame>(*scene_.resources, *scene_.plan, configuration_with(*scene_.plan, *variant.manifest), shaders_, parameters,
                                                 point_.timed ? Timing::bracketed : Timing::off);
       variant.prepared.push_front({.key = key, .ready = std::move(ready)});
     }

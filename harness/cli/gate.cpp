@@ -152,6 +152,7 @@ Command add_gate(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "gate", "Compares two states of the code; fails where the newer one is slower, fetches more or is less accurate");
   add_scene(command, options->compare.scene);
+  add_configuration(command, options->compare.scene);
   CLI::Option* against = command
                              .add_option("--against", options->against,
                                          "Tree of variants/ and shaders/ as they were before, measured in the same run")

@@ -44,7 +44,7 @@ void GateProcess::end(const EmitLine& emit) { emit({{"messages", backend->take_m
 ReadyFrame& ProcessFrames::get(Tree& tree, const VariantManifest& variant, size_t copy) {
   std::unique_ptr<ReadyFrame>& ready = made_[{&tree, &variant, copy}];
   if (!ready)
-    ready = std::make_unique<ReadyFrame>(*process_.scene_of(tree).resources, tree.plan, variant,
+    ready = std::make_unique<ReadyFrame>(*process_.scene_of(tree).resources, tree.plan, configuration_with(tree.plan, variant),
                                          tree.shaders.at(process_.backend->info().api));
   return *ready;
 }

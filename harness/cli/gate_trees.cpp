@@ -5,6 +5,7 @@
 #include <set>
 
 #include "harness/cli/gate_process.h"
+#include "harness/cli/common.h"
 #include "harness/core/text.h"
 #include "harness/gate/identity.h"
 #include "harness/gate/verdict.h"
@@ -64,7 +65,7 @@ Tree load_tree(Library library, const CellOptions& options, const Tree* known) {
     const Api api = backend == "vulkan" ? Api::vulkan : Api::opengl;
     tree.shaders.try_emplace(api, api, tree.library.shaders);
   }
-  tree.plan = make_plan(tree.library, *tree.scene, options.aspect());
+  tree.plan = plan_for(options.scene, tree.library, *tree.scene, options.aspect());
   return tree;
 }
 

@@ -57,9 +57,9 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version",
                        fmt::format("lamina {} (commit {}, build {})", LAMINA_VERSION, LAMINA_COMMIT, LAMINA_BUILD_NAME));
   app.require_subcommand(1);
-  const Command commands[] = {add_compare(app), add_gate(app),      add_sweep(app), add_merge(app),   add_stress(app),
-                              add_diff(app),    add_calibrate(app), add_plan(app),  add_list(app),    add_report(app),
-                              add_history(app), add_schema(app),    add_man(app),   add_complete(app)};
+  const Command commands[] = {add_compare(app), add_gate(app),    add_sweep(app),     add_merge(app), add_stress(app),
+                              add_choose(app),  add_diff(app),    add_calibrate(app), add_plan(app),  add_list(app),
+                              add_report(app),  add_history(app), add_schema(app),    add_man(app),   add_complete(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

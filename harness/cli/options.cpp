@@ -40,6 +40,13 @@ void add_scene(CLI::App& command, SceneOptions& options) {
   add_variants_dir(command, options);
 }
 
+void add_configuration(CLI::App& command, SceneOptions& options) {
+  command
+      .add_option("--configuration", options.configuration,
+                  "File of lamina choose: at which variant each effect stands while another is compared; baselines without")
+      ->type_name(placeholder::file);
+}
+
 void add_out(CLI::App& command, std::filesystem::path& out, const std::string& help) {
   command.add_option("--out", out, help)->capture_default_str()->type_name(placeholder::directory);
 }

@@ -27,6 +27,7 @@ struct SceneOptions {
   std::string scene = "heart";
   std::optional<float> time_s;
   std::vector<std::filesystem::path> variants_dirs;
+  std::filesystem::path configuration;  // a file of lamina choose; empty: effects stand at their baselines
 };
 
 // Of commands that run on devices.
@@ -55,6 +56,7 @@ void add_variants_dir(CLI::App& command, SceneOptions& options,
                       const std::string& help = "Folder with variants of your own: manifests and shaders (may be given again)");
 // The two above, and between them --time.
 void add_scene(CLI::App& command, SceneOptions& options);
+void add_configuration(CLI::App& command, SceneOptions& options);
 void add_out(CLI::App& command, std::filesystem::path& out, const std::string& help = "Folder for record, report and pictures");
 void add_backends(CLI::App& command, DeviceOptions& options);  // and --device
 void add_variant(CLI::App& command, std::vector<std::string>& variants,

@@ -27,7 +27,7 @@ struct PlanOptions : SceneOptions, FrameSize {};
 int run_plan(const PlanOptions& options) {
   const Library library = load_library_for(options);
   const Scene scene = load_scene_for(options, library);
-  const Plan plan = make_plan(library, scene, options.aspect());
+  const Plan plan = plan_for(options, library, scene, options.aspect());
   ShaderCache shaders(Api::vulkan, library.shaders);
   const PlanRow row = plan_row(plan, scene, shaders);
   fmt::print("scene {}: {} object{}, {} light{}, {} view{}; meshes {}, lights {}\n", scene.name, scene.objects.size(),
@@ -50,6 +50,7 @@ Command add_plan(CLI::App& program) {
   auto options = std::make_shared<PlanOptions>();
   CLI::App& command = *program.add_subcommand("plan", "What the scene calls for and why, and the passes");
   add_scene(command, *options);
+  add_configuration(command, *options);
   add_size(command, *options);
   return {&command, [=](const std::string&) { return run_plan(*options); }};
 }

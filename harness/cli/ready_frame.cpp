@@ -3,9 +3,9 @@
 
 namespace lamina {
 
-ReadyFrame::ReadyFrame(SceneResources& resources, const Plan& plan, const VariantManifest& variant, ShaderCache& shaders,
+ReadyFrame::ReadyFrame(SceneResources& resources, const Plan& plan, const Configuration& configuration, ShaderCache& shaders,
                        const Parameters& parameters, Timing timing)
-    : graph(make_graph(plan, configuration_with(plan, variant), resources.scene(), shaders, nullptr, parameters)),
+    : graph(make_graph(plan, configuration, resources.scene(), shaders, nullptr, parameters)),
       frame(resources, graph, Build::timed),
       view(resources.scene().views.front().name) {
   wall_ms = frame.run_once(Timing::off).wall_ms;

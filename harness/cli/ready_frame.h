@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A variant's frame of the timed build that has run: its passes are compiled, what is done once is done.
+// A configuration's frame of the timed build that has run: its passes are compiled, what is done once is done.
 #pragma once
 
 #include "harness/graph/frame.h"
@@ -8,8 +8,8 @@
 namespace lamina {
 
 struct ReadyFrame {
-  // Everything given must outlive this. Throws Error where the variant does not compile or the device refuses.
-  ReadyFrame(SceneResources& resources, const Plan& plan, const VariantManifest& variant, ShaderCache& shaders,
+  // Everything given must outlive this. Throws Error where a variant does not compile or the device refuses.
+  ReadyFrame(SceneResources& resources, const Plan& plan, const Configuration& configuration, ShaderCache& shaders,
              const Parameters& parameters = {}, Timing timing = Timing::bracketed);
 
   Graph graph;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/cli/scene_on_device.h"
 
+#include "harness/cli/common.h"
 #include "harness/scene/digest.h"
 
 namespace lamina {
@@ -11,7 +12,7 @@ SweptSceneOnDevice::SweptSceneOnDevice(Backend& backend, SweptScene& scenes, con
       library_(library),
       options_(options),
       scene_(scenes.scene()),
-      plan_(make_plan(library, scene_, options.aspect())) {}
+      plan_(plan_for(options.scene, library, scene_, options.aspect())) {}
 
 void SweptSceneOnDevice::go_to(size_t point, const std::function<void()>& release) {
   const std::string before = std::exchange(device_digest_, "");  // until all is well
@@ -27,7 +28,7 @@ void SweptSceneOnDevice::go_to(size_t point, const std::function<void()>& releas
   } else {
     resources_->update(meshes != meshes_digest_);
   }
-  plan_ = make_plan(library_, scene_, options_.aspect());
+  plan_ = plan_for(options_.scene, library_, scene_, options_.aspect());
   meshes_digest_ = meshes;
   device_digest_ = device;
 }

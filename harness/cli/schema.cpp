@@ -11,6 +11,7 @@
 #include "harness/cli/commands.h"
 #include "harness/cli/common.h"
 #include "harness/cli/form_schema.h"
+#include "harness/plan/configuration_file.h"
 #include "harness/cli/schemas.h"
 #include "harness/core/text.h"
 #include "harness/gate/limits.h"
@@ -43,6 +44,7 @@ const std::array<SchemaKind, 6> kinds_of_schemas = {
      {"manifest", "a variant's manifest", [](const Library&) { return schema_of_form(*variant_form()); }},
      {"effect", "an effect.toml", [](const Library& library) { return schema_of_form(*effect_form(*library.code)); }},
      {"family", "a family.toml", [](const Library& library) { return schema_of_form(*family_form(*library.code)); }},
+     {"configuration", "a configuration file", [](const Library&) { return schema_of_form(*configuration_form()); }},
      {"gate", "a gate file", [](const Library& library) { return schema_of_form(*limits_form(all_names(library))); }},
      {"record", "a line of record.jsonl", [](const Library&) { return record_line_schema(); }}}};
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "harness/cli/commands.h"
+#include "harness/cli/common.h"
 #include "harness/cli/devices.h"
 #include "harness/cli/effect_run.h"
 #include "harness/cli/run_line.h"
@@ -241,7 +242,7 @@ int run_sweep(const SweepOptions& options) {
   const Library library = load_library_for(options.compare.scene);
   SweptScene scenes(scene_of(options, library), library, points_from(options));
   const Scene& scene = scenes.scene();
-  const Plan plan = make_plan(library, scene);  // what no view sees now, another point may show
+  const Plan plan = plan_for(options.compare.scene, library, scene);  // what no view sees now, another point may show
   const std::vector<const EffectManifest*> effects = compared_effects(plan);
   check_variant_names("sweep", options.compare.variants, variant_names(effects));
   std::vector<Limit> limits;
@@ -298,6 +299,7 @@ Command add_sweep(CLI::App& program) {
   CLI::App& command =
       *program.add_subcommand("sweep", "Errors and cost of every variant along parameters; resumes where it was stopped");
   add_scene_name(command, options->compare.scene);
+  add_configuration(command, options->compare.scene);
   command
       .add_option(
           "--set", options->sets,

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <thread>
 
+#include "harness/cli/common.h"
 #include "harness/cli/devices.h"
 #include "harness/cli/effect_run.h"
 #include "harness/cli/run_line.h"
@@ -40,7 +41,7 @@ struct World {
   World(Backend& backend, const WatchOptions& options)
       : library(load_library_for(options.scene)),
         scene(watched_scene(options, library)),
-        plan(make_plan(library, scene, options.aspect())),
+        plan(plan_for(options.scene, library, scene, options.aspect())),
         effects(compared_effects(plan)),
         bakes(scene, *library.code, DiskCache(options.cache)),
         resources(backend, scene, library, options.width_px, options.height_px, &bakes) {

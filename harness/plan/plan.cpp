@@ -122,13 +122,20 @@ Plan make_plan(const Library& library, const Scene& scene, std::optional<double>
   return plan;
 }
 
-Configuration configuration_with(const Plan& plan, const VariantManifest& variant) {
+Configuration configuration_of(const Plan& plan, const std::map<std::string, const VariantManifest*, std::less<>>& variants) {
   Configuration configuration;
   for (const EffectPlan& entry : plan.effects) {
     if (!entry.called_for) continue;
-    configuration.push_back(entry.effect->name == variant.effect ? &variant : &entry.effect->baseline());
+    const VariantManifest* variant = &entry.effect->baseline();
+    for (const auto* given : {&plan.chosen, &variants})
+      if (const auto found = given->find(entry.effect->name); found != given->end()) variant = found->second;
+    configuration.push_back(variant);
   }
   return configuration;
+}
+
+Configuration configuration_with(const Plan& plan, const VariantManifest& variant) {
+  return configuration_of(plan, {{variant.effect, &variant}});
 }
 
 }  // namespace lamina

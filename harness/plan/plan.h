@@ -33,6 +33,8 @@ struct Plan {
   std::vector<EffectPlan> effects;  // in drawing order, those not called for too
   // The solid objects, and those of effects that do not read the frame, by index.
   std::vector<size_t> all, opaque;
+  // By effect: the variant at which it stands while another effect is compared, where that is not its baseline.
+  std::map<std::string, const VariantManifest*, std::less<>> chosen;
 
   const EffectPlan* of(std::string_view effect) const;
 };
@@ -52,7 +54,9 @@ std::map<std::string, std::string> feature_defines(const EffectManifest& effect,
 
 // One variant for each effect that is called for, in drawing order.
 using Configuration = std::vector<const VariantManifest*>;
-// Every effect at its baseline, but `variant` for its own effect.
+// Every effect as it is chosen, else at its baseline, but `variant` for its own effect.
 Configuration configuration_with(const Plan& plan, const VariantManifest& variant);
+// Of these variants, by effect; effects that are not named stand as they are chosen, else at their baselines.
+Configuration configuration_of(const Plan& plan, const std::map<std::string, const VariantManifest*, std::less<>>& variants);
 
 }  // namespace lamina

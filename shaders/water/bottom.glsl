@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light of what lies under water: it has come down through the water, and goes up to the surface through it. CAUSTICS: the sun's
 // part is gathered by waves.
-#ifdef CAUSTICS
+#if defined(CAUSTICS) && defined(CAUSTIC_REACH)
+layout(binding = 9) uniform sampler2D caustic_map;
+
+// Of the waves themselves, gathered on one level. Over and under it light is gathered less and more: its contrast is scaled.
+float caustic_light(vec3 position, float pixel_m) {
+  vec3 sun = sun_in_water();
+  float depth = max(height - position.y, 0.0), texel_m = 2.0 * CAUSTIC_REACH / float(textureSize(caustic_map, 0).x);
+  float level = log2(max(pixel_m / texel_m, 1.0));
+  vec2 place = (position.xz + sun.xz / sun.y * depth) / (2.0 * CAUSTIC_REACH) + 0.5;
+  vec2 inside = clamp(min(place, 1.0 - place) / 0.05, 0.0, 1.0);
+  float light = textureLod(caustic_map, place, level).r;
+  return mix(1.0, light, min(caustics, 1.0) * inside.x * inside.y * min(depth / CAUSTIC_DEPTH, 1.0));
+}
+#elif defined(CAUSTICS)
 layout(binding = 9) uniform sampler2D caustic_table;
 
 // 1 in the mean: the lesser of two patterns that drift, found where the refracted sunlight came through the still surface. A
@@ -27,5 +40,6 @@ vec3 bottom_light(vec3 color, Behind found, float way_m, float pixel_m) {
 #else
   const float gathered = 1.0;
 #endif
-  return color * (sun_share * gathered * exp(-c * (depth / sun_in_water().y)) + (1.0 - sun_share) * exp(-c * (depth / sky_cosine))) * exp(-c * way_m);
+  vec3 sun = sun_share * gathered * exp(-c * (depth / sun_in_water().y)), rest = (1.0 - sun_share) * exp(-c * (depth / sky_cosine));
+  return color * (sun + rest) * exp(-c * way_m);
 }

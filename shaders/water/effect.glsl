@@ -13,4 +13,5 @@ layout(std140, binding = 3) uniform Effect {
   float absorption_red, absorption_green, absorption_blue;
   float scattering, scattering_red, scattering_green, scattering_blue, scattering_g;
   float caustics, caustic_size, foam, foam_size, foam_height, foam_depth, soft_edge, specular, specular_width, sky_light;
+  float splashes, splash_size, grid_follows;
 };

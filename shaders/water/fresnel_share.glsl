@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The share of light that the surface reflects. FRESNEL: exact_share, schlick_share, rough_share. `index`: of the side behind over that of the eye;
-// `lost`: variance of the slopes, an axis, that the normal does not show.
+// The share of light that the surface reflects. FRESNEL: exact_share, schlick_share, rough_share. `index`: of the side behind over that
+// of the eye; `lost`: variance of the slopes, an axis, that the normal does not show.
 #define exact_share 0
 #define schlick_share 1
 #define rough_share 2

@@ -9,6 +9,7 @@
 #define sky_alone 3
 #define by_march 4
 
+#include "mirror_place.glsl"
 #if REFLECTION != sky_alone
 layout(binding = 5) uniform sampler2D reflection;
 #endif
@@ -20,7 +21,7 @@ const float mirrored_far_m = 1e4;
 
 vec2 mirror_place(vec3 world) {
   vec4 clip = mirror_clip_from_world * vec4(world, 1.0);
-  return clip.w > 1e-4 ? clip.xy / clip.w * 0.5 + 0.5 : vec2(-1.0);
+  return clip.w > 1e-4 ? clip.xy / (clip.w * mirror_guard) * 0.5 + 0.5 : vec2(-1.0);
 }
 float mirror_depth_of(vec4 world) { return (mirror_clip_from_world * world).w; }
 

@@ -1,50 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a picture of what is below shows what a refracted ray meets. The picture is drawn for it, and is wider than the frame by
-// GUARD each way: rays bend towards the frame's lower edge and beyond. With FRAME_BELOW it is the frame. REFRACTION: to_depth (down
-// to the depth of what is behind the pixel, and again from what is found there, LANDINGS_BELOW times), marched (from there the first
-// place along the ray that lies behind what the picture shows, in MARCH_STEPS steps, up to twice as far as the deepest of them),
-// as_long_as (as long as the unrefracted way), unbent.
+// What a refracted ray meets, found in the picture of what lies below. REFRACTION: to_depth (down to the depth of what is behind the
+// pixel, and again from what is found there, LANDINGS_BELOW times), marched (along the ray to the first surface that it crosses, in
+// MARCH_STEPS steps, and to_depth where it crosses none), as_long_as (as long as the unrefracted way), unbent.
 #define to_depth 0
 #define as_long_as 1
 #define unbent 2
 #define marched 3
 #include "refraction_way/refraction_way.glsl"
+#include "below_picture.glsl"
 
-layout(binding = 7) uniform sampler2D below;  // metres along the view's axis, 0 where there is nothing; the sun's share
-#ifndef FRAME_BELOW
-layout(binding = 8) uniform sampler2D below_color;  // alpha 1 where there is something, else all 0
-// From the frame's place, 0 to 1, to the picture's.
-vec2 on_picture(vec2 place) { return (place - 0.5) / GUARD + 0.5; }
-vec3 color_at(vec2 place) {
-  vec4 seen = textureLod(below_color, on_picture(place), 0.0);
-  return seen.rgb + (1.0 - seen.a) * background.rgb;
-}
-#else
-layout(binding = 8) uniform sampler2D frame;
-vec2 on_picture(vec2 place) { return place; }
-vec3 color_at(vec2 place) { return textureLod(frame, place, 0.0).rgb; }
-#endif
-
-const float bottom_far_m = 1e4;
 const float unknown_way_m = 8.0;  // where a ray is looked for whose pixel shows nothing below
+const float endless_m = 1e3;      // of a ray that is followed
 
-struct Behind {
-  vec2 place;       // on the frame; outside 0 to 1 beside it
-  vec3 position;
-  float view_depth;
-  vec3 sun_share;
-};
-
-// What the picture shows in a place of the frame.
-Behind behind_at(vec2 place) {
-  ivec2 size = textureSize(below, 0);
-  vec4 texel = texelFetch(below, clamp(ivec2(on_picture(place) * vec2(size)), ivec2(0), size - 1), 0);
-  vec4 far = world_from_clip * vec4(place * 2.0 - 1.0, 1.0, 1.0);
-  vec3 ray = (far.xyz / far.w - eye_world.xyz) * far.w;  // a metre along the view's axis
-  float depth = texel.r > 0.0 ? min(texel.r, bottom_far_m) : bottom_far_m;
-  return Behind(place, eye_world.xyz + depth * ray, depth, texel.gba);
-}
-
+float view_depth_of(vec3 world) { return (clip_from_world * vec4(world, 1.0)).w; }
 // Where a point of the ray stands on the frame.
 vec2 place_of(vec3 world, vec2 otherwise) {
   vec4 clip = clip_from_world * vec4(world, 1.0);
@@ -62,30 +30,83 @@ float way_down(vec3 from, vec3 along, Behind found, Behind straight, bool under)
 }
 
 #if REFRACTION == marched
-// Whether a point of the ray lies behind what the picture shows, by less than `thick_m`: further behind, the ray passes behind it.
-bool lies_behind(vec3 at, float thick_m, vec2 otherwise) {
-  float off = (clip_from_world * vec4(at, 1.0)).w - behind_at(place_of(at, otherwise)).view_depth;
-  return off > 0.0 && off < thick_m;
+// A ray on the picture: straight, and straight in the inverse of depth.
+struct PictureRay {
+  vec2 first, last;
+  float first_inverse, last_inverse, reach;
+};
+vec2 place_on(PictureRay ray, float t) { return mix(ray.first, ray.last, t); }
+float depth_on(PictureRay ray, float t) { return 1.0 / mix(ray.first_inverse, ray.last_inverse, t); }
+float way_on(PictureRay ray, float t) { return ray.reach * t * ray.last_inverse * depth_on(ray, t); }
+// How far behind a layer's surface it is. either_layer: behind the hidden one where it is behind the first, and there is one.
+const int either_layer = 2;
+float behind_by(PictureRay ray, int layer, float t) {
+  float depth = depth_on(ray, t), off = depth - smooth_depth_at(layer == 1 ? 1 : 0, place_on(ray, t));
+  if (layer != either_layer || off <= 0.0) return off;
+  float hidden = smooth_depth_at(1, place_on(ray, t));
+  return hidden < bottom_far_m ? depth - hidden : off;
 }
 
-// The first place within `reach` along the ray that lies behind what the picture shows; the reach where none does.
-float marched_way(vec3 from, vec3 along, float reach, vec2 otherwise) {
-  float step_m = reach / float(MARCH_STEPS), before = 0.0, behind = reach;
-  bool is_found = false;
-  for (int i = 1; i <= MARCH_STEPS; ++i) {
-    float way = step_m * float(i);
-    bool is_behind = lies_behind(from + way * along, 6.0 * step_m, otherwise);
-    before = is_found || is_behind ? before : way;
-    behind = is_behind && !is_found ? way : behind;
-    is_found = is_found || is_behind;
+// Where, from `before` to `after`, the ray crosses the layer's surface; below 0 where it only passes behind its edge: there the
+// distance to the surface jumps, however short the step.
+float crossing(PictureRay ray, int layer, float before, float after) {
+  // Between texels it may cross a little before or after.
+  float more = after - before, off_before = behind_by(ray, layer, before), off_after = behind_by(ray, layer, after);
+  if (off_before > 0.0) off_before = behind_by(ray, layer, before = max(before - more, 0.0));
+  if (off_after <= 0.0) off_after = behind_by(ray, layer, after += more);
+  if (off_before > 0.0 || off_after <= 0.0) return -1.0;
+  float whole = off_after - off_before;
+  for (int i = 0; i < 6; ++i) {
+    float middle = 0.5 * (before + after), off = behind_by(ray, layer, middle);
+    if (off > 0.0) {
+      after = middle, off_after = off;
+    } else {
+      before = middle, off_before = off;
+    }
   }
-  for (int i = 0; i < 5; ++i) {
-    float way = 0.5 * (before + behind);
-    bool is_behind = lies_behind(from + way * along, 6.0 * step_m, otherwise);
-    before = is_behind ? before : way;
-    behind = is_behind ? way : behind;
+  return off_after - off_before < 0.25 * whole ? mix(before, after, off_before / min(off_before - off_after, -1e-9)) : -1.0;
+}
+
+// The share of the way from one place of the picture to another that lies within it.
+float share_within(vec2 first, vec2 last) {
+  vec2 step_uv = last - first, edge = vec2(step_uv.x < 0.0 ? 0.0 : 1.0, step_uv.y < 0.0 ? 0.0 : 1.0);
+  vec2 share = (edge - first) / vec2(abs(step_uv.x) < 1e-9 ? 1e-9 : step_uv.x, abs(step_uv.y) < 1e-9 ? 1e-9 : step_uv.y);
+  return clamp(min(share.x, share.y), 0.0, 1.0);
+}
+
+// The first surface that the ray crosses within the picture: its way, and its layer; a way below 0 where it meets none. Steps are
+// even on the picture.
+float marched_way(vec3 from, vec3 along, vec2 from_place, out int layer) {
+  float start = view_depth_of(from), ahead = view_depth_of(from + along) - start;
+  // Towards the eye: as far as a way that does not pass it.
+  float reach = ahead < 0.0 ? min(endless_m, 0.8 * start / -ahead) : endless_m;
+  PictureRay ray = PictureRay(from_place, place_of(from + reach * along, from_place), 1.0 / start, 1.0 / (start + reach * ahead), reach);
+  float found = -1.0, within = share_within(below_place(ray.first), below_place(ray.last));
+  layer = 0;
+  bool was_behind = start > below_depth_at(0, ray.first);
+#if BELOW_LAYERS == 2
+  float was_hidden_by = start - below_depth_at(1, ray.first);
+#endif
+  for (int i = 1; i <= MARCH_STEPS && found < 0.0; ++i) {
+    float before = within * float(i - 1) / float(MARCH_STEPS), t = within * float(i) / float(MARCH_STEPS), depth = depth_on(ray, t);
+    vec2 place = place_on(ray, t);
+    bool is_behind = depth > below_depth_at(0, place);
+    bool is_crossed = is_behind && !was_behind;
+    if (is_crossed) found = crossing(ray, 0, before, t);
+#if BELOW_LAYERS == 2
+    // A surface that was hidden may not be any more: what hid it ends here. Or it is hidden from here on.
+    float hidden_by = depth - below_depth_at(1, place);
+    bool was_between = was_behind && was_hidden_by <= 0.0 && was_hidden_by > -0.5 * bottom_far_m;
+    is_crossed = is_crossed || (hidden_by > 0.0 && was_hidden_by <= 0.0) || (was_between && hidden_by < -0.5 * bottom_far_m);
+    if (found < 0.0 && is_behind && is_crossed) {
+      found = crossing(ray, either_layer, before, t);
+      layer = found >= 0.0 && abs(behind_by(ray, 1, found)) < abs(behind_by(ray, 0, found)) ? 1 : 0;
+    }
+    was_hidden_by = hidden_by;
+#endif
+    was_behind = is_behind;
   }
-  return is_found ? behind : reach;
+  return found < 0.0 ? found : way_on(ray, found);
 }
 #endif
 
@@ -101,26 +122,24 @@ Behind refracted_behind(vec3 from, vec3 along, float own_depth, Behind straight,
 #else
   const int landings = LANDINGS_BELOW;
 #endif
-  float reach = 0.0;
-  for (int i = 0; i <= landings; ++i) {
+  for (int i = 0; i < landings; ++i) {
     float way = min(way_down(from, along, found, straight, under), bottom_far_m);
-    reach = max(reach, way);
-#if REFRACTION == marched
-    if (i == landings) way = under ? way : marched_way(from, along, 2.0 * reach, straight.place);
-#else
-    if (i == landings) break;
-#endif
-    vec2 place = place_of(from + way * along, straight.place), on = on_picture(place);
+    vec2 place = place_of(from + way * along, straight.place), on = below_place(place);
     // Beyond the picture's edges nothing is known: the ray bends less.
     vec2 inside = clamp(min(on, 1.0 - on) / 0.03, 0.0, 1.0);
     place = inside.x * inside.y > 0.0 ? mix(straight.place, place, inside.x * inside.y) : straight.place;
-    Behind next = behind_at(place);
-    bool is_behind = next.view_depth > own_depth && (under || next.position.y < from.y);
-    found.place = is_behind ? next.place : found.place;
-    found.position = is_behind ? next.position : found.position;
-    found.view_depth = is_behind ? next.view_depth : found.view_depth;
-    found.sun_share = is_behind ? next.sun_share : found.sun_share;
+    Behind next = behind_at(0, place);
+    if (next.view_depth > own_depth && (under || next.position.y < from.y)) found = next;
   }
+#if REFRACTION == marched
+  int layer = 0;
+  float way = under ? -1.0 : marched_way(from, along, straight.place, layer);
+  if (way >= 0.0) {
+    vec3 met = from + way * along;
+    found = behind_at(layer, place_of(met, straight.place));
+    found.position = met;
+  }
+#endif
   return found;
 #endif
 }

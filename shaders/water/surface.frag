@@ -28,6 +28,17 @@ vec3 with_ripples(vec3 normal, vec2 ground) {
 }
 #endif
 
+#ifdef SPLASHES
+#include "splash_map.glsl"
+layout(binding = 17) uniform sampler2D splash_slopes;
+// The slopes of waves that objects throw back are added too.
+vec3 with_splashes(vec3 normal, vec2 at) {
+  vec2 place = splash_place(at), slopes = -normal.xz / max(normal.y, 0.05);
+  slopes += splashes * splash_fade(place) * textureLod(splash_slopes, place, 0.0).rg;
+  return normalize(vec3(-slopes.x, 1.0, -slopes.y));
+}
+#endif
+
 layout(location = 0) in vec3 in_position;
 layout(location = 1) in vec2 in_ground;
 layout(location = 2) in vec3 in_normal;
@@ -53,6 +64,9 @@ void main() {
 #ifdef RIPPLES
   normal = with_ripples(normal, in_ground);
 #endif
+#ifdef SPLASHES
+  normal = with_splashes(normal, in_position.xz);
+#endif
   bool under = eye_world.y < height;
   vec3 to_eye = normalize(eye_world.xyz - in_position);
   normal = under ? -normal : normal;
@@ -61,23 +75,31 @@ void main() {
   float cosine = clamp(dot(normal, to_eye), 0.01, 1.0), index = under ? 1.0 / refraction_index : refraction_index;
 
   float own_depth = 1.0 / gl_FragCoord.w;
-  Behind straight = behind_at(gl_FragCoord.xy * frame_size_px.zw);
+  Behind straight = behind_at(0, gl_FragCoord.xy * frame_size_px.zw);
   vec3 refracted = refract(-to_eye, normal, 1.0 / index);
   refracted = dot(refracted, refracted) > 0.5 ? refracted : -to_eye;  // all is reflected: not seen
   Behind found = refracted_behind(in_position, refracted, own_depth, straight, under);
-  vec3 behind = color_at(found.place);
+#if defined(BLUR_LEVELS) && defined(SCATTERING)
+  // Turbid water blurs what is far: from level to level of the picture's pyramid, by the share of light that is scattered on the way.
+  float scattered_share = 1.0 - exp(-scattered().g * distance(found.position, in_position));
+  vec3 behind = below_light(found.layer, found.place, BLUR_LEVELS * scattered_share);
+#else
+  vec3 behind = below_light_over_pixel(found);
+#endif
 #ifdef DISPERSION
-  // Red and blue by their own indices, as far as green goes (1.3310, 1.3335, 1.3372 of water).
-  vec3 red = refract(-to_eye, normal, 1.0 / (index - 0.0025 * dispersion)), blue = refract(-to_eye, normal, 1.0 / (index + 0.0037 * dispersion));
-  float seen_m = min(distance(found.position, in_position), bottom_far_m);
-  behind.r = under ? behind.r : color_at(place_of(in_position + seen_m * red, found.place)).r;
-  behind.b = under ? behind.b : color_at(place_of(in_position + seen_m * blue, found.place)).b;
+  // Red and blue by their own indices (1.3310, 1.3335, 1.3372 of water), as deep as green goes.
+  vec3 red = refract(-to_eye, normal, 1.0 / (index - 0.0025 * dispersion));
+  vec3 blue = refract(-to_eye, normal, 1.0 / (index + 0.0037 * dispersion));
+  float seen_m = min(max(in_position.y - found.position.y, 0.0), bottom_far_m);
+  behind.r = under ? behind.r : below_light(found.layer, place_of(in_position + way_to_depth(-red.y, seen_m) * red, found.place)).r;
+  behind.b = under ? behind.b : below_light(found.layer, place_of(in_position + way_to_depth(-blue.y, seen_m) * blue, found.place)).b;
 #endif
   float way_m = max(distance(found.position, in_position), 0.0);
   vec3 body = under ? behind : bottom_light(behind, found, way_m, pixel_m) + in_scatter(refracted, way_m);
 
   vec3 along = reflect(-to_eye, normal);
-  vec3 mirrored = under ? in_scatter(normalize(vec3(along.x, min(along.y, -1e-3), along.z)), bottom_far_m) : reflected_light(in_position, along);
+  vec3 level = normalize(vec3(along.x, min(along.y, -1e-3), along.z));
+  vec3 mirrored = under ? in_scatter(level, bottom_far_m) : reflected_light(in_position, along);
 #ifdef TOLD
   out_ground = vec4(in_ground, in_position.y, 1.0);
   out_body = vec4(body, 1.0);

@@ -27,7 +27,7 @@ float foam_cover(vec3 position, Behind straight, float way_m) {
   float shore = foam_depth > 0.0 ? max(1.0 - smoothstep(0.0, foam_depth, depth), 1.0 - smoothstep(0.0, foam_depth, straight_m)) : 0.0;
   float thick = foam * max(crest, shore);
   float bubbles = texture(foam_table, position.xz / foam_size + vec2(0.02, 0.013) * eye_world.w).r;
-  return thick * smoothstep(-0.15, 0.15, thick - bubbles);
+  return min(4.0 * thick, 1.0) * smoothstep(-0.15, 0.15, thick - bubbles);
 }
 vec3 foam_light(vec3 normal, vec3 position) { return 0.85 * diffuse_light(normal, position); }
 #endif

@@ -10,6 +10,7 @@ layout(location = 2) out vec3 out_normal;    // of the shape that the mesh has
 
 void main() {
   vec3 still = (world_from_object * vec4(position, 1.0)).xyz;
+  still.xz += grid_moved();
   float lost = 0.0;
   WavePoint point = wave_point(still.xz, grid_width(still.xz), lost);
   out_ground = still.xz;

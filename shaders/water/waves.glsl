@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene's waves. WAVES: how many of them at most, the first ones; SINES: their points move up and down alone.
+// The scene's waves. WAVES: how many of them at most, the first ones; SINES: their points move up and down alone; FFT: as a tile has
+// them that a Fourier transform made.
 #include "gerstner/gerstner.glsl"
 
 #ifndef WAVES
@@ -46,8 +47,22 @@ vec3 shore_share(vec3 depth, float wave_length) {
 // How much of a wave is drawn where details of this width are all that shows: edges of the mesh, or pixels.
 float kept_share(float wave_length, float width) { return 1.0 - smoothstep(0.25, 0.5, width / wave_length); }
 
+// How far the mesh has moved with the eye, by whole edges of its middle.
+vec2 grid_moved() {
+#ifdef GRID_FOLLOWS
+  float whole = max(grid_spacing, 1e-3);
+  return grid_follows * round(eye_world.xz / whole) * whole;
+#else
+  return vec2(0.0);
+#endif
+}
+
 // Edges of the mesh here.
-float grid_width(vec2 ground) { return grid_spacing + grid_growth * length(ground); }
+float grid_width(vec2 ground) { return grid_spacing + grid_growth * length(ground - grid_moved()); }
+
+#ifdef FFT
+#include "sea_point.glsl"
+#endif
 
 // The surface's point that lies at `ground` when there are no waves. `lost` gains the variance of slopes of what is left out.
 WavePoint wave_point(vec2 ground, float width, inout float lost) {
@@ -60,6 +75,12 @@ WavePoint wave_point(vec2 ground, float width, inout float lost) {
   depth.yz /= 2.0 * texel;
 #else
   const vec3 depth = vec3(1e9, 0, 0);
+#endif
+#ifdef FFT
+  // All waves fade as the first does.
+  vec3 first = shore_share(depth, wave_1_length);
+  WavePoint sea = sea_point(ground);
+  return WavePoint(first.x * sea.offset, first.x * sea.along_x + first.y * sea.offset, first.x * sea.along_z + first.z * sea.offset);
 #endif
 #define ADD_WAVE(a, l, d, s) \
   { \

@@ -82,7 +82,7 @@ LayerModel::LayerModel(const Scene& scene, size_t object) {
 }
 LayerModel::~LayerModel() = default;
 
-LayersLight LayerModel::light(const SeenLayers& seen, glm::dvec3 eye, size_t samples, double turn) const {
+LayeredLight LayerModel::light(const SeenLayers& seen, glm::dvec3 eye, size_t samples, double turn) const {
   const Parts& p = *parts_;
   const auto tangent = [&](glm::dvec3 world) {
     return glm::dvec3(glm::dot(world, seen.along), glm::dot(world, seen.across), glm::dot(world, seen.normal));
@@ -176,7 +176,7 @@ class LayerTruth : public Truth {
                       glm::dvec3(pixel_of(mapped, i))};
       seen.across = glm::cross(seen.normal, seen.along) * tangent.a;
       const double turn = double(n) * 0.7548776662466927;
-      const LayersLight light =
+      const LayeredLight light =
           models.at(size_t(std::lround(at.a)) - 1)
               .light(seen, glm::dvec3(told.view.eye), std::max<size_t>(setting_.rays, 1), turn - std::floor(turn));
       first[n] = glm::vec3(light.under_shown_outer), all[n] = glm::vec3(light.all);

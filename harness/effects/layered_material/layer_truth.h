@@ -32,7 +32,7 @@ struct SeenLayers {
   std::optional<glm::dvec4> outer;
   std::optional<glm::dvec3> mapped;
 };
-struct LayersLight {
+struct LayeredLight {
   glm::dvec3 under_shown_outer, all;  // linear, after the first step and after both
 };
 class LayerModel {
@@ -41,7 +41,7 @@ class LayerModel {
   LayerModel(const Scene& scene, size_t object);
   ~LayerModel();
   // Light towards `eye`. `turn`: of the samples, 0 to 1, another for each pixel.
-  LayersLight light(const SeenLayers& seen, glm::dvec3 eye, size_t samples, double turn) const;
+  LayeredLight light(const SeenLayers& seen, glm::dvec3 eye, size_t samples, double turn) const;
 
  private:
   struct Parts;

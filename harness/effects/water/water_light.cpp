@@ -148,7 +148,7 @@ double WaterLight::foam(glm::dvec3 position, glm::dvec3 straight, double way_m) 
   thick *= most;
   const double bubbles =
       foam_.at(glm::dvec2(position.x, position.z) / number("foam_size") + glm::dvec2(0.02, 0.013) * double(scene_.time_s));
-  return thick * smooth(-0.15, 0.15, thick - bubbles);
+  return std::min(4 * thick, 1.0) * smooth(-0.15, 0.15, thick - bubbles);
 }
 
 glm::dvec3 WaterLight::bottom(glm::dvec3 albedo, glm::dvec3 by_sun, glm::dvec3 by_rest, glm::dvec3 position,

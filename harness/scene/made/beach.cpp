@@ -102,7 +102,7 @@ Scene make_beach(float) {
   values["ripples"] = {0.05};
   values["foam"] = {0.9};
   values["foam_height"] = {0.1};
-  values["foam_depth"] = {0.09};
+  values["foam_depth"] = {0.14};
   values["foam_size"] = {1.6};
   values["soft_edge"] = {0.35};
   values["specular"] = {0.25};

@@ -34,6 +34,7 @@ Scene make_open_sea(float) {
   set_wave(scene, 3, {0.09, 6.1, -55, 0.14});
   set_wave(scene, 4, {0.035, 2.9, -95, 0.10});
   auto& values = scene.said["water"].values;
+  values["grid_follows"] = {1.0};
   values["caustics"] = {0.0};
   values["foam"] = {0.9};
   values["foam_height"] = {0.36};

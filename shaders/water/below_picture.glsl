@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// The picture of what may lie under water, as refracted rays look it up: two layers, the nearest surfaces and those that they hide. It
+// is wider than the frame by GUARD to the left and right, and by GUARD_DOWN of the frame's height below: rays bend there. With
+// FRAME_BELOW it is the frame, one layer. The places of the frame are 0 to 1, the top first; beside it less and more.
+#if defined(FRAME_BELOW) || REFRACTION != marched
+#define BELOW_LAYERS 1
+#elif !defined(BELOW_LAYERS)
+#define BELOW_LAYERS 2
+#endif
+
+// Metres along the view's axis, 0 where there is nothing; then the sun's share of the light.
+layout(binding = 7) uniform sampler2D below;
+#if BELOW_LAYERS == 2
+layout(binding = 14) uniform sampler2D below_hidden;
+layout(binding = 15) uniform sampler2D below_hidden_color;
+#endif
+#ifndef FRAME_BELOW
+#include "below_place.glsl"
+layout(binding = 8) uniform sampler2D below_color;  // alpha 1 where there is something, else all 0
+#else
+layout(binding = 8) uniform sampler2D frame;
+vec2 below_place(vec2 place) { return place; }
+#endif
+
+const float bottom_far_m = 1e4;
+
+struct Behind {
+  vec2 place;
+  vec3 position;
+  float view_depth;
+  vec3 sun_share;
+  int layer;
+};
+
+vec4 below_texel(int layer, ivec2 texel) {
+  texel = clamp(texel, ivec2(0), textureSize(below, 0) - 1);
+#if BELOW_LAYERS == 2
+  if (layer == 1) return texelFetch(below_hidden, texel, 0);
+#endif
+  return texelFetch(below, texel, 0);
+}
+float far_where_nothing(float depth) { return depth > 0.0 ? min(depth, bottom_far_m) : bottom_far_m; }
+float below_depth_at(int layer, vec2 place) {
+  return far_where_nothing(below_texel(layer, ivec2(floor(below_place(place) * vec2(textureSize(below, 0))))).r);
+}
+// Between texels: the inverse of a plane's depth runs straight over a picture. Where texels are not of one surface, the nearest.
+float smooth_depth_at(int layer, vec2 place) {
+  vec2 at = below_place(place) * vec2(textureSize(below, 0)) - 0.5, share = fract(at);
+  ivec2 low = ivec2(floor(at));
+  vec4 four = 1.0 / vec4(far_where_nothing(below_texel(layer, low).r), far_where_nothing(below_texel(layer, low + ivec2(1, 0)).r),
+                         far_where_nothing(below_texel(layer, low + ivec2(0, 1)).r), far_where_nothing(below_texel(layer, low + 1).r));
+  float most = max(max(four.x, four.y), max(four.z, four.w)), least = min(min(four.x, four.y), min(four.z, four.w));
+  vec2 rows = mix(four.xz, four.yw, share.x);
+  float nearest = share.y < 0.5 ? (share.x < 0.5 ? four.x : four.y) : (share.x < 0.5 ? four.z : four.w);
+  return 1.0 / (most < 1.05 * least ? mix(rows.x, rows.y, share.y) : nearest);
+}
+
+Behind behind_at(int layer, vec2 place) {
+  vec4 texel = below_texel(layer, ivec2(floor(below_place(place) * vec2(textureSize(below, 0)))));
+  vec4 far = world_from_clip * vec4(place * 2.0 - 1.0, 1.0, 1.0);
+  vec3 ray = (far.xyz / far.w - eye_world.xyz) * far.w;  // a metre along the view's axis
+  float depth = far_where_nothing(texel.r);
+  return Behind(place, eye_world.xyz + depth * ray, depth, texel.gba, layer);
+}
+
+// The light of what a layer shows in a place, before the water takes of it; from a level of its pyramid.
+vec3 below_light(int layer, vec2 place, float level) {
+#ifdef FRAME_BELOW
+  return textureLod(frame, place, level).rgb;
+#else
+  vec2 at = below_place(place);
+#if BELOW_LAYERS == 2
+  vec4 seen = layer == 1 ? textureLod(below_hidden_color, at, level) : textureLod(below_color, at, level);
+#else
+  vec4 seen = textureLod(below_color, at, level);
+#endif
+  return seen.a > 0.05 ? seen.rgb / seen.a : background.rgb;  // beside nothing a surface keeps its colour
+#endif
+}
+
+vec3 below_light(int layer, vec2 place) { return below_light(layer, place, 0.0); }
+
+// The same over what a pixel of the frame shows of it: four looks, as far apart as neighbouring pixels look. Where they look at
+// other things, one look.
+vec3 below_light_over_pixel(Behind found) {
+  vec2 right = dFdx(found.place), down = dFdy(found.place);
+  vec2 pixels = abs(right) + abs(down);
+  float layers = abs(dFdx(float(found.layer))) + abs(dFdy(float(found.layer)));
+  if (layers > 0.0 || pixels.x * frame_size_px.x > 6.0 || pixels.y * frame_size_px.y > 6.0) return below_light(found.layer, found.place);
+  vec2 one = 0.25 * (right + down), other = 0.25 * (right - down);
+  return 0.25 * (below_light(found.layer, found.place - one) + below_light(found.layer, found.place + other) +
+                 below_light(found.layer, found.place - other) + below_light(found.layer, found.place + one));
+}
