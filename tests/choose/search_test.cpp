@@ -49,10 +49,10 @@ TEST(PredictedChoice, AddsUpTimesAndErrors) {
 TEST(ChoiceGoals, WithinTheBudgetTheLeastErrorElseTheLeastTime) {
   const ChoiceSpace space = two_effects();
   const auto best = [&](const ChoiceGoal& goal) {
-    Choice best;
+    Choice leader;
     for (const Choice& choice : all_choices(space, "ssim"))
-      if (best.empty() || is_better(predicted(space, choice), predicted(space, best), goal)) best = choice;
-    return best;
+      if (leader.empty() || is_better(predicted(space, choice), predicted(space, leader), goal)) leader = choice;
+    return leader;
   };
   EXPECT_EQ(best({.budget_ms = 7.5, .limits = {}}), (Choice{1, 0})) << "SSIM .99 at 7 ms";
   EXPECT_EQ(best({.budget_ms = 100, .limits = {}}), (Choice{0, 0}));
