@@ -65,6 +65,14 @@ Texels with_alpha(const Texels& colour, const Texels& transparency) {
   return result;
 }
 
+// Where all texels have one alpha, a single texel of it: it gives no size to what takes it over.
+Texels alpha_of(Texels texels) {
+  const float first = texels.rgba.front().a;
+  if (std::ranges::all_of(texels.rgba, [&](const glm::vec4& texel) { return texel.a == first; }))
+    return {1, 1, {glm::vec4(first)}};
+  return texels;
+}
+
 Texels constant_texels(const TextureManifest& declared) {
   const std::vector<double>& v = declared.value;
   if (v.size() == 1) return {1, 1, {glm::vec4(static_cast<float>(v[0]))}};
@@ -141,7 +149,7 @@ Texture made_texture(const TextureRequest& request, const Texture& before, bool 
   if (keep_size && before && texels.width == 1 && texels.height == 1) texels = resized(texels, before->width, before->height);
   if (!declared.alpha.empty())
     texels = with_alpha(texels, request.alpha ? said_texels(*request.alpha, TextureMeaning::number)
-                                : old         ? base_texels(*old)
+                                : old         ? alpha_of(base_texels(*old))
                                               : default_alpha(request));
   return make_texture(label(request, request.owner), texels, stored_as(declared.meaning));
 }
