@@ -110,9 +110,9 @@ TEST_F(SweepTest, UnderEvenLightNoThicknessTellsVariantsApart) {
   write(
       "flat.toml",
       "[scene]\nmodel = \"square.gltf\"\n[lights.key]\nkind = \"directional\"\ndirection = [-0.3, -0.4, -1]\nintensity = 1\n");
-  const Outcome outcome =
-      lamina_program("sweep " + (folder_ / "flat.toml").string() + " --set objects.square.thickness=0,4,16" +
-                     " --size 64x64 --view front --out " + (folder_ / "flat").string());
+  const Outcome outcome = lamina_program(
+      "sweep " + (folder_ / "flat.toml").string() + " --set objects.square.thickness=0,4,16" +
+      " --variant normal_map_taps --variant vertex_normal --size 64x64 --view front --out " + (folder_ / "flat").string());
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   const Record record = read_record(file("flat"));
   ASSERT_EQ(record.cells.size(), 3u * 3 * 2);
