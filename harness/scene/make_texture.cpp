@@ -67,10 +67,10 @@ Texels with_alpha(const Texels& colour, const Texels& transparency) {
 
 // Where all texels have one alpha, a single texel of it: it gives no size to what takes it over.
 Texels alpha_of(Texels texels) {
-  const float first = texels.rgba.front().a;
-  if (std::ranges::all_of(texels.rgba, [&](const glm::vec4& texel) { return texel.a == first; }))
-    return {1, 1, {glm::vec4(first)}};
-  return texels;
+  const float first = texels.rgba[0].a;
+  for (size_t i = 1; i < texels.rgba.size(); ++i)
+    if (texels.rgba[i].a != first) return texels;
+  return {1, 1, {glm::vec4(first)}};
 }
 
 Texels constant_texels(const TextureManifest& declared) {
