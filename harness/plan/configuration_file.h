@@ -4,7 +4,7 @@
 //   [configuration]
 //   scene = "heart_in_fog"         # what it was chosen for
 //   [variants]
-//   volume_fog = "three_channels"  # by effect; others stand at their baselines
+//   EFFECT = "VARIANT"             # others stand at their baselines
 #pragma once
 
 #include <filesystem>

@@ -66,7 +66,7 @@ Texels with_alpha(const Texels& colour, const Texels& transparency) {
 }
 
 // Where all texels have one alpha, a single texel of it: it gives no size to what takes it over.
-Texels alpha_of(Texels texels) {
+Texels alpha_of(const Texels& texels) {
   const float first = texels.rgba[0].a;
   for (size_t i = 1; i < texels.rgba.size(); ++i)
     if (texels.rgba[i].a != first) return texels;
