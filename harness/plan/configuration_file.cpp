@@ -20,6 +20,7 @@ TomlFormPtr configuration_form() {
 void apply_configuration(Plan& plan, const std::filesystem::path& file) {
   const TomlTable table = TomlTable::parse(file, "configuration", configuration_form());
   table.check_keys();
+  table.table("configuration").check_keys();
   const TomlTable variants = table.table("variants");
   std::vector<std::string> effects;
   for (const EffectManifest& effect : plan.library->effects) effects.push_back(effect.name);
