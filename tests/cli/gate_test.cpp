@@ -12,13 +12,18 @@ namespace {
 class Gate : public ProgramTest {
  protected:
   std::filesystem::path tree() const { return folder_ / "tree"; }
-  // A copy of the product's variants and shaders.
+  // A copy of the product's variants and shaders, with three of the layered material's many variants.
   void copy_tree() {
     std::filesystem::remove_all(tree());
     std::filesystem::create_directories(tree());
     for (const char* part : {"variants", "shaders"})
       std::filesystem::copy(std::filesystem::path(LAMINA_SOURCE_DIR) / part, tree() / part,
                             std::filesystem::copy_options::recursive);
+    const std::set<std::string> kept = {"effect", "light_map", "normal_map_taps", "vertex_normal"};
+    std::vector<std::filesystem::path> others;
+    for (const auto& entry : std::filesystem::directory_iterator(tree() / "variants/layered_material"))
+      if (entry.path().extension() == ".toml" && !kept.contains(entry.path().stem())) others.push_back(entry.path());
+    for (const std::filesystem::path& manifest : others) std::filesystem::remove(manifest);
   }
   void replace(const std::string& file, const std::string& from, const std::string& to) {
     std::ifstream in(tree() / file);

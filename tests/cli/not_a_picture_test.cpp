@@ -83,7 +83,7 @@ TEST_F(NotAPicture, ABaselineWithoutTexelsFailsByNameAndTheOthersGoOn) {
     bytes.write(reinterpret_cast<const char*>(point), sizeof point);
   }
   bytes.close();
-  const Outcome outcome = compare(model);
+  const Outcome outcome = compare(model + " --variant normal_map_taps --variant vertex_normal");
   EXPECT_EQ(outcome.status, 1) << outcome.output;
   EXPECT_SAYS(outcome.output, "texture coordinates");
   for (const CellRow& cell : record().cells) {
