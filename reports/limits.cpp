@@ -21,8 +21,8 @@ std::vector<ReportLimit> limits_of(const Record& record) {
   const auto given = settings->find("limits");
   if (given == settings->end() || !given->is_object()) return limits;
   for (const auto& [name, value] : given->items()) {
-    const auto metric = std::ranges::find_if(error_metrics, [&](const ErrorMetric& known) { return known.name == name; });
-    if (metric != error_metrics.end() && value.is_number()) limits.push_back({&*metric, value.get<double>()});
+    if (const ErrorMetric* metric = error_metric(name); metric && value.is_number())
+      limits.push_back({metric, value.get<double>()});
   }
   return limits;
 }

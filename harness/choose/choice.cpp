@@ -18,8 +18,7 @@ double squared_of_db(double psnr_db) { return std::isinf(psnr_db) ? 0 : std::pow
 double db_of_squared(double squared) { return squared > 0 ? -10 * std::log10(squared) : infinity; }
 
 const ErrorMetric& metric_of(const std::string& name) {
-  for (const ErrorMetric& metric : error_metrics)
-    if (name == metric.name) return metric;
+  if (const ErrorMetric* metric = error_metric(name)) return *metric;
   throw Error(ErrorKind::bad_input, "choose", name, "is no metric of an error: ssim, psnr_db, flip, max_linear or rmse_linear");
 }
 

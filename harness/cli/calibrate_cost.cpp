@@ -89,9 +89,7 @@ std::optional<CostModel> kept_cost_model(const std::filesystem::path& cache, con
   const std::optional<std::string> bytes = kept.find(key);
   if (!bytes) return std::nullopt;
   try {
-    return cost_model_from_json(nlohmann::json::parse(*bytes), kept.file_of(key).string());
-  } catch (const nlohmann::json::exception&) {
-    return std::nullopt;
+    return cost_model_from_json(nlohmann::json::parse(*bytes, nullptr, false), kept.file_of(key).string());
   } catch (const Error&) {
     return std::nullopt;
   }
@@ -138,8 +136,8 @@ Command add_calibrate(CLI::App& program) {
   return {&command, [=, &command](const std::string& typed) {
             CompareOptions& measured = options->measuring;
             measured.command = typed;
-            if (command.count("--budget") == 0) measured.rounds.budget_s = 4;
-            if (command.count("--precision") == 0) measured.rounds.precision = 0.05;
+            if (command.count("--budget") == 0) measured.rounds.budget_s = quick_budget_s;
+            if (command.count("--precision") == 0) measured.rounds.precision = quick_precision;
             measured.truth_rays = 0;
             return run_calibrate(*options);
           }};

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/cli/choice_run.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "harness/quality/judged_picture.h"
 
 namespace lamina {
 namespace {
-
-constexpr size_t max_ready = 8;  // frames that are kept: each holds its targets
 
 // Views in which nothing is covered show no error, and none is asked of them.
 constexpr ErrorFigures no_error = {
@@ -16,16 +17,14 @@ constexpr ErrorFigures no_error = {
   throw Error(ErrorKind::failed, "choose", "view " + view.name, std::string(no_picture) + why);
 }
 
-// [frame][view][round]
-std::vector<std::vector<std::vector<double>>> timed(const std::vector<Frame*>& frames, size_t views,
-                                                    const RoundOptions& rounds) {
+std::vector<ChoiceRun::Times> timed(const std::vector<Frame*>& frames, size_t views, const RoundOptions& rounds) {
   std::vector<Arm> arms;
-  for (Frame* frame : frames)
+  for (size_t i = 0; i < frames.size(); ++i)
     for (size_t view = 0; view < views; ++view)
-      arms.push_back({[frame, view] { return frame->run(view, Timing::bracketed); },
-                      frame == frames.front() ? std::optional<size_t>() : view});
+      arms.push_back(
+          {[frame = frames[i], view] { return frame->run(view, Timing::bracketed); }, i == 0 ? std::optional<size_t>() : view});
   const RoundsResult result = run_rounds(arms, rounds);
-  std::vector<std::vector<std::vector<double>>> times(frames.size());
+  std::vector<ChoiceRun::Times> times(frames.size());
   for (size_t i = 0; i < arms.size(); ++i) {
     if (!result.arms[i].failure.empty()) throw Error(ErrorKind::failed, "choose", "timing", result.arms[i].failure);
     times[i / views].push_back(result.arms[i].frame_ms);
@@ -33,21 +32,23 @@ std::vector<std::vector<std::vector<double>>> timed(const std::vector<Frame*>& f
   return times;
 }
 
+const VariantManifest& variant_of(const Configuration& configuration, const EffectManifest& effect) {
+  return **std::ranges::find(configuration, effect.name, [](const VariantManifest* variant) { return variant->effect; });
+}
+
 }  // namespace
 
-ChoiceRun::ChoiceRun(Backend& backend, const SceneOnDevice& there, const std::vector<ChosenEffect>& effects,
-                     ShaderCache& shaders, const CellOptions& options, bool to_truth, const Tell& tell)
-    : backend_(backend), there_(there), effects_(effects), shaders_(shaders), options_(options), tell_(tell) {
-  if (to_truth)
-    truth_ =
-        std::make_unique<TruthRun>(*there.resources, *there.plan, *effects.front().effect, shaders, *there.bakes, options_);
-  ReadyFrame& frame = ready(baseline());
+ChoiceRun::ChoiceRun(const SceneOnDevice& there, const std::vector<const EffectManifest*>& effects, ShaderCache& shaders,
+                     const CellOptions& options, bool to_truth, const Tell& tell)
+    : there_(there), shaders_(shaders), options_(options), tell_(tell), first_(*effects.front()) {
+  if (to_truth) truth_ = std::make_unique<TruthRun>(*there.resources, *there.plan, first_, shaders, *there.bakes, options_);
+  ReadyFrame& frame = ready(baselines());
   Frame counting(*there.resources, frame.graph, Build::counting);
   counting.run_once(Timing::off);
   for (size_t view = 0; view < there.scene->views.size(); ++view) {
     counting.run(view, Timing::off);
-    Mask covered = counting.coverage(effects_.front().effect->name);
-    for (const ChosenEffect& effect : effects_) covered = either(covered, counting.coverage(effect.effect->name));
+    Mask covered = counting.coverage(first_.name);
+    for (const EffectManifest* effect : effects) covered = either(covered, counting.coverage(effect->name));
     frame.frame.run(view, Timing::off);
     baselines_.push_back({frame.frame.picture(), std::move(covered)});
     if (const std::string why = why_not_finite(baselines_.back().picture); !why.empty())
@@ -57,21 +58,18 @@ ChoiceRun::ChoiceRun(Backend& backend, const SceneOnDevice& there, const std::ve
 
 ChoiceRun::~ChoiceRun() = default;
 
-Configuration ChoiceRun::configuration_of(const Choice& choice) const {
-  std::map<std::string, const VariantManifest*, std::less<>> variants;
-  for (size_t i = 0; i < effects_.size(); ++i) variants[effects_[i].effect->name] = effects_[i].options[choice[i]];
-  return lamina::configuration_of(*there_.plan, variants);
+// The baselines' frame is kept: it stands in every batch.
+ReadyFrame& ChoiceRun::ready(const Configuration& configuration) {
+  if (!ready_.contains(configuration) && ready_.size() >= max_ready)
+    std::erase_if(ready_, [&](const auto& entry) { return entry.first != baselines(); });
+  std::unique_ptr<ReadyFrame>& frame = ready_[configuration];
+  if (!frame) frame = std::make_unique<ReadyFrame>(*there_.resources, *there_.plan, configuration, shaders_);
+  return *frame;
 }
 
-ReadyFrame& ChoiceRun::ready(const Choice& choice) {
-  if (const auto known = ready_.find(choice); known != ready_.end()) return *known->second;
-  if (ready_.size() >= max_ready) std::erase_if(ready_, [&](const auto& entry) { return entry.first != baseline(); });
-  return *(ready_[choice] = std::make_unique<ReadyFrame>(*there_.resources, *there_.plan, configuration_of(choice), shaders_));
-}
-
-Outcome ChoiceRun::errors_of(const Choice& choice) {
+Outcome ChoiceRun::errors_of(const Configuration& configuration) {
   Outcome outcome;
-  ReadyFrame& frame = ready(choice);
+  ReadyFrame& frame = ready(configuration);
   for (size_t view = 0; view < baselines_.size(); ++view) {
     const View& seen = there_.scene->views[view];
     const Drawn& baseline = baselines_[view];
@@ -90,44 +88,42 @@ Outcome ChoiceRun::errors_of(const Choice& choice) {
       continue;
     }
     CellRow row;
-    truth_->score(*effects_.front().options[choice.front()], view, picture, row, {},
+    truth_->score(variant_of(configuration, first_), view, picture, row, {},
                   [&](double fraction) { tell_(fraction, "casting rays for the truth of view " + seen.name); });
     if (row.error_truth) error = *row.error_truth;
   }
   return outcome;
 }
 
-std::vector<std::vector<PassRow>> ChoiceRun::counts_of(const Choice& choice) {
-  Frame counting(*there_.resources, ready(choice).graph, Build::counting);
+std::vector<std::vector<PassRow>> ChoiceRun::counts_of(const Configuration& configuration) {
+  Frame counting(*there_.resources, ready(configuration).graph, Build::counting);
   counting.run_once(Timing::off);
   const std::vector<PassCounts> once = counting.once_counts();
   std::vector<std::vector<PassRow>> passes;
   for (size_t view = 0; view < baselines_.size(); ++view) {
     CellRow row;
-    count_cell(row, counting, once, *effects_.front().options[choice.front()], view);
+    count_cell(row, counting, once, variant_of(configuration, first_), view);
     passes.push_back(std::move(row.passes));
   }
   return passes;
 }
 
-std::vector<std::vector<std::vector<double>>> ChoiceRun::times_of(const std::vector<Choice>& choices,
-                                                                  const RoundOptions& rounds) {
-  std::vector<std::unique_ptr<ReadyFrame>> made;  // these at least live until the rounds have ended
+std::vector<ChoiceRun::Times> ChoiceRun::times_of(const std::vector<Configuration>& configurations,
+                                                  const RoundOptions& rounds) {
+  std::erase_if(ready_, [&](const auto& entry) {
+    return entry.first != baselines() && std::ranges::find(configurations, entry.first) == configurations.end();
+  });
   std::vector<Frame*> frames;
-  for (const Choice& choice : choices) {
-    made.push_back(std::make_unique<ReadyFrame>(*there_.resources, *there_.plan, configuration_of(choice), shaders_));
-    frames.push_back(&made.back()->frame);
-  }
+  for (const Configuration& configuration : configurations) frames.push_back(&ready(configuration).frame);
   return timed(frames, baselines_.size(), rounds);
 }
 
-std::vector<std::vector<std::vector<double>>> ChoiceRun::times_without(const EffectManifest& effect,
-                                                                       const RoundOptions& rounds) {
+std::vector<ChoiceRun::Times> ChoiceRun::times_without(const EffectManifest& effect, const RoundOptions& rounds) {
   Plan without = *there_.plan;
   for (EffectPlan& entry : without.effects)
     if (entry.effect == &effect) entry.called_for = false;
-  ReadyFrame left(*there_.resources, without, lamina::configuration_of(without, {}), shaders_);
-  return timed({&ready(baseline()).frame, &left.frame}, baselines_.size(), rounds);
+  ReadyFrame left(*there_.resources, without, configuration_of(without, {}), shaders_);
+  return timed({&ready(baselines()).frame, &left.frame}, baselines_.size(), rounds);
 }
 
 }  // namespace lamina

@@ -62,18 +62,26 @@ ChoiceGoal goal_of(const ChooseOptions& options) {
   return goal;
 }
 
-// What the search knows, and where it lies.
+// The space that is searched, and what its options are.
 struct Search {
-  std::vector<ChosenEffect> effects;
+  std::vector<const EffectManifest*> effects;
+  std::vector<std::vector<const VariantManifest*>> options;  // by effect, beside the space's
   ChoiceSpace space;
   double doubt = doubt_without;
   std::vector<std::string> left_out;  // variants that cannot be chosen, with the reason
+
+  Choice baseline() const { return Choice(effects.size(), 0); }
+  const VariantManifest& variant(const Choice& choice, size_t effect) const { return *options[effect][choice[effect]]; }
+  Configuration configuration(const Plan& plan, const Choice& choice) const {
+    std::map<std::string, const VariantManifest*, std::less<>> variants;
+    for (size_t e = 0; e < effects.size(); ++e) variants[effects[e]->name] = &variant(choice, e);
+    return configuration_of(plan, variants);
+  }
 };
 
 std::string words_of(const Search& search, const Choice& choice) {
   std::string words;
-  for (size_t i = 0; i < choice.size(); ++i)
-    words += fmt::format("{}{}", words.empty() ? "" : " + ", search.effects[i].options[choice[i]]->name);
+  for (size_t e = 0; e < choice.size(); ++e) words += (e > 0 ? " + " : "") + search.variant(choice, e).name;
   return words;
 }
 
@@ -83,48 +91,47 @@ std::string figures_of(const Outcome& outcome) {
                      worst_error(outcome, "flip"), std::isinf(psnr) ? "inf" : fmt::format("{:.1f} dB", psnr));
 }
 
-// Medians of the rounds, in units of one time of the baseline, so that batches that ran at another speed agree.
-void set_times(Outcome& outcome, const std::vector<std::vector<double>>& times,
-               const std::vector<std::vector<double>>& baseline, const Outcome& of_baseline) {
-  for (size_t view = 0; view < outcome.size(); ++view) {
-    std::vector<double> ratios;
-    for (size_t round = 0; round < times[view].size(); ++round) ratios.push_back(times[view][round] / baseline[view][round]);
-    outcome[view].ms = of_baseline[view].ms * median(ratios);
-  }
+// Medians of the rounds, in units of one time of the baselines, so that batches that ran at another speed agree.
+void set_times(Outcome& outcome, const ChoiceRun::Times& times, const ChoiceRun::Times& baselines,
+               const Outcome& of_baselines) {
+  for (size_t view = 0; view < outcome.size(); ++view)
+    outcome[view].ms = of_baselines[view].ms * ratio_interval(times[view], baselines[view]).median;
 }
 
-// Draws and counts every variant alone, and predicts its time; without a model, times it.
-Search singles_of(const std::vector<const EffectManifest*>& effects, ChoiceRun& run, const std::vector<ChosenEffect>& all,
-                  const std::optional<CostModel>& model, const ChooseOptions& options, const Tell& tell) {
-  Search search;
-  const Choice baseline(all.size(), 0);
-  search.space.baseline = run.errors_of(baseline);
-  const auto base_times = run.times_of({baseline}, options.rounds).front();
-  for (size_t view = 0; view < base_times.size(); ++view) search.space.baseline[view].ms = median(base_times[view]);
-  const auto base_counts = run.counts_of(baseline);
-  for (size_t e = 0; e < all.size(); ++e) {
-    ChosenEffect& kept = search.effects.emplace_back(ChosenEffect{effects[e], {all[e].options.front()}});
-    ChoiceEffect& effect = search.space.effects.emplace_back(
-        ChoiceEffect{effects[e]->name, {{all[e].options.front()->name, search.space.baseline}}});
-    for (size_t option = 1; option < all[e].options.size(); ++option) {
-      const VariantManifest& variant = *all[e].options[option];
-      tell(static_cast<double>(option) / static_cast<double>(all[e].options.size()), "drawing " + variant.name);
-      Choice choice = baseline;
-      choice[e] = option;
+// Draws each variant alone, and tells its time: by the model from its counts, or without a model by the fewest rounds.
+Search singles_of(const std::vector<const EffectManifest*>& effects, const Plan& plan, ChoiceRun& run,
+                  const std::optional<CostModel>& model, const RoundOptions& rounds, const Tell& tell) {
+  RoundOptions fewest = rounds;
+  fewest.budget_s = 0;
+  Search search{.effects = effects};
+  const Configuration baselines = configuration_of(plan, {});
+  Outcome& base = search.space.baseline = run.errors_of(baselines);
+  const ChoiceRun::Times base_times = run.times_of({baselines}, rounds).front();
+  for (size_t view = 0; view < base.size(); ++view) base[view].ms = median(base_times[view]);
+  const auto base_counts = run.counts_of(baselines);
+  for (const EffectManifest* effect : effects) {
+    std::vector<const VariantManifest*>& kept = search.options.emplace_back();
+    kept.push_back(&effect->baseline());
+    std::vector<ChoiceOption>& options = search.space.effects.emplace_back(ChoiceEffect{effect->name, {}}).options;
+    options.push_back({effect->baseline().name, base});
+    for (const VariantManifest& variant : effect->variants) {
+      if (variant.baseline) continue;
+      tell(static_cast<double>(search.options.size() - 1) / static_cast<double>(effects.size()), "drawing " + variant.name);
+      const Configuration alone = configuration_with(plan, variant);
       try {
-        Outcome single = run.errors_of(choice);
+        Outcome single = run.errors_of(alone);
         if (model) {
-          const auto counts = run.counts_of(choice);
+          const auto counts = run.counts_of(alone);
           for (size_t view = 0; view < single.size(); ++view) {
             const double before = predicted_ms(*model, base_counts[view]), after = predicted_ms(*model, counts[view]);
-            single[view].ms = search.space.baseline[view].ms * (before > 0 ? after / before : 1);
+            single[view].ms = base[view].ms * (before > 0 ? after / before : 1);
           }
         } else {
-          const auto times = run.times_of({baseline, choice}, options.rounds);
-          set_times(single, times[1], times[0], search.space.baseline);
+          const std::vector<ChoiceRun::Times> times = run.times_of({baselines, alone}, fewest);
+          set_times(single, times[1], times[0], base);
         }
-        effect.options.push_back({variant.name, std::move(single)});
-        kept.options.push_back(&variant);
+        options.push_back({variant.name, std::move(single)});
+        kept.push_back(&variant);
       } catch (const Error& error) {
         search.left_out.push_back(fmt::format("{}: {}", variant.name, error.what()));
       }
@@ -132,6 +139,27 @@ Search singles_of(const std::vector<const EffectManifest*>& effects, ChoiceRun& 
   }
   if (model) search.doubt = std::clamp(2 * model->judged.mean_error, doubt_without, max_doubt);
   return search;
+}
+
+// Measures choices, the best predicted first, until no other can be the best.
+ChoiceSearch searched(const Search& search, const ChoiceGoal& goal, const Plan& plan, ChoiceRun& run,
+                      const RoundOptions& rounds, const Tell& tell) {
+  const uint64_t exist = search.space.choices();
+  const uint64_t max_measured = std::max<uint64_t>(2, exist / (exist > 100 ? 10 : 3));
+  ChoiceSearch known(search.space, goal, max_measured, search.doubt);
+  known.tell(search.baseline(), search.space.baseline);
+  for (std::vector<Choice> next = known.next(batch); !next.empty(); next = known.next(batch)) {
+    tell(static_cast<double>(known.measured().size()) / static_cast<double>(max_measured), "measuring choices");
+    std::vector<Configuration> timed = {configuration_of(plan, {})};
+    for (const Choice& choice : next) timed.push_back(search.configuration(plan, choice));
+    const std::vector<ChoiceRun::Times> times = run.times_of(timed, rounds);
+    for (size_t i = 0; i < next.size(); ++i) {
+      Outcome outcome = run.errors_of(timed[i + 1]);
+      set_times(outcome, times[i + 1], times[0], search.space.baseline);
+      known.tell(next[i], outcome);
+    }
+  }
+  return known;
 }
 
 // Views half way between the scene's, one after another, and a little off a single one.
@@ -151,22 +179,21 @@ std::vector<View> unseen_views(const Scene& scene) {
   return views;
 }
 
-// The choice and the baseline on views, and at a moment, that the search has not seen.
+// The choice on views, and at a moment, that the search has not seen.
 Outcome held_out(Backend& backend, const Library& library, const Search& search, const Choice& choice, ShaderCache& shaders,
-                 const ChooseOptions& options, float time_s, const Tell& tell) {
+                 const ChooseOptions& options, const Scene& seen, const Tell& tell) {
   SceneOptions later = options.scene;
-  later.time_s = time_s + 0.37f;
+  if (seen.moves()) later.time_s = seen.time_s + 0.37f;
   Scene scene = load_scene_for(later, library);
-  if (!scene.moves()) scene = load_scene_for(options.scene, library);
   scene.views = unseen_views(scene);
   const Plan plan = plan_for(options.scene, library, scene, options.aspect());
   Bakes bakes(scene, *library.code, DiskCache(options.cache));
   SceneResources resources(backend, scene, library, options.width_px, options.height_px, &bakes);
-  ChoiceRun run(backend, {&scene, &plan, &bakes, &resources}, search.effects, shaders, options, options.to == "truth", tell);
-  Outcome outcome = run.errors_of(choice);
-  const Choice baseline(choice.size(), 0);
-  const auto times = run.times_of({baseline, choice}, options.rounds);
-  for (size_t view = 0; view < outcome.size(); ++view) outcome[view].ms = median(times[1][view]);
+  ChoiceRun run({&scene, &plan, &bakes, &resources}, search.effects, shaders, options, options.to == "truth", tell);
+  const Configuration configuration = search.configuration(plan, choice);
+  Outcome outcome = run.errors_of(configuration);
+  const ChoiceRun::Times times = run.times_of({configuration}, options.rounds).front();
+  for (size_t view = 0; view < outcome.size(); ++view) outcome[view].ms = median(times[view]);
   return outcome;
 }
 
@@ -175,35 +202,65 @@ void print_prices(const ChoiceSearch& known, const Search& search, const Choice&
   const Outcome now = known.outcome_of(choice);
   fmt::print("\nwhat the next 0.01 of SSIM costs, predicted:\n");
   for (size_t e = 0; e < choice.size(); ++e) {
-    std::optional<double> price;
-    size_t by = 0;
-    for (size_t option = 0; option < search.effects[e].options.size(); ++option) {
-      Choice other = choice;
-      other[e] = option;
+    std::string words = "nothing here has less error";
+    double least = std::numeric_limits<double>::infinity();
+    Choice other = choice;
+    for (other[e] = 0; other[e] < search.options[e].size(); ++other[e]) {
       const Outcome then = known.outcome_of(other);
       const double gain = worst_error(then, "ssim") - worst_error(now, "ssim"), ms = worst_ms(then) - worst_ms(now);
-      if (gain > 1e-5 && (!price || ms / gain < *price)) price = ms / gain, by = option;
+      if (gain <= 1e-5 || ms / gain >= least) continue;
+      least = ms / gain;
+      words = fmt::format("{:+.4g} ms, by {}", 0.01 * least, search.variant(other, e).name);
     }
-    if (price)
-      fmt::print("  {:<20} {:+.4g} ms, by {}\n", search.effects[e].effect->name, 0.01 * *price,
-                 search.effects[e].options[by]->name);
-    else
-      fmt::print("  {:<20} nothing here has less error\n", search.effects[e].effect->name);
+    fmt::print("  {:<20} {}\n", search.effects[e]->name, words);
   }
 }
 
-void print_savings(ChoiceRun& run, const Search& search, const ChooseOptions& options) {
+void print_savings(ChoiceRun& run, const Search& search, const RoundOptions& rounds) {
   fmt::print("\nwhat each effect's baseline takes of the frame of baselines, measured by leaving it out:\n");
-  for (const ChosenEffect& effect : search.effects) {
+  for (const EffectManifest* effect : search.effects) {
     try {
-      const auto times = run.times_without(*effect.effect, options.rounds);
+      const std::vector<ChoiceRun::Times> times = run.times_without(*effect, rounds);
       double worst = 0;
       for (size_t view = 0; view < times[0].size(); ++view)
         worst = std::max(worst, median(times[0][view]) - median(times[1][view]));
-      fmt::print("  {:<20} {:.4g} ms at most\n", effect.effect->name, worst);
+      fmt::print("  {:<20} {:.4g} ms at most\n", effect->name, worst);
     } catch (const Error& error) {
-      fmt::print("  {:<20} cannot be left out: {}\n", effect.effect->name, error.what());
+      fmt::print("  {:<20} cannot be left out: {}\n", effect->name, error.what());
     }
+  }
+}
+
+// What was measured, and the choice, or the nearest where nothing fits. Returns whether it fits.
+bool print_found(const ChoiceSearch& known, const Search& search, const ChoiceGoal& goal, const Choice& best) {
+  std::vector<Choice> choices;
+  std::vector<Outcome> outcomes;
+  for (const auto& [choice, outcome] : known.measured()) choices.push_back(choice), outcomes.push_back(outcome);
+  fmt::print("{} of {} configurations were measured; the worst view counts\n\nthe frontier of what was measured:\n",
+             choices.size(), search.space.choices());
+  for (const size_t i : frontier_of(outcomes, goal.metric))
+    fmt::print("{} {}  {}\n", choices[i] == best ? "*" : " ", figures_of(outcomes[i]), words_of(search, choices[i]));
+  for (const std::string& variant : search.left_out) fmt::print("left out: {}\n", variant);
+  const Outcome& chosen = known.measured().at(best);
+  const bool fits = miss(chosen, goal) == 0;
+  fmt::print("\n{}{}: {}\n", fits ? "chosen: " : "nothing fits; the nearest is ", words_of(search, best), figures_of(chosen));
+  return fits;
+}
+
+// The choice beside the next best of those that fit, in rounds of their own.
+void print_confirmed(ChoiceRun& run, const ChoiceSearch& known, const Search& search, const ChoiceGoal& goal, const Plan& plan,
+                     const Choice& best, const Scene& scene, const RoundOptions& rounds) {
+  const Choice* second = nullptr;
+  for (const auto& [choice, outcome] : known.measured())
+    if (choice != best && miss(outcome, goal) == 0 && (!second || is_better(outcome, known.measured().at(*second), goal)))
+      second = &choice;
+  if (!second) return;
+  const std::vector<ChoiceRun::Times> times =
+      run.times_of({search.configuration(plan, *second), search.configuration(plan, best)}, rounds);
+  for (size_t view = 0; view < scene.views.size(); ++view) {
+    const Interval ratio = ratio_interval(times[1][view], times[0][view]);
+    fmt::print("  {}: {:.3f} [{:.3f}, {:.3f}] times the next best, {}\n", scene.views[view].name, ratio.median, ratio.low,
+               ratio.high, words_of(search, *second));
   }
 }
 
@@ -243,78 +300,28 @@ int run_choose(const ChooseOptions& options) {
   }
   SceneResources resources(*backend, scene, library, options.width_px, options.height_px, &bakes);
   ShaderCache shaders(backend->info().api, library.shaders);
-  std::vector<ChosenEffect> all;
-  for (const EffectManifest* effect : effects) {
-    ChosenEffect& chosen = all.emplace_back(ChosenEffect{effect, {&effect->baseline()}});
-    for (const VariantManifest& variant : effect->variants)
-      if (!variant.baseline) chosen.options.push_back(&variant);
-  }
   const std::optional<CostModel> model = kept_cost_model(options.cache, backends.front().name, backend->info().device);
   if (!model)
     fmt::print(
         stderr,
         "lamina: note: no cost model of this device is there, so every variant is timed; 'lamina calibrate' makes one\n");
 
-  const SceneOnDevice there{&scene, &plan, &bakes, &resources};
-  Search search;
-  {
-    ChoiceRun singles(*backend, there, all, shaders, options, options.to == "truth", progress.tell());
-    search = singles_of(effects, singles, all, model, options, progress.tell());
-  }
-  ChoiceRun run(*backend, there, search.effects, shaders, options, options.to == "truth", progress.tell());
-  const uint64_t exist = search.space.choices();
-  ChoiceSearch known(search.space, goal, std::max<size_t>(2, exist / (exist > 100 ? 10 : 3)), search.doubt);
-  const Choice baseline(search.effects.size(), 0);
-  known.tell(baseline, search.space.baseline);
-  for (std::vector<Choice> next = known.next(batch); !next.empty(); next = known.next(batch)) {
-    progress.show(static_cast<double>(known.measured().size()) / static_cast<double>(exist), "measuring choices");
-    std::vector<Choice> timed = {baseline};
-    timed.insert(timed.end(), next.begin(), next.end());
-    const auto times = run.times_of(timed, options.rounds);
-    for (size_t i = 0; i < next.size(); ++i) {
-      Outcome outcome = run.errors_of(next[i]);
-      set_times(outcome, times[i + 1], times[0], search.space.baseline);
-      known.tell(next[i], outcome);
-    }
-  }
-
-  std::vector<Choice> choices;
-  std::vector<Outcome> outcomes;
-  for (const auto& [choice, outcome] : known.measured()) choices.push_back(choice), outcomes.push_back(outcome);
+  const Tell tell = progress.tell();
+  ChoiceRun run({&scene, &plan, &bakes, &resources}, effects, shaders, options, options.to == "truth", tell);
+  const Search search = singles_of(effects, plan, run, model, options.rounds, tell);
+  const ChoiceSearch known = searched(search, goal, plan, run, options.rounds, tell);
   const Choice best = *known.best();
-  fmt::print(
-      "{} on {} ({}), {}x{}: {} of {} configurations were measured; the worst view counts\n\nthe frontier of what was "
-      "measured:\n",
-      scene.name, backends.front().name, backend->info().device, options.width_px, options.height_px, choices.size(), exist);
-  for (const size_t i : frontier_of(outcomes, goal.metric))
-    fmt::print("{} {}  {}\n", choices[i] == best ? "*" : " ", figures_of(outcomes[i]), words_of(search, choices[i]));
-  for (const std::string& variant : search.left_out) fmt::print("left out: {}\n", variant);
-  const Outcome& chosen = known.measured().at(best);
-  if (miss(chosen, goal) > 0) {
-    fmt::print("\nnothing fits; the nearest is {}: {}\n", words_of(search, best), figures_of(chosen));
-    return 1;
-  }
-  fmt::print("\nchosen: {}: {}\n", words_of(search, best), figures_of(chosen));
-
-  std::optional<size_t> second;
-  for (size_t i = 0; i < choices.size(); ++i)
-    if (choices[i] != best && miss(outcomes[i], goal) == 0 && (!second || is_better(outcomes[i], outcomes[*second], goal)))
-      second = i;
-  if (second) {
-    const auto times = run.times_of({choices[*second], best}, options.rounds);
-    for (size_t view = 0; view < scene.views.size(); ++view) {
-      const Interval ratio = ratio_interval(times[1][view], times[0][view]);
-      fmt::print("  {}: {:.3f} [{:.3f}, {:.3f}] times the next best, {}\n", scene.views[view].name, ratio.median, ratio.low,
-                 ratio.high, words_of(search, choices[*second]));
-    }
-  }
+  fmt::print("{} on {} ({}), {}x{}: ", scene.name, backends.front().name, backend->info().device, options.width_px,
+             options.height_px);
+  if (!print_found(known, search, goal, best)) return 1;
+  print_confirmed(run, known, search, goal, plan, best, scene, options.rounds);
   fmt::print("on views{} that the search has not seen: {}\n", scene.moves() ? " and at a moment" : "",
-             figures_of(held_out(*backend, library, search, best, shaders, options, scene.time_s, progress.tell())));
+             figures_of(held_out(*backend, library, search, best, shaders, options, scene, tell)));
   print_prices(known, search, best);
-  if (search.effects.size() > 1) print_savings(run, search, options);
+  if (effects.size() > 1) print_savings(run, search, options.rounds);
 
   std::map<std::string, std::string> variants;
-  for (size_t i = 0; i < best.size(); ++i) variants[search.effects[i].effect->name] = search.effects[i].options[best[i]]->name;
+  for (size_t e = 0; e < effects.size(); ++e) variants[effects[e]->name] = search.variant(best, e).name;
   const std::filesystem::path file = options.out / "configuration.toml";
   write_file_atomically(file, configuration_text(scene.source, variants));
   fmt::print("\nconfiguration: {}\n", file.string());

@@ -142,7 +142,7 @@ nlohmann::ordered_json limit_settings(const std::vector<std::string>& texts) {
   nlohmann::ordered_json settings = nlohmann::ordered_json::object();
   for (const std::string& text : texts) {
     const Limit limit = parse_limit("compare", text);
-    if (std::ranges::none_of(error_metrics, [&](const ErrorMetric& metric) { return metric.name == limit.metric; }))
+    if (!error_metric(limit.metric))
       throw Error(ErrorKind::bad_input, "compare", "--limit " + text,
                   "limits the error to the baseline: ssim, psnr_db, flip, max_linear or rmse_linear");
     settings[limit.metric] = limit.value;
@@ -260,8 +260,8 @@ Command add_compare(CLI::App& program) {
   return {&command, [=, &command](const std::string& typed) {
             options->command = typed;
             const auto quick_default = [&](const char* name) { return options->quick && command.count(name) == 0; };
-            if (quick_default("--budget")) options->rounds.budget_s = 4;
-            if (quick_default("--precision")) options->rounds.precision = 0.05;
+            if (quick_default("--budget")) options->rounds.budget_s = quick_budget_s;
+            if (quick_default("--precision")) options->rounds.precision = quick_precision;
             if (quick_default("--truth-rays")) options->truth_rays = 64;
             if (options->watch) {
               if (command.count("--truth-rays") == 0) options->truth_rays = 0;

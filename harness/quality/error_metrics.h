@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "harness/quality/quality.h"
 
@@ -20,5 +21,12 @@ inline constexpr std::array<ErrorMetric, 5> error_metrics = {
      {"flip", "FLIP", false, &ErrorFigures::flip},
      {"max_linear", "max, linear", false, &ErrorFigures::max_linear},
      {"rmse_linear", "RMSE, linear", false, &ErrorFigures::rmse_linear}}};
+
+// Null where no metric has this name.
+inline const ErrorMetric* error_metric(std::string_view name) {
+  for (const ErrorMetric& metric : error_metrics)
+    if (name == metric.name) return &metric;
+  return nullptr;
+}
 
 }  // namespace lamina
