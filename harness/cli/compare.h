@@ -20,6 +20,7 @@ struct CompareOptions : WatchOptions {                // the rounds are of a bac
   bool quick = false;
   bool times = true;
   bool watch = false;
+  bool only_costs = false;  // counts and times alone, in a record: no picture, error, report or table
 };
 
 // Measures, and leaves the record and the report in options.out. Returns the exit status.
