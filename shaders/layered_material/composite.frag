@@ -8,7 +8,6 @@
 // and others how layers are filtered and shaded:
 //   LIGHT_FILTER, BASE_FILTER  what takes the place of the 13 taps, a function of (sampler, center, radius, footprint): poisson_disc,
 //                              golden_disc, ring_disc, merged_disc, one_fetch_disc, one_fetch_thirteen
-//   BASE_CLUSTERED     the inner layer by clusters of taps that were blurred once (clustered_base.glsl)
 //   LIGHT_COVERED      the light map is not filled beyond its charts: its alpha is how much of a texel they cover, by which light is
 //                      divided; where layers shade, the outer one's transparency is then fetched
 //   BASE_BLURRED       the inner layer is read from maps that were blurred once (blurred_base.glsl)
@@ -27,9 +26,6 @@
 #include "merged_disc.glsl"
 #if defined(BASE_BLURRED) && defined(LAYER_DEPTH)
 #include "blurred_base.glsl"
-#endif
-#if defined(BASE_CLUSTERED) && defined(LAYER_DEPTH)
-#include "clustered_base.glsl"
 #endif
 #if !defined(SHADOWS_AT_CENTER) && !defined(SHADOWS_LEFT_OUT) && !defined(SHADOWS_PREMULTIPLIED)
 #if !defined(LIGHT_FROM_MAP) || defined(LIGHT_COVERED)
@@ -112,8 +108,6 @@ void main() {
   InnerPoint inner = inner_point(point.uv, view_tangent, normal_tangent, thickness, texel);
 #ifdef BASE_BLURRED
   vec4 inner_base = blurred_base(inner.uv, thickness * texel, inner.distance_texels / thickness, footprint);
-#elif defined(BASE_CLUSTERED)
-  vec4 inner_base = clustered_base(inner.uv, inner.distance_texels * texel, footprint);
 #else
   vec4 inner_base = BASE_FILTER(inner_albedo, inner.uv, inner.distance_texels * texel, footprint);
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Radiance of plane layers by adding and doubling, azimuth averaged: what random walks are held against. After van de Hulst,
-// "Multiple Light Scattering", 1980, chapter 4. Directions are cosines to the normal; operators act on radiances at quadrature points, their
-// weights within.
+// "Multiple Light Scattering", 1980, chapter 4. Directions are cosines to the normal; operators act on radiances at quadrature
+// points, their weights within.
 #pragma once
 
 #include <cmath>
@@ -10,8 +10,8 @@
 
 namespace lamina {
 
-// Points in (0, 1) whose weights sum to 1, by Gauss; then further cosines that count for nothing in sums, where radiance is asked
-// for.
+// Points in (0, 1) whose weights sum to 1, by Gauss; then further cosines that count for nothing in sums, where radiance is
+// asked for.
 struct Cosines {
   std::vector<double> at, weight;
   size_t size() const { return at.size(); }
@@ -126,8 +126,8 @@ inline PlaneLayer medium_layer(const Cosines& c, double albedo, double depth, do
   return made;
 }
 
-// Radiance that leaves at cosine i under radiance of 1 from everywhere above. For a cosine that is asked for it is the share of light from
-// there that comes back, or passes, as well: paths run both ways.
+// Radiance that leaves at cosine i under radiance of 1 from everywhere above. For a cosine that is asked for it is the share of
+// light from there that comes back, or passes, as well: paths run both ways.
 inline double sum_of_row(const SquareMatrix& m, size_t i) {
   double sum = 0;
   for (size_t j = 0; j < m.n; ++j) sum += m(i, j);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The random walk through layers against adding and doubling, the shares of light that other code has converged to, and closed forms.
+// The random walk through layers against adding and doubling, the shares of light that other code has converged to, and closed
+// forms.
 #include "harness/effects/layered_material/layer_walk.h"
 
 #include <gtest/gtest.h>
@@ -126,9 +127,9 @@ TEST(LayerWalk, LightOfALampPassesAsPathsRunBothWays) {
 TEST(LayerWalk, SheetsWithoutAMediumShowAllBounces) {
   const std::vector<UniformLayer> printed = {{0.8f, 0.3f}, {0.6f, 0.4f}, {0.4f, 0.5f}, {0.9f, 1}};
   for (size_t n = 2; n <= 4; ++n) {
-    std::vector<UniformLayer> sheets(printed.begin(), printed.begin() + ptrdiff_t(n - 1));
-    sheets.push_back(printed[3]);
-    for (const float shadowing : {0.0f, 1.0f}) expect_about(walked(stack_scene(sheets, shadowing)), all_bounces(sheets));
+    std::vector<UniformLayer> stack(printed.begin(), printed.begin() + ptrdiff_t(n - 1));
+    stack.push_back(printed[3]);
+    for (const float shadowing : {0.0f, 1.0f}) expect_about(walked(stack_scene(stack, shadowing)), all_bounces(stack));
   }
 }
 
@@ -141,12 +142,14 @@ TEST(LayerWalk, AWhiteFurnaceIsWhite) {
     expect_about(walked(scene, to_eye, {0.5, 0.5}, 3000), 1);
 }
 
-// Without a medium, a texture below is where a straight ray meets it: as many texels beside as the sheet is deep, at 45 degrees.
+// Without a medium, a texture below is where a straight ray meets it: as many texels beside as the sheet is deep, at 45
+// degrees.
 TEST(LayerWalk, AStraightRayMeetsTheTextureBelow) {
   Scene scene = stack_scene({{0, 0}, {1, 1}}, 1);
   stack_of(scene).numbers["thickness"] = 10;
-  stack_of(scene).textures["inner_albedo"] = make_texture(
-      "half", filled(64, [](uint32_t x, uint32_t) { return glm::vec4(glm::vec3(x < 32 ? 1.0f : 0.0f), 1); }), TexelMeaning::colour);
+  stack_of(scene).textures["inner_albedo"] =
+      make_texture("half", filled(64, [](uint32_t x, uint32_t) { return glm::vec4(glm::vec3(x < 32 ? 1.0f : 0.0f), 1); }),
+                   TexelMeaning::colour);
   const glm::dvec3 from_right = glm::normalize(glm::dvec3(1, 0, 1));
   // Seen from the right the ray goes to the left.
   expect_about(walked(scene, from_right, {40.0 / 64, 0.5}, 200), 1);
@@ -154,7 +157,8 @@ TEST(LayerWalk, AStraightRayMeetsTheTextureBelow) {
   expect_about(walked(scene, {0, 0, 1}, {30.0 / 64, 0.5}, 200), 1);
 }
 
-// A lamp's ray comes through the sheet above as far beside as that is high, and falls by Lambert's law of the layer's own normal.
+// A lamp's ray comes through the sheet above as far beside as that is high, and falls by Lambert's law of the layer's own
+// normal.
 TEST(LayerWalk, ALampsRayMeetsTheSheetAbove) {
   Scene scene = stack_scene({{0, 0}, {1, 1}}, 1);
   stack_of(scene).numbers["thickness"] = 10;
@@ -165,9 +169,8 @@ TEST(LayerWalk, ALampsRayMeetsTheSheetAbove) {
   expect_about(walked(scene, {0, 0, 1}, {26.0 / 64, 0.5}, 200), std::sqrt(0.5));
   expect_about(walked(scene, {0, 0, 1}, {34.0 / 64, 0.5}, 200), 0);
   const glm::vec3 tilted = glm::normalize(glm::vec3(0.6f, 0, 0.8f));
-  stack_of(scene).textures["inner_normal"] =
-      make_texture("tilted", filled(64, [&](uint32_t, uint32_t) { return glm::vec4(0.5f + 0.5f * tilted, 1); }),
-                   TexelMeaning::normal_mean);
+  stack_of(scene).textures["inner_normal"] = make_texture(
+      "tilted", filled(64, [&](uint32_t, uint32_t) { return glm::vec4(0.5f + 0.5f * tilted, 1); }), TexelMeaning::normal_mean);
   stack_of(scene).facts["inner_bend"] = 1;
   EXPECT_NEAR(walked(scene, {0, 0, 1}, {26.0 / 64, 0.5}, 200).mean.r, 1.4 * std::sqrt(0.5), 0.01);
 }

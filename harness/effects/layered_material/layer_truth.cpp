@@ -218,7 +218,8 @@ class LayerTruth : public Truth {
       seen.straight = true;
       straight[n] = glm::vec3(model.light(seen, eye, samples, turn - std::floor(turn)).all);
       const glm::dvec3 to_eye = glm::normalize(eye - seen.position);
-      const WalkStart start{seen.uv, seen.right, seen.down, glm::transpose(glm::dmat3(seen.along, seen.across, seen.normal)) * to_eye};
+      const WalkStart start{seen.uv, seen.right, seen.down,
+                            glm::transpose(glm::dmat3(seen.along, seen.across, seen.normal)) * to_eye};
       physical[n] = glm::vec3(walks.at(object).light(start, walks_a_sample * samples, 1 + i).mean);
     });
     answer.steps = {
@@ -226,8 +227,8 @@ class LayerTruth : public Truth {
          std::move(first)},
         {"footprint", "the outer layer as mip levels show it against the mean over the pixel", std::move(all)}};
     if (!walked) return answer;
-    answer.steps.push_back({"bending", "the eye's ray bent by the mapped normal, and N.V, against a straight ray without",
-                            std::move(straight)});
+    answer.steps.push_back(
+        {"bending", "the eye's ray bent by the mapped normal, and N.V, against a straight ray without", std::move(straight)});
     answer.steps.push_back({"walk", "discs and one bounce against a random walk of the light", std::move(physical)});
     return answer;
   }

@@ -15,26 +15,25 @@
 namespace lamina {
 namespace {
 
-constexpr int max_events = 20000;
-constexpr double roulette_below = 0.05;
-constexpr double least_cosine = 1.0 / 64;  // of the eye's ray, whose surface is only just seen
+constexpr int most_events = 20000;
+constexpr double walk_roulette_below = 0.05;
+constexpr double least_eye_cosine = 1.0 / 64;  // of the eye's ray, whose surface is only just seen
 
 // Henyey and Greenstein's density for a mean cosine g; its integral over all directions is 1.
-double phase(double cosine, double g) {
+double scattered_towards(double cosine, double g) {
   const double base = 1 + g * g - 2 * g * cosine;
   return (1 - g * g) / (4 * std::numbers::pi * base * std::sqrt(base));
 }
 
-struct Sheet {
-  FilteredTexture base;
-  double depth;
-  bool last;
-  double transparency(glm::dvec2 uv) const { return last ? 0 : base.base(uv).a; }
-};
-
 }  // namespace
 
 struct LayerWalk::Parts {
+  struct Sheet {
+    FilteredTexture base;
+    double depth;
+    bool last;
+    double transparency(glm::dvec2 uv) const { return last ? 0 : base.base(uv).a; }
+  };
   const Scene& scene;
   const Occluders& occluders;
   LayerLight surface;
@@ -76,9 +75,8 @@ struct LayerWalk::Parts {
     if (!light.casts) return true;
     Occluders::Packet rays;
     for (int axis = 0; axis < 3; ++axis) rays.direction[size_t(axis)][0] = float(direction[axis]);
-    rays.distance_m[0] = light.kind == Light::Kind::point
-                             ? float(glm::length(glm::dvec3(light.position) - place.position))
-                             : std::numeric_limits<float>::infinity();
+    rays.distance_m[0] = light.kind == Light::Kind::point ? float(glm::length(glm::dvec3(light.position) - place.position))
+                                                          : std::numeric_limits<float>::infinity();
     return occluders.free_rays(glm::vec3(place.position + place.normal * double(occluders.default_bias_m())), rays, 1) & 1;
   }
 
@@ -107,7 +105,7 @@ struct LayerWalk::Parts {
     glm::dvec3 light(0), weight(1);
     double depth = 0;
     size_t next = 0;  // the sheet that the path meets next
-    for (int event = 0; event < max_events; ++event) {
+    for (int event = 0; event < most_events; ++event) {
       const bool down = direction.z < 0;
       const double free = extinction > 0 && (next > 0 || !down) ? -std::log(random.uniform()) / extinction : 1e300;
       const double distance = (sheets[next].depth - depth) / -direction.z;  // 1e300 and more where it runs along the sheets
@@ -116,8 +114,8 @@ struct LayerWalk::Parts {
         depth -= free * direction.z;
         weight *= albedo;
         light += weight * straight(uv, depth, down ? next : next + 1, [&](glm::dvec3 to) {
-          return std::numbers::pi * phase(glm::dot(to, direction), forward);
-        });
+                   return std::numbers::pi * scattered_towards(glm::dot(to, direction), forward);
+                 });
         direction = random.scattered(direction, forward);
         if (down && direction.z >= 0) --next;
         if (!down && direction.z < 0) ++next;
@@ -133,8 +131,7 @@ struct LayerWalk::Parts {
           continue;
         }
         weight *= glm::dvec3(base);
-        if (down)
-          light += weight * straight(uv, depth, next, [&](glm::dvec3 to) { return glm::dot(to, normal_of(next, uv)); });
+        if (down) light += weight * straight(uv, depth, next, [&](glm::dvec3 to) { return glm::dot(to, normal_of(next, uv)); });
         const double z = std::sqrt(random.uniform()), across = std::sqrt(1 - z * z),
                      angle = 2 * std::numbers::pi * random.uniform();
         direction = {across * std::cos(angle), across * std::sin(angle), down ? z : -z};
@@ -143,9 +140,9 @@ struct LayerWalk::Parts {
       }
       const double left = std::max({weight.r, weight.g, weight.b});
       if (left <= 0) return light;
-      if (left < roulette_below) {
-        if (random.uniform() * roulette_below >= left) return light;
-        weight *= roulette_below / left;
+      if (left < walk_roulette_below) {
+        if (random.uniform() * walk_roulette_below >= left) return light;
+        weight *= walk_roulette_below / left;
       }
     }
     return light;
@@ -161,7 +158,7 @@ LayerWalk::~LayerWalk() = default;
 WalkedLight LayerWalk::light(const WalkStart& start, size_t paths, uint64_t seed) const {
   WalkRandom random(seed);
   glm::dvec3 ray = -start.to_eye;
-  ray.z = std::min(ray.z, -least_cosine);
+  ray.z = std::min(ray.z, -least_eye_cosine);
   ray = glm::normalize(ray);
   glm::dvec3 sum(0), squares(0);
   for (size_t i = 0; i < paths; ++i) {

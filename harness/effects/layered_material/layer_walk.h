@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The physical truth of the layered material: a random walk of light through its layers. Layers are thin sheets that let a share of
-// the light pass straight, their transparency, and scatter the rest as Lambert's law says; between them lies a medium that
-// scatters and absorbs. Nothing refracts or reflects at borders. There are no discs, no N.V and no limit to how often light
-// bounces. Written from the physics; shares nothing with shaders, nor with the model's truth but where lights stand.
+// The physical truth of the layered material: a random walk of light through its layers. Layers are thin sheets that let a
+// share of the light pass straight, their transparency, and scatter the rest as Lambert's law says; between them lies a medium
+// that scatters and absorbs. Nothing refracts or reflects at borders. There are no discs, no N.V and no limit to how often
+// light bounces. Written from the physics; shares nothing with shaders, nor with the model's truth but where lights stand.
 //
 // Lengths are texels of inner_albedo's base level, as in the effect; the layers follow the surface, so that each place has the
-// lights of its own frame, and a light that casts is hidden where the mesh is in its way. A layer's normal, its own map's or a flat one,
-// counts for the light that comes straight from a light.
+// lights of its own frame, and a light that casts is hidden where the mesh is in its way. A layer's normal, its own map's or a
+// flat one, counts for the light that comes straight from a light.
 #pragma once
 
 #include <memory>
