@@ -16,9 +16,9 @@ using Aperture = glm::vec4;
 
 // What a variant wants of every point.
 struct ApertureKind {
-  uint32_t count = 1;  // caps, 1 to max_apertures
-  bool anti = false;   // of what is blocked, and then count is 1
-  bool soft = false;   // with the width of its edge, and then count is 1
+  uint32_t count = 1;   // caps, 1 to max_apertures
+  bool anti = false;    // of what is blocked, and then count is 1
+  bool soft = false;    // with the width of its edge, and then count is 1
   bool choice = false;  // of what is open and of what is blocked, and which errs less; then count is 2
   auto operator<=>(const ApertureKind&) const = default;
 };
@@ -33,16 +33,16 @@ Aperture aperture_of_rays(const Visibility& visibility, size_t point, size_t ray
 // One for each point. A point that sees nothing has radius 0 and looks along its normal.
 std::vector<Aperture> single_apertures(const Visibility& visibility);
 
-// The same with an edge that fades: as far as the visible directions spread beyond what a circle of their area would hold, whose sum is
-// the longest that this area can have. The cap's share falls linearly in the cosine to its axis, from 1 to 0 over 2 w around
-// c = cos r: the area stays, the sum of visible directions becomes pi (1 - c^2 - w^2 / 3). `edge_angle`: w / sin r, in
-// radians, 0 (a circle) to 1. The direction's length is edge_length(edge_angle), so that apertures keep four floats.
+// The same with an edge that fades: as far as the visible directions spread beyond what a circle of their area would hold,
+// whose sum is the longest that this area can have. The cap's share falls linearly in the cosine to its axis, from 1 to 0 over
+// 2 w around c = cos r: the area stays, the sum of visible directions becomes pi (1 - c^2 - w^2 / 3). `edge_angle`: w / sin r,
+// in radians, 0 (a circle) to 1. The direction's length is edge_length(edge_angle), so that apertures keep four floats.
 double edge_angle(const Visibility& visibility, size_t rays, glm::dvec3 sum);
 double edge_length(double edge_angle);
 std::vector<Aperture> soft_apertures(const Visibility& visibility);
 
-// For each point the cap of what is open, then that of what is blocked, [point * 2 + i]. The second one's direction has length 1
-// where it tells the open directions better, else least_choice_length: fewer rays, by their cosine, lie on its wrong side.
+// For each point the cap of what is open, then that of what is blocked, [point * 2 + i]. The second one's direction has length
+// 1 where it tells the open directions better, else least_choice_length: fewer rays, by their cosine, lie on its wrong side.
 inline constexpr double least_choice_length = 1.0 / 16;
 std::vector<Aperture> chosen_apertures(const Visibility& visibility);
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // First a walk over the surface, always along the step whose match is the clearest (Prim, "Shortest Connection Networks and
-// Some Generalizations", 1957, for the greatest tree). A walk knows a region that is hidden only by where it was seen last, on the
-// way that it came; where the region is seen again from another side, that may be far off. So then each region's
-// directions are spread over the points that do not see it, from all sides, and points are put in order anew, until none
-// changes.
+// Some Generalizations", 1957, for the greatest tree). A walk knows a region that is hidden only by where it was seen last, on
+// the way that it came; where the region is seen again from another side, that may be far off. So then each region's directions
+// are spread over the points that do not see it, from all sides, and points are put in order anew, until none changes.
 #include "harness/effects/aperture_lighting/region_matching.h"
 
 #include <algorithm>
@@ -73,7 +72,8 @@ class Matching {
     for (uint32_t start = 0; start < points(); ++start) {
       if (reached[start]) continue;
       reorder(start, match(of(start), known(start)).order);
-      for (size_t i = 0; i < count_; ++i) known(start)[i] = glm::vec3(of(start)[i]);
+      // What was never seen lies nowhere: any direction would draw regions to it.
+      for (size_t i = 0; i < count_; ++i) known(start)[i] = of(start)[i].w > 0 ? glm::vec3(of(start)[i]) : glm::vec3(0);
       reach(start);
       while (!steps.empty()) {
         const Step step = steps.top();
@@ -108,7 +108,7 @@ class Matching {
   void turn_hidden() {
     spread();
     for (size_t i = 0; i < apertures_.size(); ++i)
-      if (apertures_[i].w <= 0) apertures_[i] = Aperture(known_[i], 0);
+      if (apertures_[i].w <= 0 && known_[i] != glm::vec3(0)) apertures_[i] = Aperture(known_[i], 0);
   }
 
  private:
@@ -156,13 +156,13 @@ class Matching {
   std::vector<glm::vec3> known_;  // [point * count + i]: where a point's regions lie, seen or not
 };
 
-// Whether another order brings what both see nearer together.
+// Whether another order brings the regions that either sees nearer to where the other one has them, seen or hidden.
 bool mismatched(std::span<const Aperture> a, std::span<const Aperture> b) {
-  double as_it_is = 0, best = 0;
+  double as_it_is = 0, best = -1e30;
   each_order(a.size(), [&](const Order& order) {
     double score = 0;
     for (size_t i = 0; i < a.size(); ++i)
-      score += double(std::min(a[i].w, b[order[i]].w)) * (1 + double(glm::dot(glm::vec3(a[i]), glm::vec3(b[order[i]]))));
+      score += double(a[i].w + b[order[i]].w) * double(glm::dot(glm::vec3(a[i]), glm::vec3(b[order[i]])));
     if (std::is_sorted(order.begin(), order.begin() + ptrdiff_t(a.size()))) as_it_is = score;
     best = std::max(best, score);
   });
