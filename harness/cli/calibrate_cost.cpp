@@ -19,7 +19,8 @@
 namespace lamina {
 namespace {
 
-constexpr double contradiction = 2;  // times what is predicted, or its inverse
+constexpr double contradiction = 2;     // times what is predicted, or its inverse
+constexpr double max_mean_error = 0.1;  // of a model that is good enough to contradict a time
 
 struct CalibrateOptions {
   std::vector<std::filesystem::path> records;  // folders of runs, or their record.jsonl; empty: measures the scenes
@@ -31,33 +32,39 @@ std::string cache_key(const std::string& backend, const std::string& device) {
   return "cost_model_" + hash_hex(backend + "\n" + device);
 }
 
-// Built-in scenes that call for each effect with several variants at least once, the first that does.
-std::vector<std::string> scenes_for_every_effect(const SceneOptions& options) {
+// What is measured: of each effect with several variants, what the first scene that calls for it tells.
+struct MeasuredScene {
+  std::string name;
+  std::vector<std::string> effects;
+};
+
+std::vector<MeasuredScene> measured_scenes(const SceneOptions& options, const std::vector<std::string>& scenes) {
   const Library library = load_library_for(options);
-  std::set<const EffectManifest*> left;
+  std::set<std::string> left;
   for (const EffectManifest& effect : library.effects)
-    if (effect.variants.size() > 1) left.insert(&effect);
-  std::vector<std::string> scenes;
-  for (const std::string& name : builtin_scenes()) {
+    if (effect.variants.size() > 1) left.insert(effect.name);
+  std::vector<MeasuredScene> measured;
+  for (const std::string& name : scenes.empty() ? builtin_scenes() : scenes) {
     if (left.empty()) break;
     SceneOptions one = options;
     one.scene = name;
     const Scene scene = load_scene_for(one, library);
     const Plan plan = make_plan(library, scene);
-    const size_t before = left.size();
-    for (const EffectManifest* effect : compared_effects(plan)) left.erase(effect);
-    if (left.size() < before) scenes.push_back(name);
+    MeasuredScene& of = measured.emplace_back(MeasuredScene{name, {}});
+    for (const EffectManifest* effect : compared_effects(plan))
+      if (left.erase(effect->name) > 0) of.effects.push_back(effect->name);
+    if (of.effects.empty()) measured.pop_back();
   }
-  return scenes;
+  return measured;
 }
 
 // Measures each scene as compare does, and adds its folder. Returns whether all were measured: false after Ctrl-C.
 bool measure(const CalibrateOptions& options, std::vector<std::filesystem::path>& folders) {
-  const std::vector<std::string> scenes =
-      options.scenes.empty() ? scenes_for_every_effect(options.measuring.scene) : options.scenes;
-  for (const std::string& scene : scenes) {
+  const std::vector<MeasuredScene> scenes = measured_scenes(options.measuring.scene, options.scenes);
+  for (const auto& [scene, effects] : scenes) {
     CompareOptions one = options.measuring;
     one.scene.scene = scene;
+    one.costs_of = effects;
     one.out = options.measuring.out / scene;
     fmt::print("calibrate: {}, {} of {} scenes\n", scene, folders.size() + 1, scenes.size());
     if (run_compare(one) > 128) return false;
@@ -126,6 +133,7 @@ void keep_cost_model(const std::filesystem::path& cache, const CostModel& model)
 }
 
 void note_times_that_counts_do_not_tell(const CostModel& model, std::span<CellRow> rows) {
+  if (model.judged.mean_error > max_mean_error) return;
   for (CellRow& row : rows) {
     const std::vector<double> frame_ms = row.failed || !row.timed ? std::vector<double>{} : frame_samples_ms(row.passes);
     std::vector<std::string> unknown;
@@ -142,7 +150,6 @@ Command add_calibrate(CLI::App& program) {
   auto options = std::make_shared<CalibrateOptions>();
   CompareOptions& measuring = options->measuring;
   measuring.width_px = measuring.height_px = 256;
-  measuring.only_costs = true;
   measuring.out = "lamina-calibrate";
   CLI::App& command = *program.add_subcommand(
       "calibrate", "What each kind of work costs on this device: fitted to measured passes, and kept for predictions");
@@ -151,7 +158,7 @@ Command add_calibrate(CLI::App& program) {
       ->type_name(placeholder::record);
   command
       .add_option("--scene", options->scenes,
-                  "Only this scene (may be given again); without, built-in ones that call for every effect")
+                  "Only this scene (may be given again); without, built-in ones that call for every effect, each effect in one")
       ->type_name(placeholder::scene);
   add_out(command, measuring.out, "Folder for the runs, one a scene");
   add_backends(command, measuring);

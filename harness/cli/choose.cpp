@@ -10,10 +10,10 @@
 
 #include "harness/choose/search.h"
 #include "harness/cli/calibrate_cost.h"
-#include "harness/cli/choice_run.h"
 #include "harness/cli/commands.h"
 #include "harness/cli/common.h"
 #include "harness/cli/devices.h"
+#include "harness/cli/drawn_options.h"
 #include "harness/core/text.h"
 #include "harness/plan/configuration_file.h"
 #include "harness/record/kept_certificate.h"
@@ -22,15 +22,14 @@
 namespace lamina {
 namespace {
 
-constexpr size_t batch = 3;             // choices that are timed beside each other, and beside the baseline
-constexpr double doubt_without = 0.05;  // of times that were measured
-constexpr double max_doubt = 0.5;
+constexpr size_t batch = 3;  // choices that are timed beside each other, and beside the baseline
 
 struct ChooseOptions : CellOptions {
   std::string budget;               // "4ms"
   std::vector<std::string> limits;  // METRIC=NUMBER
   std::optional<double> min_ssim, max_flip;
   std::string to = "baseline";
+  bool exhaustive = false;
   RoundOptions rounds{.budget_s = 6, .precision = 0.02};  // of each batch
 };
 
@@ -62,26 +61,9 @@ ChoiceGoal goal_of(const ChooseOptions& options) {
   return goal;
 }
 
-// The space that is searched, and what its options are.
-struct Search {
-  std::vector<const EffectManifest*> effects;
-  std::vector<std::vector<const VariantManifest*>> options;  // by effect, beside the space's
-  ChoiceSpace space;
-  double doubt = doubt_without;
-  std::vector<std::string> left_out;  // variants that cannot be chosen, with the reason
-
-  Choice baseline() const { return Choice(effects.size(), 0); }
-  const VariantManifest& variant(const Choice& choice, size_t effect) const { return *options[effect][choice[effect]]; }
-  Configuration configuration(const Plan& plan, const Choice& choice) const {
-    std::map<std::string, const VariantManifest*, std::less<>> variants;
-    for (size_t e = 0; e < effects.size(); ++e) variants[effects[e]->name] = &variant(choice, e);
-    return configuration_of(plan, variants);
-  }
-};
-
-std::string words_of(const Search& search, const Choice& choice) {
+std::string words_of(const DrawnOptions& search, const Choice& choice) {
   std::string words;
-  for (size_t e = 0; e < choice.size(); ++e) words += (e > 0 ? " + " : "") + search.variant(choice, e).name;
+  for (size_t e = 0; e < choice.size(); ++e) words += (e > 0 ? " + " : "") + search.name(choice, e);
   return words;
 }
 
@@ -91,58 +73,8 @@ std::string figures_of(const Outcome& outcome) {
                      worst_error(outcome, "flip"), std::isinf(psnr) ? "inf" : fmt::format("{:.1f} dB", psnr));
 }
 
-// Medians of the rounds, in units of one time of the baselines, so that batches that ran at another speed agree.
-void set_times(Outcome& outcome, const ChoiceRun::Times& times, const ChoiceRun::Times& baselines,
-               const Outcome& of_baselines) {
-  for (size_t view = 0; view < outcome.size(); ++view)
-    outcome[view].ms = of_baselines[view].ms * ratio_interval(times[view], baselines[view]).median;
-}
-
-// Draws each variant alone, and tells its time: by the model from its counts, or without a model by the fewest rounds.
-Search singles_of(const std::vector<const EffectManifest*>& effects, const Plan& plan, ChoiceRun& run,
-                  const std::optional<CostModel>& model, const RoundOptions& rounds, const Tell& tell) {
-  RoundOptions fewest = rounds;
-  fewest.budget_s = 0;
-  Search search{.effects = effects};
-  const Configuration baselines = configuration_of(plan, {});
-  Outcome& base = search.space.baseline = run.errors_of(baselines);
-  const ChoiceRun::Times base_times = run.times_of({baselines}, rounds).front();
-  for (size_t view = 0; view < base.size(); ++view) base[view].ms = median(base_times[view]);
-  const auto base_counts = run.counts_of(baselines);
-  for (const EffectManifest* effect : effects) {
-    std::vector<const VariantManifest*>& kept = search.options.emplace_back();
-    kept.push_back(&effect->baseline());
-    std::vector<ChoiceOption>& options = search.space.effects.emplace_back(ChoiceEffect{effect->name, {}}).options;
-    options.push_back({effect->baseline().name, base});
-    for (const VariantManifest& variant : effect->variants) {
-      if (variant.baseline) continue;
-      tell(static_cast<double>(search.options.size() - 1) / static_cast<double>(effects.size()), "drawing " + variant.name);
-      const Configuration alone = configuration_with(plan, variant);
-      try {
-        Outcome single = run.errors_of(alone);
-        if (model) {
-          const auto counts = run.counts_of(alone);
-          for (size_t view = 0; view < single.size(); ++view) {
-            const double before = predicted_ms(*model, base_counts[view]), after = predicted_ms(*model, counts[view]);
-            single[view].ms = base[view].ms * (before > 0 ? after / before : 1);
-          }
-        } else {
-          const std::vector<ChoiceRun::Times> times = run.times_of({baselines, alone}, fewest);
-          set_times(single, times[1], times[0], base);
-        }
-        options.push_back({variant.name, std::move(single)});
-        kept.push_back(&variant);
-      } catch (const Error& error) {
-        search.left_out.push_back(fmt::format("{}: {}", variant.name, error.what()));
-      }
-    }
-  }
-  if (model) search.doubt = std::clamp(2 * model->judged.mean_error, doubt_without, max_doubt);
-  return search;
-}
-
 // Measures choices, the best predicted first, until no other can be the best.
-ChoiceSearch searched(const Search& search, const ChoiceGoal& goal, const Plan& plan, ChoiceRun& run,
+ChoiceSearch searched(const DrawnOptions& search, const ChoiceGoal& goal, const Plan& plan, ChoiceRun& run,
                       const RoundOptions& rounds, const Tell& tell) {
   const uint64_t exist = search.space.choices();
   const uint64_t max_measured = std::max<uint64_t>(2, exist / (exist > 100 ? 10 : 3));
@@ -180,8 +112,8 @@ std::vector<View> unseen_views(const Scene& scene) {
 }
 
 // The choice on views, and at a moment, that the search has not seen.
-Outcome held_out(Backend& backend, const Library& library, const Search& search, const Choice& choice, ShaderCache& shaders,
-                 const ChooseOptions& options, const Scene& seen, const Tell& tell) {
+Outcome held_out(Backend& backend, const Library& library, const DrawnOptions& search, const Choice& choice,
+                 ShaderCache& shaders, const ChooseOptions& options, const Scene& seen, const Tell& tell) {
   SceneOptions later = options.scene;
   if (seen.moves()) later.time_s = seen.time_s + 0.37f;
   Scene scene = load_scene_for(later, library);
@@ -198,7 +130,7 @@ Outcome held_out(Backend& backend, const Library& library, const Search& search,
 }
 
 // Effect by effect: what the next 0.01 of SSIM would cost, by the cheapest other option that has less error.
-void print_prices(const ChoiceSearch& known, const Search& search, const Choice& choice) {
+void print_prices(const ChoiceSearch& known, const DrawnOptions& search, const Choice& choice) {
   const Outcome now = known.outcome_of(choice);
   fmt::print("\nwhat the next 0.01 of SSIM costs, predicted:\n");
   for (size_t e = 0; e < choice.size(); ++e) {
@@ -210,13 +142,13 @@ void print_prices(const ChoiceSearch& known, const Search& search, const Choice&
       const double gain = worst_error(then, "ssim") - worst_error(now, "ssim"), ms = worst_ms(then) - worst_ms(now);
       if (gain <= 1e-5 || ms / gain >= least) continue;
       least = ms / gain;
-      words = fmt::format("{:+.4g} ms, by {}", 0.01 * least, search.variant(other, e).name);
+      words = fmt::format("{:+.4g} ms, by {}", 0.01 * least, search.name(other, e));
     }
     fmt::print("  {:<20} {}\n", search.effects[e]->name, words);
   }
 }
 
-void print_savings(ChoiceRun& run, const Search& search, const RoundOptions& rounds) {
+void print_savings(ChoiceRun& run, const DrawnOptions& search, const RoundOptions& rounds) {
   fmt::print("\nwhat each effect's baseline takes of the frame of baselines, measured by leaving it out:\n");
   for (const EffectManifest* effect : search.effects) {
     try {
@@ -232,7 +164,7 @@ void print_savings(ChoiceRun& run, const Search& search, const RoundOptions& rou
 }
 
 // What was measured, and the choice, or the nearest where nothing fits. Returns whether it fits.
-bool print_found(const ChoiceSearch& known, const Search& search, const ChoiceGoal& goal, const Choice& best) {
+bool print_found(const ChoiceSearch& known, const DrawnOptions& search, const ChoiceGoal& goal, const Choice& best) {
   std::vector<Choice> choices;
   std::vector<Outcome> outcomes;
   for (const auto& [choice, outcome] : known.measured()) choices.push_back(choice), outcomes.push_back(outcome);
@@ -248,8 +180,8 @@ bool print_found(const ChoiceSearch& known, const Search& search, const ChoiceGo
 }
 
 // The choice beside the next best of those that fit, in rounds of their own.
-void print_confirmed(ChoiceRun& run, const ChoiceSearch& known, const Search& search, const ChoiceGoal& goal, const Plan& plan,
-                     const Choice& best, const Scene& scene, const RoundOptions& rounds) {
+void print_confirmed(ChoiceRun& run, const ChoiceSearch& known, const DrawnOptions& search, const ChoiceGoal& goal,
+                     const Plan& plan, const Choice& best, const Scene& scene, const RoundOptions& rounds) {
   const Choice* second = nullptr;
   for (const auto& [choice, outcome] : known.measured())
     if (choice != best && miss(outcome, goal) == 0 && (!second || is_better(outcome, known.measured().at(*second), goal)))
@@ -262,6 +194,35 @@ void print_confirmed(ChoiceRun& run, const ChoiceSearch& known, const Search& se
     fmt::print("  {}: {:.3f} [{:.3f}, {:.3f}] times the next best, {}\n", scene.views[view].name, ratio.median, ratio.low,
                ratio.high, words_of(search, *second));
   }
+}
+
+// Measures all other configurations too, with the fewest rounds, and holds the choice against the best of all.
+void print_exhaustive(ChoiceRun& run, ChoiceSearch known, const DrawnOptions& search, const ChoiceGoal& goal, const Plan& plan,
+                      const Choice& best, RoundOptions rounds, const Tell& tell) {
+  rounds.budget_s = 0;
+  const size_t searched = known.measured().size();
+  std::vector<Choice> left;
+  for (const Choice& choice : all_choices(search.space, goal.metric))
+    if (!known.measured().contains(choice)) left.push_back(choice);
+  size_t failed = 0;
+  for (size_t i = 0; i < left.size(); ++i) {
+    tell(static_cast<double>(i) / static_cast<double>(left.size()), "measuring all");
+    try {
+      const Configuration configuration = search.configuration(plan, left[i]);
+      const std::vector<ChoiceRun::Times> times = run.times_of({configuration_of(plan, {}), configuration}, rounds);
+      Outcome outcome = run.errors_of(configuration);
+      set_times(outcome, times[1], times[0], search.space.baseline);
+      known.tell(left[i], outcome);
+    } catch (const Error& error) {
+      ++failed;
+    }
+  }
+  const Choice of_all = *known.best();
+  const Outcome &chosen = known.measured().at(best), &other = known.measured().at(of_all);
+  fmt::print("\nof all {} configurations ({} measured by the search, {} that do not run) the best is {}: {}\n",
+             search.space.choices(), searched, failed, words_of(search, of_all), figures_of(other));
+  fmt::print("the choice takes {:.3f} times its time, at {:+.4f} {}\n", worst_ms(chosen) / worst_ms(other),
+             worst_error(chosen, goal.metric) - worst_error(other, goal.metric), goal.metric);
 }
 
 int run_choose(const ChooseOptions& options) {
@@ -308,7 +269,7 @@ int run_choose(const ChooseOptions& options) {
 
   const Tell tell = progress.tell();
   ChoiceRun run({&scene, &plan, &bakes, &resources}, effects, shaders, options, options.to == "truth", tell);
-  const Search search = singles_of(effects, plan, run, model, options.rounds, tell);
+  const DrawnOptions search = draw_options(effects, plan, run, model, options.rounds, tell);
   const ChoiceSearch known = searched(search, goal, plan, run, options.rounds, tell);
   const Choice best = *known.best();
   fmt::print("{} on {} ({}), {}x{}: ", scene.name, backends.front().name, backend->info().device, options.width_px,
@@ -319,11 +280,10 @@ int run_choose(const ChooseOptions& options) {
              figures_of(held_out(*backend, library, search, best, shaders, options, scene, tell)));
   print_prices(known, search, best);
   if (effects.size() > 1) print_savings(run, search, options.rounds);
+  if (options.exhaustive) print_exhaustive(run, known, search, goal, plan, best, options.rounds, tell);
 
-  std::map<std::string, std::string> variants;
-  for (size_t e = 0; e < effects.size(); ++e) variants[effects[e]->name] = search.variant(best, e).name;
   const std::filesystem::path file = options.out / "configuration.toml";
-  write_file_atomically(file, configuration_text(scene.source, variants));
+  write_file_atomically(file, configuration_text(scene.source, library, search.chosen(best)));
   fmt::print("\nconfiguration: {}\n", file.string());
   return 0;
 }
@@ -345,6 +305,8 @@ Command add_choose(CLI::App& program) {
   command.add_option("--limit", options->limits, "METRIC=NUMBER that every view must keep (may be given again)")
       ->type_name(placeholder::limit);
   command.add_option("--to", options->to, "What errors are taken to: baseline or truth")->capture_default_str();
+  command.add_flag("--exhaustive", options->exhaustive,
+                   "Measure all other configurations too, and hold the choice against the best of all");
   add_truth(command, *options);
   add_seed(command, options->rounds.seed);
   add_validation(command, *options);

@@ -69,7 +69,7 @@ void append_rows_so_far(const EffectRun& run, RecordWriter& record) {
   for (CellRow& row : run.rows()) {
     if (!row.failed && row.image_hash.empty()) continue;
     row.timed = false;
-    row.notes.emplace_back("stopped before it was timed");
+    row.notes.emplace_back(stopped_note);
     append_row(record, row);
   }
 }
@@ -102,7 +102,7 @@ size_t run_backend(const std::string& name, const Scene& scene, const Library& l
     try {
       run.prepare();
       run.count();
-      if (!options.only_costs) run.score();
+      if (!options.only_costs()) run.score();
       rounds = run.time(options.rounds);
     } catch (const StopRequested&) {
       append_rows_so_far(run, record);
@@ -175,9 +175,12 @@ int run_compare(const CompareOptions& given) {
   WallTimes spent;
   const nlohmann::ordered_json limits = limit_settings(options.limits);
   const Library library = load_library_for(options.scene);
-  const Scene scene = load_scene_for(options.scene, library);
+  Scene scene = load_scene_for(options.scene, library);
+  if (options.only_costs()) scene.views.resize(1);
   const Plan plan = plan_for(options.scene, library, scene, options.aspect());
-  const std::vector<const EffectManifest*> effects = compared_effects(plan);
+  std::vector<const EffectManifest*> effects = compared_effects(plan);
+  if (options.only_costs())
+    std::erase_if(effects, [&](const EffectManifest* effect) { return !std::ranges::count(options.costs_of, effect->name); });
   check_variant_names("compare", options.variants, variant_names(effects));
   if (options.quick && options.variants.empty()) options.variants = quick_variants(effects);
   const std::vector<ProbedBackend> backends = probe_backends(options);
@@ -227,7 +230,7 @@ int run_compare(const CompareOptions& given) {
         record.append(to_json(row));
   }
 
-  if (options.only_costs) return StopSignals::stopped_by() != 0 ? 128 + StopSignals::stopped_by() : 0;
+  if (options.only_costs()) return StopSignals::stopped_by() != 0 ? 128 + StopSignals::stopped_by() : 0;
   const double before_report_s = watch.elapsed_s();
   write_reports(options.out);
   const Record written = read_record(options.out / "record.jsonl");

@@ -20,7 +20,9 @@ struct CompareOptions : WatchOptions {                // the rounds are of a bac
   bool quick = false;
   bool times = true;
   bool watch = false;
-  bool only_costs = false;  // counts and times alone, in a record: no picture, error, report or table
+  // Counts and times of these effects alone in the first view, in a record: no picture, error, report or table. Empty: all.
+  std::vector<std::string> costs_of;
+  bool only_costs() const { return !costs_of.empty(); }
 };
 
 // Measures, and leaves the record and the report in options.out. Returns the exit status.

@@ -157,8 +157,9 @@ void EffectRun::prepare(Variant& variant) {
     double cold_ms = 0;
     {
       const Clock clock(cold_ms);
-      auto ready = std::make_unique<ReadyFrame>(*scene_.resources, *scene_.plan, configuration_with(*scene_.plan, *variant.manifest), shaders_, parameters,
-                                                point_.timed ? Timing::bracketed : Timing::off);
+      auto ready =
+          std::make_unique<ReadyFrame>(*scene_.resources, *scene_.plan, configuration_with(*scene_.plan, *variant.manifest),
+                                       shaders_, parameters, point_.timed ? Timing::bracketed : Timing::off);
       variant.prepared.push_front({.key = key, .ready = std::move(ready)});
     }
     Prepared& made = variant.prepared.front();
@@ -261,13 +262,18 @@ RoundsResult EffectRun::time(const RoundOptions& rounds) {
       fail(*row, samples.failure);
       continue;
     }
+    if (result.rounds < rounds.min_rounds) {  // stopped: what was drawn and counted stays
+      row->timed = false;
+      row->notes.emplace_back(stopped_note);
+      continue;
+    }
     size_t once = 0, frame = 0;
     for (PassRow& pass : row->passes) pass.ms = pass.once ? variant->once_ms[once++] : samples.pass_ms[frame++];
     const bool has_baseline = arms[i].baseline && result.arms[*arms[i].baseline].failure.empty();
     if (has_baseline && !row->baseline)
       row->ratio_to_baseline = ratio_interval(samples.frame_ms, result.arms[*arms[i].baseline].frame_ms);
   }
-  return result;
+  return result.rounds < rounds.min_rounds ? RoundsResult{} : result;
 }
 
 EffectRun::Drawn EffectRun::draw(Variant& variant, size_t view) {

@@ -35,6 +35,9 @@ struct Spent {
   double sum() const { return device + read_back + metrics; }
 };
 
+// Of a cell that has its picture and counts when a signal ends the run.
+inline constexpr const char* stopped_note = "stopped before it was timed";
+
 class EffectRun {
  public:
   // Everything but the options must outlive this. `images` is the folder of the pictures within options.out; their paths in

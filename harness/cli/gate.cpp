@@ -132,6 +132,7 @@ int run_gate(const GateOptions& options) {
   const Stopwatch watch;
   pin_rasterizer_threads(0);  // so that backends can run side by side
   if (options.calibrate) return run_calibration(options);
+  if (options.self_test) return run_self_test(options);
   if (options.against.empty() == options.baseline.empty())
     throw Error(ErrorKind::bad_input, "gate", "options",
                 "say what to compare with: --against DIR, a tree of variants and shaders, or --baseline RECORD; one of them");
@@ -176,6 +177,8 @@ Command add_gate(CLI::App& program) {
                   "Processes that measure on each backend; two where the budget is short, more where it lasts")
       ->capture_default_str()
       ->check(CLI::Range(2, 100));
+  command.add_flag("--self-test", options->self_test,
+                   "Put each fault that the gate claims to catch into the scene's own baseline, and print which are caught");
   CLI::Option* calibrate = command.add_flag("--calibrate", options->calibrate,
                                             "Measure the gate's own error rates here: gates over equal trees, and over trees "
                                             "with one slower pass, each within --budget");

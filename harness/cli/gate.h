@@ -31,6 +31,7 @@ struct GateOptions {
   // Backends at the same time: software rasterizers that run in the caller's thread. Two threads share tiles by chance, which
   // spreads the ratio of a strip to its twin; one each spreads it less, and two cores measure twice as much.
   bool side_by_side = false;
+  bool self_test = false;
   bool calibrate = false;
   size_t equal_gates = 200, slower_gates = 40;  // of a calibration: over equal trees; for each slow-down
 };
@@ -96,8 +97,9 @@ GateMeasurements measure_trees(TreePair& trees, const GateOptions& options, cons
 // Whether the variant's cells are drawn and compared: they may differ, or the limits bound their errors.
 bool is_drawn(const VariantPair& pair, const Limits& limits);
 
-// The trees of `lamina gate SCENE --against DIR`. Throws Error(bad_input) where they have no variant in common.
-TreePair pair_trees(Library before, Library after, const GateOptions& options);
+// The trees of `lamina gate SCENE --against DIR`; shaders of the one after are changed by `change`, where there is one. Throws
+// Error(bad_input) where they have no variant in common.
+TreePair pair_trees(Library before, Library after, const GateOptions& options, const ShaderCache::Change& change = {});
 
 // The cell of these among `cells`, if there is one.
 std::optional<CellRow> find_cell(const std::vector<CellRow>& cells, const std::string& backend, const std::string& effect,
@@ -136,6 +138,7 @@ bool can_run_side_by_side(const std::vector<DeviceInfo>& devices);
 
 // Each is a whole gate, or many, and returns the exit status.
 int run_calibration(GateOptions options);
+int run_self_test(GateOptions options);
 int run_against_record(GateOptions options, const Stopwatch& watch);
 
 // The record in `out`, with the lines that say what is run and of which state; pictures of an earlier run are gone.

@@ -118,8 +118,10 @@ VerdictRow judge_timer(const TimerRow& timer) {
   return row;
 }
 
-TreePair pair_trees(Library library_before, Library library_after, const GateOptions& options) {
+TreePair pair_trees(Library library_before, Library library_after, const GateOptions& options,
+                    const ShaderCache::Change& change) {
   Tree present = load_tree(std::move(library_after), options.compare);
+  for (auto& [api, shaders] : present.shaders) shaders.set_change(change);
   Tree earlier = load_tree(std::move(library_before), options.compare, &present);
   TreePair trees{std::move(earlier), std::move(present), {}};
   CodeHashes hashes;

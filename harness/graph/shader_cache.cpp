@@ -8,10 +8,10 @@ std::shared_ptr<const CompiledShader> ShaderCache::get(const std::filesystem::pa
   std::string key = fmt::format("{}|{}", file.string(), static_cast<int>(stage));
   for (const auto& [name, text] : defines) key += fmt::format("|{}={}", name, text);
   auto& entry = compiled_[key];
-  if (!entry)
-    entry =
-        std::make_shared<const CompiledShader>(compile_shader({file, stage, api_, defines, {shaders_, file.parent_path()}}));
-  return entry;
+  if (entry) return entry;
+  CompiledShader shader = compile_shader({file, stage, api_, defines, {shaders_, file.parent_path()}});
+  if (change_) change_(file, shader);
+  return entry = std::make_shared<const CompiledShader>(std::move(shader));
 }
 
 std::shared_ptr<const CompiledShader> ShaderCache::rebound(const std::shared_ptr<const CompiledShader>& shader, uint32_t from,

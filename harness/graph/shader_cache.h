@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -21,10 +22,14 @@ class ShaderCache {
   std::shared_ptr<const CompiledShader> rebound(const std::shared_ptr<const CompiledShader>& shader, uint32_t from,
                                                 uint32_t to);
   Api api() const { return api_; }
+  // Every shader is changed so before it is used: how a fault is put into code. Before the first get().
+  using Change = std::function<void(const std::filesystem::path& file, CompiledShader& shader)>;
+  void set_change(Change change) { change_ = std::move(change); }
 
  private:
   Api api_;
   std::filesystem::path shaders_;
+  Change change_;
   std::map<std::string, std::shared_ptr<const CompiledShader>> compiled_;
   std::map<std::tuple<const CompiledShader*, uint32_t, uint32_t>, std::shared_ptr<const CompiledShader>> rebound_;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/core/text.h"
 #include "harness/manifest/choices.h"
 #include "harness/manifest/like.h"
 #include "harness/manifest/read_pass.h"
@@ -88,6 +89,25 @@ BufferManifest read_buffer(const std::string& name, const TomlTable& table) {
   return buffer;
 }
 
+// What lamina choose tries beside the default.
+void read_tries(const TomlTable& table, ParameterManifest& parameter) {
+  if (!table.has("try")) return;
+  if (!parameter.words.empty()) {
+    const std::vector<std::string> tries = table.optional_strings("try").value();
+    for (const std::string& word : tries) {
+      const auto found = std::ranges::find(parameter.words, word);
+      if (found == parameter.words.end()) throw table.error("try", unknown_name("word", word, parameter.words));
+      parameter.tries.push_back(static_cast<double>(found - parameter.words.begin()));
+    }
+    return;
+  }
+  parameter.tries = table.optional_numbers("try").value();
+  for (const double value : parameter.tries)
+    if (value < parameter.min || value > parameter.max || (parameter.whole && value != std::round(value)))
+      throw table.error("try", fmt::format("'try' holds {}, which is no {}number from {} to {}", value,
+                                           parameter.whole ? "whole " : "", parameter.min, parameter.max));
+}
+
 ParameterManifest read_parameter(const std::string& name, const TomlTable& table) {
   ParameterManifest parameter;
   parameter.name = name;
@@ -110,6 +130,7 @@ ParameterManifest read_parameter(const std::string& name, const TomlTable& table
       throw table.error("value", fmt::format("'value' must be a number from {} to {}", parameter.min, parameter.max));
     parameter.whole = table.optional_bool("whole").value_or(false);
   }
+  read_tries(table, parameter);
   table.check_keys();
   return parameter;
 }
@@ -143,13 +164,15 @@ TomlFormPtr buffer_form() {
 
 TomlFormPtr parameter_form(bool whole) {
   const TomlValue number = form::number(-largest_number, largest_number);
-  const TomlFormPtr parameter = form::make({{"value", "the default", {number, form::text()}, whole},
-                                            {"of", "the words to choose among: it is then a word", {form::texts()}},
-                                            {"min", "least", {number}},
-                                            {"max", "greatest", {number}},
-                                            {"whole", "whole numbers only", {form::flag()}},
-                                            {"unit", "its unit", {form::text()}},
-                                            {"title", "what it is, for people", {form::text()}}});
+  const TomlFormPtr parameter = form::make(
+      {{"value", "the default", {number, form::text()}, whole},
+       {"of", "the words to choose among: it is then a word", {form::texts()}},
+       {"min", "least", {number}},
+       {"max", "greatest", {number}},
+       {"whole", "whole numbers only", {form::flag()}},
+       {"try", "what lamina choose tries beside the default", {form::numbers(-largest_number, largest_number), form::texts()}},
+       {"unit", "its unit", {form::text()}},
+       {"title", "what it is, for people", {form::text()}}});
   return form::make({}, TomlKey{"NAME", "a parameter", {form::table(parameter)}});
 }
 
@@ -208,6 +231,13 @@ Format VariantManifest::format_of(const TargetManifest& of, const Parameters& se
   if (of.format_parameter.empty()) return of.format;
   const ParameterManifest& word = *parameter(of.format_parameter);
   return *format_named(word.words.at(static_cast<size_t>(value_of(word, set))));
+}
+
+VariantManifest VariantManifest::with_defaults(const std::map<std::string, double>& values) const {
+  VariantManifest other = *this;
+  for (ParameterManifest& each : other.parameters)
+    if (const auto found = values.find(each.name); found != values.end()) each.value = found->second;
+  return other;
 }
 
 VariantManifest read_variant(const std::filesystem::path& file, const std::string& effect,

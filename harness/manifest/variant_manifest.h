@@ -129,6 +129,7 @@ struct ParameterManifest {
   double value = 0, min = 0, max = 0;  // of a word: its place in `words`
   bool whole = false;
   std::vector<std::string> words;  // empty: a number
+  std::vector<double> tries;       // what lamina choose tries beside `value`
 
   // As a definition's text: 2, 0.5, or the word.
   std::string text(double of) const;
@@ -152,6 +153,8 @@ struct VariantManifest {
   double value_of(const Setting& setting, const Parameters& parameters) const;
   double value_of(const ParameterManifest& parameter, const Parameters& parameters) const;
   Format format_of(const TargetManifest& target, const Parameters& parameters) const;
+  // The same with these values, by the parameters' own names, as defaults.
+  VariantManifest with_defaults(const std::map<std::string, double>& values) const;
 };
 
 // What a manifest may hold.

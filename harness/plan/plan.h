@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,7 @@ struct Plan {
   std::vector<size_t> all, opaque;
   // By effect: the variant at which it stands while another effect is compared, where that is not its baseline.
   std::map<std::string, const VariantManifest*, std::less<>> chosen;
+  std::vector<std::shared_ptr<const VariantManifest>> own;  // of these: those whose parameters are chosen too
 
   const EffectPlan* of(std::string_view effect) const;
 };

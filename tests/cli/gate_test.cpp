@@ -265,5 +265,18 @@ TEST_F(Gate, StoredRecordsAreWrittenComparedAndRefused) {
   ::unsetenv("LAMINA_HOME");
 }
 
+// Faults of pictures, of counts and of manifests in the user's own scene; what cannot be put there is said, not passed over.
+TEST_F(Gate, SelfTestCatchesEveryFaultThatIsThere) {
+  const Outcome outcome =
+      lamina_program("gate lattice_plate --self-test --size 32x32 --truth-rays 0 --backend vulkan --out " + out().string());
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_EQ(outcome.output.find("MISSED"), std::string::npos) << outcome.output;
+  EXPECT_SAYS(outcome.output, "passes     nothing");
+  for (const char* fault : {"discard_all", "blank", "nan", "weights_swapped", "disc_scaled", "eight_bits", "tap", "idle",
+                            "twice", "times_zero", "times_equal"})
+    EXPECT_SAYS(outcome.output, std::string("caught     ") + fault);
+  EXPECT_SAYS(outcome.output, "not there  alpha_0");
+}
+
 }  // namespace
 }  // namespace lamina

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "harness/core/error.h"
@@ -41,10 +42,23 @@ class ConfigurationFile : public ::testing::Test {
 TEST_F(ConfigurationFile, ComesBackAsItWasWritten) {
   const EffectManifest& layers = library_.effect("layered_material");
   EXPECT_EQ(configuration_of(plan_, {}).front(), &layers.baseline());
-  apply_configuration(plan_, file(configuration_text("a \"quoted\" scene.toml", {{"layered_material", "vertex_normal"}})));
+  const VariantManifest& vertex_normal = *std::ranges::find(layers.variants, "vertex_normal", &VariantManifest::name);
+  apply_configuration(plan_, file(configuration_text("a \"quoted\" scene.toml", library_, {&vertex_normal})));
   ASSERT_EQ(configuration_of(plan_, {}).size(), 1u);
   EXPECT_EQ(configuration_of(plan_, {}).front()->name, "vertex_normal") << "where another effect is compared";
   EXPECT_EQ(configuration_with(plan_, layers.baseline()).front(), &layers.baseline()) << "where this one is";
+}
+
+TEST_F(ConfigurationFile, ParametersComeBackToo) {
+  const EffectManifest& layers = library_.effect("layered_material");
+  const VariantManifest& declared = *std::ranges::find(layers.variants, "half_map", &VariantManifest::name);
+  const VariantManifest quarter = declared.with_defaults({{"map_scale", 0.25}});
+  EXPECT_EQ(configuration_text("heart", library_, {&declared}).find("map_scale"), std::string::npos) << "a default";
+  apply_configuration(plan_, file(configuration_text("heart", library_, {&quarter})));
+  const VariantManifest& read = *configuration_of(plan_, {}).front();
+  EXPECT_EQ(read.name, "half_map");
+  EXPECT_EQ(read.parameter("map_scale")->value, 0.25);
+  EXPECT_EQ(declared.parameter("map_scale")->value, 0.5);
 }
 
 TEST_F(ConfigurationFile, WhatIsWrongIsNamedWithItsLine) {
@@ -59,6 +73,14 @@ TEST_F(ConfigurationFile, WhatIsWrongIsNamedWithItsLine) {
   has("[configuration]\nscen = \"heart\"\n[variants]\n", "scen");
   has("[variants]\n", "configuration");
   has("variants = [", "");
+  const std::string half_map = "[configuration]\n[variants]\nlayered_material = \"half_map\"\n[parameters]\n";
+  has(half_map + "\"half_map.map_scal\" = 0.25\n", "did you mean 'map_scale'?");
+  has(half_map + "\"half_map.map_scale\" = 2\n", ":5");
+  has(half_map + "\"half_map.map_scale\" = 2\n", "from 0.0625 to 1");
+  has(half_map + "\"half_map.map_scale\" = \"much\"\n", ":5");
+  has(half_map + "\"vertex_normal.map_scale\" = 1\n",
+      "'vertex_normal.map_scale' is no parameter of a variant under [variants]");
+  has(half_map + "map_scale = 1\n", "write \"VARIANT.PARAMETER\"");
 }
 
 TEST_F(ConfigurationFile, EffectsThatAreNotCalledForMayBeNamed) {
