@@ -20,6 +20,7 @@ struct CompareOptions : WatchOptions {                // the rounds are of a bac
   bool quick = false;
   bool times = true;
   bool watch = false;
+  bool against_all = false;  // the frame of what is called for, against the frame of everything
 };
 
 // Measures, and leaves the record and the report in options.out. Returns the exit status.
