@@ -10,16 +10,16 @@
 namespace lamina {
 namespace {
 
-using Rows = std::vector<const SavingRow*>;
+using SavingRows = std::vector<const SavingRow*>;
 using CostOf = SavingRow::Cost SavingRow::Effect::*;
 
 // The views of each backend that have figures, of one list of effects.
-std::vector<std::pair<std::string, Rows>> by_backend(const Record& record) {
-  std::vector<std::pair<std::string, Rows>> all;
+std::vector<std::pair<std::string, SavingRows>> by_backend(const Record& record) {
+  std::vector<std::pair<std::string, SavingRows>> all;
   for (const SavingRow& row : record.savings) {
-    auto known = std::ranges::find(all, row.backend, &std::pair<std::string, Rows>::first);
+    auto known = std::ranges::find(all, row.backend, &std::pair<std::string, SavingRows>::first);
     if (known == all.end()) known = all.insert(known, {row.backend, {}});
-    Rows& rows = known->second;
+    SavingRows& rows = known->second;
     if (row.failure.empty() && (rows.empty() || rows.front()->effects.size() == row.effects.size())) rows.push_back(&row);
   }
   return all;
@@ -39,7 +39,7 @@ struct EffectCost {
   double fetches = 0, operations = 0, target_bytes = 0;
 };
 
-EffectCost mean_cost(const Rows& rows, size_t effect, CostOf side) {
+EffectCost mean_cost(const SavingRows& rows, size_t effect, CostOf side) {
   EffectCost mean;
   std::vector<std::vector<double>> ms;
   const double views = static_cast<double>(rows.size());
@@ -54,13 +54,13 @@ EffectCost mean_cost(const Rows& rows, size_t effect, CostOf side) {
   return mean;
 }
 
-std::vector<double> mean_frames(const Rows& rows, CostOf side) {
+std::vector<double> mean_frames(const SavingRows& rows, CostOf side) {
   std::vector<std::vector<double>> ms;
   for (const SavingRow* row : rows) ms.push_back(frame_ms(row->effects, side));
   return mean_samples(ms);
 }
 
-std::string count_words(double count) {
+std::string words_of_count(double count) {
   if (count >= 1e9) return fmt::format("{:.3g} G", count / 1e9);
   if (count >= 1e6) return fmt::format("{:.3g} M", count / 1e6);
   if (count >= 1e3) return fmt::format("{:.3g} k", count / 1e3);
@@ -72,7 +72,7 @@ std::string ms_words(const std::vector<double>& samples) {
 }
 
 // The frames of all effects together.
-EffectCost whole_frame(const Rows& rows, CostOf side, uint64_t SavingRow::*of_frame) {
+EffectCost whole_frame(const SavingRows& rows, CostOf side, uint64_t SavingRow::*of_frame) {
   EffectCost sum;
   for (size_t effect = 0; effect < rows.front()->effects.size(); ++effect) {
     const EffectCost cost = mean_cost(rows, effect, side);
@@ -90,15 +90,15 @@ std::vector<std::string> cells_of(const std::string& name, const std::string& ca
           called,
           timed ? ms_words(culled.ms) : "-",
           timed ? ms_words(all.ms) : "-",
-          count_words(culled.fetches),
-          count_words(all.fetches),
-          count_words(culled.operations),
-          count_words(all.operations),
+          words_of_count(culled.fetches),
+          words_of_count(all.fetches),
+          words_of_count(culled.operations),
+          words_of_count(all.operations),
           bytes(culled.target_bytes),
           bytes(all.target_bytes)};
 }
 
-std::optional<Interval> frame_ratio(const Rows& rows) {
+std::optional<Interval> frame_ratio(const SavingRows& rows) {
   const std::vector<double> culled = mean_frames(rows, &SavingRow::Effect::culled),
                             all = mean_frames(rows, &SavingRow::Effect::all);
   std::vector<double> ratios;
@@ -150,9 +150,10 @@ std::vector<Headline> saving_headlines(const Record& record) {
     std::string words = fmt::format(
         "{} operations in place of {}, {} fetches in place of {}, targets of {} in place of {}, "
         "textures of {} in place of {}",
-        count_words(culled.operations), count_words(all.operations), count_words(culled.fetches), count_words(all.fetches),
-        byte_words(static_cast<uint64_t>(culled.target_bytes)), byte_words(static_cast<uint64_t>(all.target_bytes)),
-        byte_words(rows.front()->culled_texture_bytes), byte_words(rows.front()->all_texture_bytes));
+        words_of_count(culled.operations), words_of_count(all.operations), words_of_count(culled.fetches),
+        words_of_count(all.fetches), byte_words(static_cast<uint64_t>(culled.target_bytes)),
+        byte_words(static_cast<uint64_t>(all.target_bytes)), byte_words(rows.front()->culled_texture_bytes),
+        byte_words(rows.front()->all_texture_bytes));
     if (const auto ratio = frame_ratio(rows); ratio && times_shown(record, backend))
       words = fmt::format("the frame takes {} of the time that everything takes: {}", words_for_ratio(*ratio), words);
     lines.push_back({backend, words});

@@ -17,8 +17,8 @@ namespace lamina {
 namespace {
 
 // One backend. Returns how many messages the API's checker had.
-size_t run_backend(const ProbedBackend& probed, const Library& library, const Scene& scene, const Plan& plan,
-                   const CompareOptions& options, RecordWriter& record) {
+size_t run_both_frames(const ProbedBackend& probed, const Library& library, const Scene& scene, const Plan& plan,
+                       const CompareOptions& options, RecordWriter& record) {
   const std::unique_ptr<Backend> backend = open_backend(probed.name, {options.device, options.validation});
   Progress progress(probed.name);
   std::optional<RoundOptions> rounds;
@@ -66,7 +66,7 @@ int run_against_all(const CompareOptions& options) {
   for (const ProbedBackend& backend : backends) {
     std::string failure = backend.failure;
     try {
-      if (failure.empty()) messages += run_backend(backend, library, scene, plan, options, record);
+      if (failure.empty()) messages += run_both_frames(backend, library, scene, plan, options, record);
     } catch (const Error& error) {
       if (error.stage() == "record" || error.kind() == ErrorKind::bad_input) throw;
       failure = error.what();

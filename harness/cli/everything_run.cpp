@@ -53,7 +53,7 @@ uint64_t operations_of(const PassCounts& counts) {
   return sum;
 }
 
-void add_counts(std::vector<SavingRow>& rows, Side& side, CostOf cost) {
+void add_side_counts(std::vector<SavingRow>& rows, Side& side, CostOf cost) {
   Frame counting(side.resources, side.graph, Build::counting);
   counting.run_once(Timing::off);
   const std::vector<PassCounts> once = counting.once_counts();
@@ -72,8 +72,8 @@ void add_counts(std::vector<SavingRow>& rows, Side& side, CostOf cost) {
 }
 
 // A target counts with the effect whose pass first writes it; what no pass writes was not made.
-void add_bytes(std::vector<SavingRow>& rows, const Side& side, const Scene& scene, CostOf cost, const CellOptions& options,
-               uint64_t SavingRow::*textures, uint64_t SavingRow::*of_frame) {
+void add_side_bytes(std::vector<SavingRow>& rows, const Side& side, const Scene& scene, CostOf cost, const CellOptions& options,
+                    uint64_t SavingRow::*textures, uint64_t SavingRow::*of_frame) {
   for (const TargetUse& use : target_uses(side.graph, scene, options.width_px, options.height_px)) {
     const bool of_frame_itself = !use.variant && !use.shared;
     if (!of_frame_itself && use.writers.empty() && use.readers.empty()) continue;
@@ -88,7 +88,7 @@ void add_bytes(std::vector<SavingRow>& rows, const Side& side, const Scene& scen
   for (SavingRow& row : rows) row.*textures = side.resources.texture_bytes();
 }
 
-void add_times(std::vector<SavingRow>& rows, Side& culled, Side& all, const RoundOptions& options, const Tell& tell) {
+void add_side_times(std::vector<SavingRow>& rows, Side& culled, Side& all, const RoundOptions& options, const Tell& tell) {
   std::vector<Arm> arms;
   for (size_t view = 0; view < rows.size(); ++view) {
     arms.push_back({[&culled, view] { return culled.frame.run(view, Timing::bracketed); }, 2 * view + 1});
@@ -139,8 +139,8 @@ void compare_pictures(std::vector<SavingRow>& rows, const Side& culled, const Si
   }
 }
 
-std::vector<SavingRow> blank_rows(const Backend& backend, const Scene& scene, const Plan& plan, const EverythingPlan& all,
-                                  const CellOptions& options) {
+std::vector<SavingRow> blank_saving_rows(const Backend& backend, const Scene& scene, const Plan& plan,
+                                         const EverythingPlan& all, const CellOptions& options) {
   std::vector<SavingRow> rows;
   for (const View& view : scene.views) {
     SavingRow& row = rows.emplace_back();
@@ -168,22 +168,22 @@ std::vector<SavingRow> saving_rows(Backend& backend, const Library& library, con
   try {
     tell(0, "making both frames");
     Graph graph = make_graph_of_everything(all, plan, everything, shaders);
-    rows = blank_rows(backend, scene, plan, all, options);
+    rows = blank_saving_rows(backend, scene, plan, all, options);
     Side culled(backend, scene, plan, make_graph(plan, configuration_of(plan, {}), scene, shaders), options);
     Side whole(backend, everything, all.plan, std::move(graph), options);
     compare_pictures(rows, culled, whole,
                      [&](size_t view) { return culprit(backend, everything, all, plan, culled, view, shaders, options); });
     tell(0.3, "counting");
-    add_counts(rows, culled, &SavingRow::Effect::culled);
-    add_counts(rows, whole, &SavingRow::Effect::all);
-    add_bytes(rows, culled, scene, &SavingRow::Effect::culled, options, &SavingRow::culled_texture_bytes,
-              &SavingRow::culled_frame_bytes);
-    add_bytes(rows, whole, everything, &SavingRow::Effect::all, options, &SavingRow::all_texture_bytes,
-              &SavingRow::all_frame_bytes);
-    if (rounds) add_times(rows, culled, whole, *rounds, tell);
+    add_side_counts(rows, culled, &SavingRow::Effect::culled);
+    add_side_counts(rows, whole, &SavingRow::Effect::all);
+    add_side_bytes(rows, culled, scene, &SavingRow::Effect::culled, options, &SavingRow::culled_texture_bytes,
+                   &SavingRow::culled_frame_bytes);
+    add_side_bytes(rows, whole, everything, &SavingRow::Effect::all, options, &SavingRow::all_texture_bytes,
+                   &SavingRow::all_frame_bytes);
+    if (rounds) add_side_times(rows, culled, whole, *rounds, tell);
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::bad_input) throw;
-    rows = blank_rows(backend, scene, plan, all, options);
+    rows = blank_saving_rows(backend, scene, plan, all, options);
     for (SavingRow& row : rows) row.failure = error.what();
   }
   return rows;

@@ -8,8 +8,8 @@
 namespace lamina {
 namespace {
 
-std::vector<PlanRow::Pass> planned(const std::vector<GraphPass>& passes, const Scene& scene, bool runs,
-                                   bool with_variants = false) {
+std::vector<PlanRow::Pass> planned_passes(const std::vector<GraphPass>& passes, const Scene& scene, bool runs,
+                                          bool with_variants = false) {
   std::vector<PlanRow::Pass> rows;
   for (const GraphPass& pass : passes) {
     PlanRow::Pass& row = rows.emplace_back();
@@ -33,8 +33,8 @@ PlanRow::Frame planned_frame(const Plan& plan, const Scene& scene, ShaderCache& 
   std::ranges::stable_partition(graph.passes, [](const GraphPass& pass) { return pass.once; });
   PlanRow::Frame frame;
   frame.width = size.width_px, frame.height = size.height_px;
-  frame.passes = planned(graph.passes, scene, true, true);
-  frame.left_out = planned(graph.dropped, scene, false, true);
+  frame.passes = planned_passes(graph.passes, scene, true, true);
+  frame.left_out = planned_passes(graph.dropped, scene, false, true);
   for (TargetUse& use : target_uses(graph, scene, size.width_px, size.height_px)) {
     PlanRow::Target& target = frame.targets.emplace_back();
     target.target = use.name;
@@ -61,8 +61,8 @@ PlanRow plan_row(const Plan& plan, const Scene& scene, ShaderCache& shaders, con
       variant.variant = manifest.name, variant.baseline = manifest.baseline;
       try {
         const Graph graph = make_graph(plan, {&manifest}, scene, shaders);
-        variant.passes = planned(graph.passes, scene, true);
-        for (PlanRow::Pass& dropped : planned(graph.dropped, scene, false)) variant.passes.push_back(std::move(dropped));
+        variant.passes = planned_passes(graph.passes, scene, true);
+        for (PlanRow::Pass& dropped : planned_passes(graph.dropped, scene, false)) variant.passes.push_back(std::move(dropped));
       } catch (const Error& error) {
         if (error.kind() == ErrorKind::bad_input && error.stage() == "variants") throw;  // a mistake of a manifest
         variant.error = error.what();

@@ -26,7 +26,7 @@ std::vector<const PlanRow::Target*> used_targets(const PlanRow::Frame& frame) {
   return used;
 }
 
-std::string head(const std::vector<const PlanRow::Target*>& targets) {
+std::string frame_head(const std::vector<const PlanRow::Target*>& targets) {
   std::string html = "<thead><tr><th>pass</th>";
   for (const PlanRow::Target* target : targets) {
     std::string words = byte_words(target->bytes);
@@ -38,7 +38,7 @@ std::string head(const std::vector<const PlanRow::Target*>& targets) {
   return html + "<th>why</th></tr></thead>\n";
 }
 
-std::string cell(const PlanRow::Target& target, uint64_t place) {
+std::string frame_cell(const PlanRow::Target& target, uint64_t place) {
   const bool writes = is_in(target.writers, place), reads = is_in(target.readers, place);
   if (writes || reads)
     return fmt::format("<td class=\"touch{}\"><span>{}</span></td>", writes ? " writes" : "",
@@ -71,11 +71,11 @@ std::string html_frame_graph(const Record& record) {
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"The frame and its targets\">"
       "<table class=\"frame\">\n",
       frame.width, frame.height);
-  html += head(targets) + "<tbody>\n";
+  html += frame_head(targets) + "<tbody>\n";
   for (size_t i = 0; i < frame.passes.size(); ++i) {
     const PlanRow::Pass& pass = frame.passes[i];
     html += fmt::format("<tr><th>{}. {}: {}</th>", i + 1, escaped_html(pass.effect), escaped_html(pass.pass));
-    for (const PlanRow::Target* target : targets) html += cell(*target, i);
+    for (const PlanRow::Target* target : targets) html += frame_cell(*target, i);
     html += fmt::format("<td>{}</td></tr>\n", escaped_html(pass.reason));
   }
   for (const PlanRow::Pass& pass : frame.left_out)

@@ -11,14 +11,14 @@
 namespace lamina {
 namespace {
 
-Image grey(int width, int height) {
+Image half_grey(int width, int height) {
   Image image{width, height, {}};
   image.rgba.assign(static_cast<size_t>(width * height * 4), 0.5f);
   return image;
 }
 
 TEST(BitDifference, CountsPixelsAndFindsTheLargest) {
-  const Image a = grey(3, 2);
+  const Image a = half_grey(3, 2);
   EXPECT_EQ(bit_difference(a, a).pixels, 0u);
   Image b = a;
   b.rgba[3] = 0;  // alpha of the first pixel
@@ -34,13 +34,13 @@ TEST(BitDifference, CountsPixelsAndFindsTheLargest) {
 }
 
 TEST(BitDifference, WhatIsNotFiniteIsEqualToItselfAlone) {
-  const Image a = grey(2, 1);
+  const Image a = half_grey(2, 1);
   Image nan = a;
   nan.rgba[0] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(bit_difference(nan, nan).pixels, 0u);
   EXPECT_EQ(bit_difference(a, nan).pixels, 1u);
   EXPECT_EQ(bit_difference(a, nan).largest, 1e30);
-  EXPECT_THROW(bit_difference(a, grey(1, 2)), Error);
+  EXPECT_THROW(bit_difference(a, half_grey(1, 2)), Error);
 }
 
 }  // namespace

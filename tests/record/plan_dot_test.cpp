@@ -30,7 +30,7 @@ PlanRow two_passes() {
   return plan;
 }
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool dot_has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(PlanDot, HoldsPassesInOrderTargetsOnceAndWhatIsLeftOut) {
   const std::string dot = plan_dot(two_passes(), "a \"scene\"");
@@ -41,16 +41,16 @@ TEST(PlanDot, HoldsPassesInOrderTargetsOnceAndWhatIsLeftOut) {
         "target_1 [shape=ellipse, penwidth=2, label=\"thickness\\nshared, 0 B\"]", "pass_0 -> target_1;", "target_1 -> pass_1;",
         "pass_1 -> target_0;", "style=dashed, color=\"grey50\"",
         "label=\"water\\nnot called for: no object is \\\"water\\\" or \\\\ seen\"", "label=\"blur\\nmist: "})
-    EXPECT_TRUE(has(dot, part)) << part << "\n" << dot;
-  EXPECT_FALSE(has(dot, "depth")) << "nobody touches it";
-  EXPECT_FALSE(has(dot, "not called for: a hull"));
+    EXPECT_TRUE(dot_has(dot, part)) << part << "\n" << dot;
+  EXPECT_FALSE(dot_has(dot, "depth")) << "nobody touches it";
+  EXPECT_FALSE(dot_has(dot, "not called for: a hull"));
 }
 
 TEST(PlanDot, AFrameThatCannotRunIsSaid) {
   PlanRow plan = two_passes();
   plan.frame.reset();
   plan.frame_error = "the mesh is open";
-  EXPECT_TRUE(has(plan_dot(plan, "s"), "cannot run: the mesh is open"));
+  EXPECT_TRUE(dot_has(plan_dot(plan, "s"), "cannot run: the mesh is open"));
 }
 
 TEST(PlanDot, IsReadByGraphviz) {

@@ -8,8 +8,6 @@
 namespace lamina {
 namespace {
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 SavingRow example_row(const std::string& view) {
   SavingRow row;
   row.scene = "heart", row.backend = "vulkan", row.device = "llvmpipe", row.view = view, row.width = 8, row.height = 4;
