@@ -22,7 +22,7 @@ TEST_F(PlanShown, AsAGraphOfTheFrame) {
   }
   EXPECT_GE(passes, 3u);
   EXPECT_SAYS(dot.output, "digraph \"leaf_pair\"");
-  EXPECT_SAYS(dot.output, "water\\nnot called for: no object is water, or no view sees it");
+  EXPECT_SAYS(dot.output, "water\\nnot called for: no object is water");
   EXPECT_SAYS(dot.output, "style=dashed");
   if (std::system("dot -V >/dev/null 2>&1") != 0) GTEST_SKIP() << "Graphviz is not installed, so the graph was not read by it";
   EXPECT_EQ(std::system(("dot -Tcanon " + write("plan.dot", dot.output).string() + " >/dev/null").c_str()), 0);
