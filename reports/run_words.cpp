@@ -25,6 +25,7 @@ std::string words_of(const TimerRow& timer, const std::string& what, const char*
   if (timer.additivity) measured += fmt::format("; the passes add up to {:.3f} of the wall time", *timer.additivity);
   if (timer.attribution)
     measured += fmt::format("; a pass's share is off by at most {:.1f}% in another order", 100 * *timer.attribution);
+  if (timer.age_s) measured += fmt::format("; measured {:.1f} hours before", *timer.age_s / 3600);
   if (timer.ok) return fmt::format("the timer's certificate {} holds{}", what, measured);
   return fmt::format("the timer's certificate {} FAILED ({}), so no {} are shown{}", what, timer.reason, times, measured);
 }

@@ -56,7 +56,7 @@ EffectCost mean_cost(const SavingRows& rows, size_t effect, CostOf side) {
 
 std::vector<double> mean_frames(const SavingRows& rows, CostOf side) {
   std::vector<std::vector<double>> ms;
-  for (const SavingRow* row : rows) ms.push_back(frame_ms(row->effects, side));
+  for (const SavingRow* row : rows) ms.push_back(saving_frame_ms(row->effects, side));
   return mean_samples(ms);
 }
 

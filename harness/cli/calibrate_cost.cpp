@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
+#include <set>
 
 #include "harness/cli/commands.h"
 #include "harness/cli/compare.h"
@@ -29,9 +31,30 @@ std::string cache_key(const std::string& backend, const std::string& device) {
   return "cost_model_" + hash_hex(backend + "\n" + device);
 }
 
+// Built-in scenes that call for each effect with several variants at least once, the first that does.
+std::vector<std::string> scenes_for_every_effect(const SceneOptions& options) {
+  const Library library = load_library_for(options);
+  std::set<const EffectManifest*> left;
+  for (const EffectManifest& effect : library.effects)
+    if (effect.variants.size() > 1) left.insert(&effect);
+  std::vector<std::string> scenes;
+  for (const std::string& name : builtin_scenes()) {
+    if (left.empty()) break;
+    SceneOptions one = options;
+    one.scene = name;
+    const Scene scene = load_scene_for(one, library);
+    const Plan plan = make_plan(library, scene);
+    const size_t before = left.size();
+    for (const EffectManifest* effect : compared_effects(plan)) left.erase(effect);
+    if (left.size() < before) scenes.push_back(name);
+  }
+  return scenes;
+}
+
 // Measures each scene as compare does, and adds its folder. Returns whether all were measured: false after Ctrl-C.
 bool measure(const CalibrateOptions& options, std::vector<std::filesystem::path>& folders) {
-  const std::vector<std::string> scenes = options.scenes.empty() ? builtin_scenes() : options.scenes;
+  const std::vector<std::string> scenes =
+      options.scenes.empty() ? scenes_for_every_effect(options.measuring.scene) : options.scenes;
   for (const std::string& scene : scenes) {
     CompareOptions one = options.measuring;
     one.scene.scene = scene;
@@ -119,14 +142,16 @@ Command add_calibrate(CLI::App& program) {
   auto options = std::make_shared<CalibrateOptions>();
   CompareOptions& measuring = options->measuring;
   measuring.width_px = measuring.height_px = 256;
-  measuring.quick = true;
+  measuring.only_costs = true;
   measuring.out = "lamina-calibrate";
   CLI::App& command = *program.add_subcommand(
       "calibrate", "What each kind of work costs on this device: fitted to measured passes, and kept for predictions");
   command
       .add_option("RECORD", options->records, "Runs to fit to (folders, or their record.jsonl); without, scenes are measured")
       ->type_name(placeholder::record);
-  command.add_option("--scene", options->scenes, "Only this scene (may be given again); all built-in ones without")
+  command
+      .add_option("--scene", options->scenes,
+                  "Only this scene (may be given again); without, built-in ones that call for every effect")
       ->type_name(placeholder::scene);
   add_out(command, measuring.out, "Folder for the runs, one a scene");
   add_backends(command, measuring);

@@ -15,8 +15,8 @@
 #include "harness/cli/common.h"
 #include "harness/cli/devices.h"
 #include "harness/core/text.h"
-#include "harness/measure/timer_certificate.h"
 #include "harness/plan/configuration_file.h"
+#include "harness/record/kept_certificate.h"
 #include "harness/sweep/answers.h"
 
 namespace lamina {
@@ -283,7 +283,7 @@ int run_choose(const ChooseOptions& options) {
   Progress progress("choosing");
   Bakes bakes(scene, *library.code, DiskCache(options.cache));
   const std::unique_ptr<Backend> backend = open_backend(backends.front().name, {options.device, options.validation});
-  const TimerRow timer = certify_timer(*backend, library.shaders);
+  const TimerRow timer = certified_timer(*backend, library.shaders, options.cache);
   if (!timer.ok) {
     fmt::print(stderr, "lamina: choose: the timer's certificate failed ({}), so nothing can be chosen by time\n", timer.reason);
     return 1;

@@ -18,7 +18,7 @@
 #include "harness/core/stop_signals.h"
 #include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
-#include "harness/measure/timer_certificate.h"
+#include "harness/record/kept_certificate.h"
 #include "harness/sweep/answers.h"
 #include "reports/frontier.h"
 #include "reports/reports.h"
@@ -87,7 +87,7 @@ size_t run_backend(const std::string& name, const Scene& scene, const Library& l
   if (options.times) {
     progress.show(0, "certifying the timer");
     const Stopwatch watch;
-    const TimerRow timer = certify_timer(*backend, library.shaders);
+    const TimerRow timer = certified_timer(*backend, library.shaders, options.cache);
     spent.certifying += watch.elapsed_s();
     record.append(to_json(timer));
     timed = timer.ok;
@@ -104,7 +104,7 @@ size_t run_backend(const std::string& name, const Scene& scene, const Library& l
     try {
       run.prepare();
       run.count();
-      run.score();
+      if (!options.only_costs) run.score();
       rounds = run.time(options.rounds);
     } catch (const StopRequested&) {
       append_rows_so_far(run, record);
@@ -152,9 +152,26 @@ nlohmann::ordered_json limit_settings(const std::vector<std::string>& texts) {
   return settings;
 }
 
+// What --quick looks at where no variant is named: what the effects say, and the user's own. Empty: all.
+std::vector<std::string> quick_variants(const std::vector<const EffectManifest*>& effects) {
+  std::vector<std::string> names;
+  size_t all = 0;
+  for (const EffectManifest* effect : effects)
+    for (const VariantManifest& variant : effect->variants) {
+      const bool is_own = variant.file.parent_path() != effect->file.parent_path();
+      if (variant.baseline || is_own || effect->quick.empty() || std::ranges::count(effect->quick, variant.name) > 0)
+        names.push_back(variant.name);
+      ++all;
+    }
+  if (names.size() == all) return {};
+  fmt::print(stderr, "lamina: note: --quick looks at {} of {} variants; others by --variant\n", names.size(), all);
+  return names;
+}
+
 }  // namespace
 
-int run_compare(const CompareOptions& options) {
+int run_compare(const CompareOptions& given) {
+  CompareOptions options = given;
   pin_rasterizer_threads();
   const Stopwatch watch;
   WallTimes spent;
@@ -164,6 +181,7 @@ int run_compare(const CompareOptions& options) {
   const Plan plan = plan_for(options.scene, library, scene, options.aspect());
   const std::vector<const EffectManifest*> effects = compared_effects(plan);
   check_variant_names("compare", options.variants, variant_names(effects));
+  if (options.quick && options.variants.empty()) options.variants = quick_variants(effects);
   const std::vector<ProbedBackend> backends = probe_backends(options);
   const std::vector<DeviceInfo> devices = devices_of(backends);
   require_any("compare", backends);
@@ -211,6 +229,7 @@ int run_compare(const CompareOptions& options) {
         record.append(to_json(row));
   }
 
+  if (options.only_costs) return StopSignals::stopped_by() != 0 ? 128 + StopSignals::stopped_by() : 0;
   const double before_report_s = watch.elapsed_s();
   write_reports(options.out);
   const Record written = read_record(options.out / "record.jsonl");
@@ -237,7 +256,8 @@ Command add_compare(CLI::App& program) {
   add_variant(command, options->variants);
   add_size(command, *options);
   command.add_flag("--quick", options->quick,
-                   "Stop sooner, at wider intervals: 5%, or 4 s a backend, unless --precision or --budget say otherwise");
+                   "Stop sooner, at wider intervals: 5%, or 4 s a backend, unless --precision or --budget say otherwise; where "
+                   "an effect names variants for it, only these, unless --variant does");
   add_rounds(command, options->rounds, "a backend");
   CLI::Option* no_time = command.add_flag("!--no-time", options->times, "Counts, pictures and errors alone");
   command

@@ -21,6 +21,7 @@ struct CompareOptions : WatchOptions {                // the rounds are of a bac
   bool times = true;
   bool watch = false;
   bool against_all = false;  // the frame of what is called for, against the frame of everything
+  bool only_costs = false;  // counts and times alone, in a record: no picture, error, report or table
 };
 
 // Measures, and leaves the record and the report in options.out. Returns the exit status.

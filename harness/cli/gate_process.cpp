@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "harness/measure/timer_certificate.h"
+#include "harness/record/kept_certificate.h"
 #include "harness/record/record.h"
 
 namespace lamina {
@@ -20,7 +20,7 @@ GateProcess::GateProcess(const GateTask& of_task, const std::filesystem::path& s
     : task(of_task),
       options(given),
       backend(open_backend(task.backend, {options.compare.device, options.compare.validation})),
-      certified(!task.certify || certify(*backend, shaders, options.budget_s * max_certificate_share, emit)),
+      certified(!task.certify || certify(*backend, shaders, given, emit)),
       random(options.seed + 7919 * task.process) {}
 
 GateProcess::SceneThere::SceneThere(Backend& backend, const Tree& tree, const CellOptions& options)
@@ -33,8 +33,9 @@ SceneOnDevice GateProcess::scene_of(const Tree& tree) {
   return {tree.scene.get(), &tree.plan, &there->bakes, &there->resources};
 }
 
-bool GateProcess::certify(Backend& backend, const std::filesystem::path& shaders, double max_s, const EmitLine& emit) {
-  const TimerRow timer = certify_timer(backend, shaders, max_s);
+bool GateProcess::certify(Backend& backend, const std::filesystem::path& shaders, const GateOptions& options,
+                          const EmitLine& emit) {
+  const TimerRow timer = certified_timer(backend, shaders, options.compare.cache, options.budget_s * max_certificate_share);
   emit({{"timer", to_json(timer)}});
   return timer.ok;
 }

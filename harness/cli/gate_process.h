@@ -39,7 +39,7 @@ class GateProcess {
     SceneResources resources;
   };
   std::map<const Scene*, std::unique_ptr<SceneThere>> scenes_;
-  static bool certify(Backend& backend, const std::filesystem::path& shaders, double max_s, const EmitLine& emit);
+  static bool certify(Backend& backend, const std::filesystem::path& shaders, const GateOptions& options, const EmitLine& emit);
 };
 
 // The frames of a process by tree and variant, each made when it is first asked for.

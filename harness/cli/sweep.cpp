@@ -17,7 +17,7 @@
 #include "harness/core/stop_signals.h"
 #include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
-#include "harness/measure/timer_certificate.h"
+#include "harness/record/kept_certificate.h"
 #include "harness/scene/digest.h"
 #include "harness/sweep/answers.h"
 #include "harness/sweep/sweep_record.h"
@@ -183,7 +183,7 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
   bool timer_ok = false;
   if (options.time.every > 0) {
     progress.show(0, "certifying the timer");
-    const TimerRow timer = certify_timer(*backend, sweep.library.shaders);
+    const TimerRow timer = certified_timer(*backend, sweep.library.shaders, options.compare.cache);
     sweep.record.append(to_json(timer));
     timer_ok = timer.ok;
     if (!timer_ok)

@@ -15,7 +15,7 @@
 #include "harness/core/stop_signals.h"
 #include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
-#include "harness/measure/timer_certificate.h"
+#include "harness/record/kept_certificate.h"
 #include "reports/html/watch_page.h"
 #include "reports/reports.h"
 
@@ -233,7 +233,7 @@ int run_watch(const WatchOptions& options) {
   const std::unique_ptr<Backend> backend = open_backend(options.backends.front(), {options.device, options.validation});
   check_size("compare", options, {backend->info()});
   std::optional<TimerRow> timer;
-  if (options.timed) timer = certify_timer(*backend, home_folder() / "shaders");
+  if (options.timed) timer = certified_timer(*backend, home_folder() / "shaders", options.cache);
   if (timer && !timer->ok) fmt::print(stderr, "lamina: warning: {}; no times are taken\n", timer->reason);
 
   Watch watch(options, *backend, timer);

@@ -58,14 +58,19 @@ const std::vector<size_t>& Frame::running(Sequence& sequence, size_t view) {
 }
 
 FrameTimes Frame::run_sequence(Sequence& sequence, size_t view, Timing timing) {
-  const std::vector<size_t>& which = running(sequence, view);
+  std::vector<size_t> which = running(sequence, view);
+  // What depends on meshes and lights alone is the same in all views: where nothing is timed, it is drawn and counted once.
+  const bool is_there = timing == Timing::off && sequence.complete_at == resources_.updates();
+  const auto is_left = [&](const Step& step) { return is_there && step.pass->pass->when == Frequency::mesh_or_lights_move; };
+  std::erase_if(which, [&](size_t i) { return is_left(sequence.steps[sequence.step_of_pass[i]]); });
   for (const Step& step : sequence.steps)
-    if (step.counters) backend_.write_buffer(step.counters, std::as_bytes(std::span(step.cleared)));
+    if (step.counters && !is_left(step)) backend_.write_buffer(step.counters, std::as_bytes(std::span(step.cleared)));
   const std::vector<Pass>& all = sequence.passes_by_view.at(view);
   std::vector<Pass> fewer;
   if (which.size() < all.size())
     for (const size_t i : which) fewer.push_back(all[i]);
-  const RunTimes times = backend_.run(fewer.empty() ? all : fewer, timing);
+  const RunTimes times = backend_.run(which.size() < all.size() ? fewer : all, timing);
+  sequence.complete_at = resources_.updates();
   FrameTimes sums;
   sums.wall_ms = times.wall_ms;
   if (timing == Timing::off) return sums;

@@ -39,7 +39,8 @@ class Frame {
   void set_background(glm::vec3 linear);
   // The passes done once; before the first run().
   FrameTimes run_once(Timing timing);
-  // One frame of scene.views[view].
+  // One frame of scene.views[view]. Without timing, what depends on meshes and lights alone runs once for each state of the
+  // scene: its targets, and in the counting build its counts, stay for the other views.
   FrameTimes run(size_t view, Timing timing);
 
   // What its targets and storage buffers take, as their formats say: a driver may pad them.
@@ -104,6 +105,7 @@ class Frame {
     };
     std::vector<Running> running;
     bool stops_early = false;
+    std::optional<uint64_t> complete_at;  // the state of the scene that all of its passes have run for
   };
   friend class FrameBuilder;
 

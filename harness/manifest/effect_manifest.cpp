@@ -247,6 +247,7 @@ TomlFormPtr effect_form(const EffectCode& code) {
                   {"only_where_seen", "an object that no view can see is left out", {form::flag()}},
                   {"reads_frame", "drawn after the effects that do not read the frame", {form::flag()}},
                   {"instead_of", "an object has only one of these effects", {form::texts()}},
+                  {"quick", "variants that compare --quick looks at, beside the baseline; all without", {form::texts()}},
                   {"because", "the plan's reason where it is called for", {form::text()}, true},
                   {"not_because", "the plan's reason where it is not", {form::text()}, true},
                   needs("left out where one of these numbers or facts is 0", false),
@@ -301,6 +302,7 @@ EffectManifest read_effect(const std::filesystem::path& file, const EffectCode& 
     throw head.error("only_where_seen", "'only_where_seen' is about objects, and no 'key' lets objects call for the effect");
   effect.reads_frame = head.optional_bool("reads_frame").value_or(false);
   effect.instead_of = head.optional_strings("instead_of").value_or(std::vector<std::string>{});
+  effect.quick = head.optional_strings("quick").value_or(std::vector<std::string>{});
   effect.because = head.string("because");
   effect.not_because = head.string("not_because");
   effect.object = read_declarations(root);

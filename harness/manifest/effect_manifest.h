@@ -115,6 +115,7 @@ struct EffectManifest {
   bool only_where_seen = false;
   bool reads_frame = false;             // drawn after all effects that do not
   std::vector<std::string> instead_of;  // effects that an object with this one cannot have; load_library() makes it mutual
+  std::vector<std::string> quick;       // variants of its own folder that a quick comparison looks at; empty: all
   std::vector<NeedManifest> needs;      // where one is not met, the effect is not called for
   bool vanishes = false;                // and the object is not there at all, in place of a plain surface
   std::string because, not_because;

@@ -142,7 +142,7 @@ constexpr auto fields(const TimerRow*) {
   return std::tuple(field("backend", &Row::backend), field("ok", &Row::ok), field("linearity", &Row::linearity),
                     field("one_ms", &Row::one_ms), left_out("fixed_share", &Row::fixed_share),
                     field("additivity", &Row::additivity), field("attribution", &Row::attribution),
-                    field("reason", &Row::reason));
+                    left_out("age_s", &Row::age_s), field("reason", &Row::reason));
 }
 
 constexpr auto fields(const FunctionTimerRow*) {

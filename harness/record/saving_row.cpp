@@ -46,7 +46,7 @@ void check(const SavingRow& row, const lines::At& at) {
 
 lines::Line to_json(const SavingRow& row) { return lines::line_of("saving", row, "view " + row.view + " on " + row.backend); }
 
-std::vector<double> frame_ms(const std::vector<SavingRow::Effect>& effects, SavingRow::Cost SavingRow::Effect::*side) {
+std::vector<double> saving_frame_ms(const std::vector<SavingRow::Effect>& effects, SavingRow::Cost SavingRow::Effect::*side) {
   std::vector<double> sums;
   for (const SavingRow::Effect& effect : effects) {
     const std::vector<double>& ms = (effect.*side).ms;

@@ -44,6 +44,6 @@ struct SavingRow {
 nlohmann::ordered_json to_json(const SavingRow& row);
 
 // The frame's time of each round, ms: the sum over its effects. Empty where nothing was timed.
-std::vector<double> frame_ms(const std::vector<SavingRow::Effect>& effects, SavingRow::Cost SavingRow::Effect::*side);
+std::vector<double> saving_frame_ms(const std::vector<SavingRow::Effect>& effects, SavingRow::Cost SavingRow::Effect::*side);
 
 }  // namespace lamina

@@ -21,7 +21,8 @@ struct TimerRow {
   // Greatest relative error of a pass's time, the passes' order shuffled every round. A time given to the wrong pass breaks
   // linearity, so this one is reported, not judged.
   std::optional<double> attribution{};
-  std::string reason{};  // why not ok
+  std::optional<double> age_s{};  // since it was measured, where it was kept from an earlier run
+  std::string reason{};           // why not ok
 };
 
 // Of the timer that timed the variants of a function: a record of frames has one of its own for them.

@@ -167,6 +167,7 @@ TomlFormPtr scene_form(const Library& library) {
                   {"builtin", "a built-in scene's name", {form::word(builtin_scenes(), "built-in scene")}},
                   {"name", "the scene's name in records", {form::text()}},
                   {"time", "moment, in seconds", {form::number(-1e6, 1e6)}},
+                  {"still", "true: nothing moves, so that what can be done once is", {form::flag()}},
                   {"background", "linear colour behind everything", {colour_value(max_radiance)}},
                   {"ambient", "irradiance from all around", {colour_value(max_radiance)}}});
   const TomlFormPtr view = form::make({{"eye", "metres", {vec3_value()}, true},
@@ -209,6 +210,7 @@ Scene read_scene_file(const std::filesystem::path& file, const Library& library,
   const std::filesystem::path folder = file.parent_path();
   Scene scene = base_scene(table, folder, time_s);
   scene.name = table.optional_string("name").value_or(file.stem().string());
+  if (table.optional_bool("still").value_or(false)) scene.mesh_moves = scene.objects_move = scene.lights_move = false;
   scene.background = table.optional_vec3("background").value_or(scene.background);
   scene.ambient = table.optional_vec3("ambient").value_or(scene.ambient);
   declare_objects(scene.objects, library);

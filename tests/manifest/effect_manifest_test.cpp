@@ -77,6 +77,7 @@ TEST_F(UserEffect, MistakesAreNamedWithFileAndLine) {
                 "'" + need + "' must be a name, or NAME >= NUMBER");
   EXPECT_SAYS(refusal("", "[numbers.a]\nvalue = 1\n"), "'key' is missing");
   EXPECT_SAYS(refusal("key = \"wax\"\ninstead_of = [\"layers\"]"), "unknown effect 'layers'");
+  EXPECT_SAYS(refusal("key = \"wax\"\nquick = [\"ful\"]"), "quick: unknown variant 'ful'");
   EXPECT_SAYS(refusal("key = \"wax\"", "[mirror]\nheight = \"level\"\n"), "unknown height 'level'");
 }
 

@@ -116,6 +116,10 @@ TEST(LoadScene, TheHeartWithAndWithoutAnExampleFile) {
 
   const Scene opaque = load_scene(LAMINA_SOURCE_DIR "/variants/layered_material/scenes/opaque.toml", builtin_library());
   for (const Object& object : opaque.objects) EXPECT_EQ(has_layers(object) ? transparency_of(object) : 0, 0);
+
+  const Scene still = load_scene(LAMINA_SOURCE_DIR "/variants/layered_material/scenes/heart_still.toml", builtin_library());
+  EXPECT_TRUE(heart.moves());
+  EXPECT_FALSE(still.moves());
 }
 
 }  // namespace
