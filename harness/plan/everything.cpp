@@ -19,11 +19,13 @@ std::string number_that_takes_away(const EffectManifest& effect) {
 
 Scene scene_of_everything(const Scene& scene, const Library& library) {
   Scene everything = scene;
+  const Plan plan = make_plan(library, scene);
   for (const EffectManifest& effect : library.effects) {
-    if (scene.effects.contains(effect.name)) continue;
+    const bool spoken_of = scene.effects.contains(effect.name);
+    if (spoken_of && (effect.of_objects() || plan.of(effect.name)->called_for)) continue;
     const std::string number = number_that_takes_away(effect);
     if (!effect.of_objects() && number.empty()) continue;
-    apply_scene_keys(everything, effect, {}, library);
+    if (!spoken_of) apply_scene_keys(everything, effect, {}, library);
     if (!number.empty()) everything.effects.at(effect.name).numbers[number] = 0;
   }
   return everything;

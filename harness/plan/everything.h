@@ -10,8 +10,8 @@
 
 namespace lamina {
 
-// The scene with values for every effect of the library: what it does not speak of has its defaults, but 0 for the first
-// number that takes the effect away. The library must be the one that it was loaded with.
+// The scene with values for every effect of the library: what it does not speak of, or not so that it calls for it, has its
+// defaults, but 0 for the first number that takes the effect away. The library must be the one that it was loaded with.
 Scene scene_of_everything(const Scene& scene, const Library& library);
 
 struct EverythingPlan {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The frame in which everything runs that can, on effects made for it: what is in it, what is not and why.
+#include <algorithm>
+
 #include "harness/graph/everything_graph.h"
 #include "harness/graph/target_uses.h"
 #include "tests/graph/made_effects.h"
@@ -132,18 +134,19 @@ TEST_P(Everything, FeaturesAreOnWhereShadersDrawTheSameAtZero) {
 // Of every kind of target and buffer the plan's bytes are those that are made.
 TEST_P(Everything, TargetsTakeWhatThePlanSays) {
   write_effect("one", "key = \"one\"");
-  write_variant("one", "one_full",
-                "[targets.half]\nscale = 0.5\nformat = \"rgba16_float\"\nmips = true\n[targets.pair]\nformat = \"r32_float\"\n"
-                "buffers = 2\n[targets.own]\nscope = \"object\"\nsize = [8, 4]\nformat = \"rg32_float\"\n"
-                "[targets.agreed]\nformat = \"r32_float\"\nshared = true\n" +
-                    fullscreen_pass("half", "fill.frag", "half") + fullscreen_pass("pair", "fill.frag", "pair") +
-                    fullscreen_pass("own", "fill.frag", "own") + fullscreen_pass("agreed", "fill.frag", "agreed") +
-                    objects_pass("show.frag", "depth = \"read_write\"\n"));
+  write_variant(
+      "one", "one_full",
+      "[targets.smaller]\nscale = 0.5\nformat = \"rgba16_float\"\nmips = true\n[targets.pair]\nformat = \"r32_float\"\n"
+      "buffers = 2\n[targets.own]\nscope = \"object\"\nsize = [8, 4]\nformat = \"rg32_float\"\n"
+      "[targets.agreed]\nformat = \"r32_float\"\nshared = true\n" +
+          fullscreen_pass("smaller", "fill.frag", "smaller") + fullscreen_pass("pair", "fill.frag", "pair") +
+          fullscreen_pass("own", "fill.frag", "own") + fullscreen_pass("agreed", "fill.frag", "agreed") +
+          objects_pass("show.frag", "depth = \"read_write\"\n"));
   write("one/fill.frag", "layout(location = 0) out vec4 value;\nvoid main() { value = vec4(0.5); }\n");
   write("one/show.frag",
-        "layout(binding = 4) uniform sampler2D half;\nlayout(binding = 5) uniform sampler2D pair;\n"
+        "layout(binding = 4) uniform sampler2D smaller;\nlayout(binding = 5) uniform sampler2D pair;\n"
         "layout(binding = 6) uniform sampler2D own;\nlayout(binding = 7) uniform sampler2D agreed;\n"
-        "layout(location = 0) out vec4 color;\nvoid main() { color = texelFetch(half, ivec2(0), 0) + texelFetch(pair, "
+        "layout(location = 0) out vec4 color;\nvoid main() { color = texelFetch(smaller, ivec2(0), 0) + texelFetch(pair, "
         "ivec2(0), 0) "
         "+ texelFetch(own, ivec2(0), 0) + texelFetch(agreed, ivec2(0), 0); }\n");
   const Library library = made();
@@ -153,7 +156,7 @@ TEST_P(Everything, TargetsTakeWhatThePlanSays) {
   std::map<std::string, TargetUse> uses;
   for (const TargetUse& use : target_uses(frame->graph, scene, 16, 16)) bytes += use.bytes, uses[use.name] = use;
   EXPECT_EQ(bytes, frame->frame.target_bytes());
-  EXPECT_EQ(uses.at("half").bytes, (8 * 8 + 4 * 4 + 2 * 2 + 1) * 8u);
+  EXPECT_EQ(uses.at("smaller").bytes, (8 * 8 + 4 * 4 + 2 * 2 + 1) * 8u);
   EXPECT_EQ(uses.at("pair").bytes, 2 * 16 * 16 * 4u);
   EXPECT_EQ(uses.at("own").bytes, 2 * 8 * 4 * 8u) << "one for each object";
   EXPECT_EQ(uses.at("own").copies, 2u);

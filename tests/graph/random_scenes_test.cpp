@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // On random scenes the frame in which only what is called for runs has the picture of the frame in which everything runs, bit
 // for bit, and takes the bytes that the plan says. A few here; LAMINA_RANDOM_SCENES=500 takes more, from LAMINA_RANDOM_SEED on.
+#include <algorithm>
 #include <cstdlib>
 
 #include "harness/graph/everything_graph.h"
