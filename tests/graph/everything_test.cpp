@@ -114,6 +114,18 @@ TEST_P(Everything, AnObjectMayVanish) {
   }
 }
 
+// A frame in which nothing is called for is the background, as the frame of everything is.
+TEST_P(Everything, AFrameOfNothingIsTheBackground) {
+  write_effect("dim", "key = \"dim\"\nneeds = [\"amount\"]\nvanishes = true", "[numbers.amount]\nvalue = 0\n");
+  write_variant("dim", "dim_full", objects_pass("one.frag", "depth = \"read_write\"\n"));
+  write("dim/one.frag", "layout(location = 0) out vec4 color;\nvoid main() { discard; }\n");
+  const Library library = made();
+  Scene scene = squares({square("a", 0, {"dim"})});
+  scene.background = {0.25f, 0.5f, 0.75f};
+  EXPECT_TRUE(drawn(library, scene)->graph.passes.empty());
+  EXPECT_EQ(pixel(drawn(library, scene)->picture(), 3, 8), scene.background);
+}
+
 // Features that shaders say to be the same at 0 are compiled in, others are not.
 TEST_P(Everything, FeaturesAreOnWhereShadersDrawTheSameAtZero) {
   write_effect("dim", "key = \"dim\"",
