@@ -22,8 +22,29 @@ vec3 unit_or(vec3 v, vec3 otherwise) {
   return squared > 1e-12 && squared < 1e12 ? v * inversesqrt(squared) : otherwise;
 }
 
+#ifdef APERTURE_CHOICE
+// How much the cap of what is blocked counts, 0 to 1: its direction's length says it.
+float blocked_weight(vec4 interpolated) { return clamp((length(interpolated.xyz) - 0.0625) / 0.9375, 0.0, 1.0); }
+#endif
+#ifdef SOFT_APERTURE
+// Half the angle over which an aperture fades, in radians: 1 / (1 + it) is its direction's length.
+float edge_angle(vec4 interpolated) { return clamp(1.0 / max(length(interpolated.xyz), 0.5) - 1.0, 0.0, 1.0); }
+#endif
+
 vec4 aperture_of_point(vec4 interpolated, vec3 normal) {
   return vec4(unit_or(interpolated.xyz, normal), max(interpolated.w, 0.0));
+}
+
+// As they are kept.
+vec4 kept_aperture(int i, vec2 uv) {
+#ifdef APERTURE_MAP
+#if APERTURES > 1
+  if (i == 1) return texture(aperture_1, uv);
+#endif
+  return texture(aperture_0, uv);
+#else
+  return in_aperture[i];
+#endif
 }
 
 void read_apertures(vec2 uv, vec3 normal, out vec4 apertures[APERTURES]) {

@@ -19,4 +19,8 @@ void main() {
   out_normal = vec4(normal, 0.0);
   out_albedo = vec4(texture(albedo, in_uv).rgb, 1.0);
   for (int i = 0; i < APERTURES; ++i) out_apertures[i] = apertures[i];
+#ifdef APERTURE_CHOICE
+  // With the length that says which of the two counts.
+  out_apertures[1].xyz *= mix(0.0625, 1.0, blocked_weight(kept_aperture(1, in_uv)));
+#endif
 }

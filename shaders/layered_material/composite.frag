@@ -8,6 +8,8 @@
 // and others how layers are filtered and shaded:
 //   LIGHT_FILTER, BASE_FILTER  what takes the place of the 13 taps, a function of (sampler, center, radius, footprint): poisson_disc,
 //                              golden_disc, ring_disc, merged_disc, one_fetch_disc, one_fetch_thirteen
+//   LIGHT_COVERED      the light map is not filled beyond its charts: its alpha is how much of a texel they cover, by which light is
+//                      divided; where layers shade, the outer one's transparency is then fetched
 //   BASE_BLURRED       the inner layer is read from maps that were blurred once (blurred_base.glsl)
 //   SHADOWS_...        see layer_light.glsl; without any, the 13 taps of a map are shadowed each, other filters by their means, and
 //                      what has no map at the center
@@ -26,7 +28,7 @@
 #include "blurred_base.glsl"
 #endif
 #if !defined(SHADOWS_AT_CENTER) && !defined(SHADOWS_LEFT_OUT) && !defined(SHADOWS_PREMULTIPLIED)
-#if !defined(LIGHT_FROM_MAP)
+#if !defined(LIGHT_FROM_MAP) || defined(LIGHT_COVERED)
 #define SHADOWS_AT_CENTER
 #elif defined(LIGHT_FILTER)
 #define SHADOWS_OF_MEANS
@@ -44,11 +46,27 @@
 #ifdef LIGHT_FROM_MAP
 layout(binding = 7) uniform sampler2D light_map;  // rgb irradiance; alpha = the outer layer's transparency, where layers shade
 #endif
-#ifdef LIGHT_FROM_MEAN
+#if defined(INNER_NORMAL) || defined(LAYER_3_NORMAL) || defined(LAYER_4_NORMAL) || defined(LAYER_5_NORMAL) || defined(LAYER_6_NORMAL)
+#define LAYER_NORMALS
+#endif
+#if defined(LIGHT_FROM_MEAN) || defined(LAYER_NORMALS)
 #include "mean_normal.glsl"
+#endif
+#ifdef LAYER_NORMALS
+#include "layer_normals.glsl"
+#endif
+#ifdef LIGHT_FROM_MEAN
 layout(binding = 7) uniform sampler2D outer_normal_mean;  // 1/2 + 1/2 of the mean of unit normals
 #endif
 layout(location = 0) out vec4 out_color;
+
+vec4 covered(vec4 light) {
+#ifdef LIGHT_COVERED
+  return vec4(light.rgb / max(light.a, 1e-3), 1.0);
+#else
+  return light;
+#endif
+}
 
 #ifdef INNER_LAYER
 #include "layer_light.glsl"
@@ -64,7 +82,10 @@ void main() {
   vec3 normal_tangent = decode_normal(fetch_of(outer_normal, point.uv, footprint).xyz);
 
 #ifdef LIGHT_FROM_MAP
-  vec4 outer_light = fetch_of(light_map, point.uv, footprint);
+  vec4 outer_light = covered(fetch_of(light_map, point.uv, footprint));
+#ifdef LIGHT_COVERED
+  outer_light.a = outer_base.a;
+#endif
 #elif defined(LIGHT_FROM_MEAN)
   vec3 outer_mean = fetch_of(outer_normal_mean, point.uv, footprint).rgb * 2.0 - 1.0;
   vec4 outer_light = vec4(mean_diffuse_light(point.world_from_tangent * outer_mean, point.position), outer_base.a);
@@ -108,6 +129,13 @@ void main() {
 #endif
 #else
   vec3 inner_light = outer_light.rgb;
+#endif
+#ifdef INNER_NORMAL
+#ifdef LAYER_DEPTH
+  inner_light = bumped_light(inner_light, inner_normal, inner.uv, inner.distance_texels * texel, point, footprint);
+#else
+  inner_light = bumped_light(inner_light, inner_normal, point.uv, vec2(0.0), point, footprint);
+#endif
 #endif
   vec3 inner_color = inner_base.rgb * inner_light;
 #ifdef LAYER_3

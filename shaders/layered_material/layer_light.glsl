@@ -39,7 +39,7 @@ vec4 blurred_light(SurfacePoint point, vec2 uv, vec2 radius, Footprint footprint
 #if defined(LIGHT_FROM_VERTEX)
   return vec4(diffuse_light(point.normal, point.position), 1.0);
 #elif defined(LIGHT_FROM_MAP)
-  return LIGHT_FILTER(light_map, uv, radius, footprint);
+  return covered(LIGHT_FILTER(light_map, uv, radius, footprint));
 #elif defined(LIGHT_FROM_MEAN)
   vec3 mean = LIGHT_FILTER(outer_normal_mean, uv, radius, footprint).rgb * 2.0 - 1.0;
   return vec4(mean_diffuse_light(point.world_from_tangent * mean, point.position), 1.0);
@@ -120,9 +120,9 @@ vec3 layer_light(int layer, SurfacePoint point, LightRay ray, Footprint footprin
 #else
   vec4 light = blurred_light(point, entry, depth * ray.spread, footprint);
 #endif
-#if defined(SHADOWS_AT_CENTER) && defined(LIGHT_FROM_MAP)
+#if defined(SHADOWS_AT_CENTER) && defined(LIGHT_FROM_MAP) && !defined(LIGHT_COVERED)
   light.a = fetch_of(light_map, entry, footprint).a;
-#elif !defined(LIGHT_FROM_MAP)
+#elif !defined(LIGHT_FROM_MAP) || defined(LIGHT_COVERED)
   light.a = fetch_of(outer_albedo, entry, footprint).a;
 #endif
   return light.rgb * (let_through(light.a) * through_deeper(layer, ray, vec2(0.0), footprint));

@@ -18,6 +18,13 @@ TEST(ApertureBaker, TakesOneToFourOrAnAntiAperture) {
   for (const double count : {0.0, 5.0, 1.5, -1.0}) EXPECT_NE(problem({{"count", count}}).find("'count'"), std::string::npos);
   for (const double anti : {2.0, -1.0, 0.5}) EXPECT_NE(problem({{"anti", anti}}).find("'anti'"), std::string::npos);
   EXPECT_NE(problem({{"count", 2}, {"anti", 1}}).find("leave out 'count'"), std::string::npos);
+  EXPECT_EQ(problem({{"soft", 1}, {"choice", 0}}), "");
+  EXPECT_EQ(problem({{"choice", 1}}), "");
+  for (const std::string name : {"soft", "choice"}) {
+    EXPECT_NE(problem({{name, 2}}).find("'" + name + "'"), std::string::npos);
+    EXPECT_NE(problem({{name, 1}, {"count", 2}}).find("leave out 'count'"), std::string::npos);
+    EXPECT_NE(problem({{name, 1}, {"anti", 1}}).find("leave out all but one"), std::string::npos);
+  }
   EXPECT_NE(problem({{"cuont", 2}}).find("did you mean 'count'"), std::string::npos);
 }
 
@@ -26,6 +33,8 @@ TEST(ApertureBaker, DefinesTellShadersTheKind) {
   EXPECT_EQ(aperture_baker.defines({}), (Defines{{"APERTURES", "1"}}));
   EXPECT_EQ(aperture_baker.defines({{"count", 3}}), (Defines{{"APERTURES", "3"}}));
   EXPECT_EQ(aperture_baker.defines({{"anti", 1}}), (Defines{{"APERTURES", "1"}, {"ANTI_APERTURE", "1"}}));
+  EXPECT_EQ(aperture_baker.defines({{"soft", 1}}), (Defines{{"APERTURES", "1"}, {"SOFT_APERTURE", "1"}}));
+  EXPECT_EQ(aperture_baker.defines({{"choice", 1}}), (Defines{{"APERTURES", "2"}, {"APERTURE_CHOICE", "1"}}));
 }
 
 // Of open sky the first aperture is the hemisphere and the others are nothing; so is what is blocked of it.

@@ -75,7 +75,8 @@ inline Scene scene_of(std::vector<Object> objects) {
 
 // As a variant with this [bake] has them baked.
 inline const Baked& baked_apertures(Bakes& bakes, size_t object, ApertureKind kind) {
-  const BakeOptions options = {{"count", kind.count}, {"anti", kind.anti}};
+  const BakeOptions options = {
+      {"count", kind.choice ? 1 : kind.count}, {"anti", kind.anti}, {"soft", kind.soft}, {"choice", kind.choice}};
   return bakes.baked(builtin_library().effect("aperture_lighting"), object, options);
 }
 // Of an object without a map, [vertex * count + i].

@@ -34,7 +34,8 @@ TEST_P(DeepLayers, UniformStacksShowWhatTheRuleGives) {
     std::vector<UniformLayer> sheets(printed.begin(), printed.begin() + ptrdiff_t(n - 1));
     sheets.push_back(printed[3]);
     for (const float shadowing : {0.0f, 1.0f})
-      for (const std::string_view name : {"light_map", "vertex_normal", "one_light_fetch", "shadows_premultiplied"})
+      for (const std::string_view name :
+           {"light_map", "vertex_normal", "one_light_fetch", "shadows_premultiplied", "covered_map"})
         EXPECT_NEAR(pixel(picture(stack_scene(sheets, shadowing), name, 16), 8, 8).r, single_bounce(sheets, double(shadowing)),
                     0.006)
             << name << " " << n << " layers, shadows " << shadowing;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/effects/aperture_lighting/aperture_baker.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
@@ -45,6 +46,8 @@ class ApertureBaker : public Baker {
     const Seen& of = seen(object, values);
     const bool harmonics = values.words.at("baker") == "spherical_harmonics";
     const std::vector<Aperture> all = kind.anti        ? anti_apertures(*of.visibility)
+                                      : kind.soft      ? soft_apertures(*of.visibility)
+                                      : kind.choice    ? chosen_apertures(*of.visibility)
                                       : kind.count > 1 ? region_apertures(*of.visibility, of.surface, kind.count)
                                       : harmonics      ? harmonic_apertures(*of.visibility)
                                                        : single_apertures(*of.visibility);
@@ -114,13 +117,19 @@ double option(const BakeOptions& options, const std::string& name, double otherw
 }
 
 std::string problem(const BakeOptions& options) {
-  static const std::vector<std::string> known = {"count", "anti"};
+  static const std::vector<std::string> known = {"count", "anti", "soft", "choice"};
   for (const auto& [name, value] : options)
-    if (name != known[0] && name != known[1]) return unknown_name("key of [bake]", name, known);
+    if (std::ranges::find(known, name) == known.end()) return unknown_name("key of [bake]", name, known);
   const double count = option(options, "count", 1), anti = option(options, "anti", 0);
   if (count != std::floor(count) || count < 1 || count > double(max_apertures))
     return fmt::format("'count' of [bake] must be a whole number from 1 to {}", max_apertures);
   if (anti != 0 && anti != 1) return "'anti' of [bake] must be 0 or 1";
+  const double soft = option(options, "soft", 0), choice = option(options, "choice", 0);
+  if (soft != 0 && soft != 1) return "'soft' of [bake] must be 0 or 1";
+  if (choice != 0 && choice != 1) return "'choice' of [bake] must be 0 or 1";
+  if (anti + soft + choice > 1) return "'anti', 'soft' and 'choice' of [bake] cannot be had together; leave out all but one";
+  if (soft + choice > 0 && count > 1)
+    return fmt::format("'{}' of [bake] decides how many caps a point has; leave out 'count'", soft > 0 ? "soft" : "choice");
   return anti == 1 && count > 1 ? "an anti-aperture is one cap a point; leave out 'count' of [bake]" : "";
 }
 
@@ -136,6 +145,8 @@ std::map<std::string, std::string> defines(const BakeOptions& options) {
   const ApertureKind kind = aperture_kind(options);
   std::map<std::string, std::string> made = {{"APERTURES", fmt::format("{}", kind.count)}};
   if (kind.anti) made["ANTI_APERTURE"] = "1";
+  if (kind.soft) made["SOFT_APERTURE"] = "1";
+  if (kind.choice) made["APERTURE_CHOICE"] = "1";
   return made;
 }
 
@@ -146,7 +157,9 @@ std::unique_ptr<Baker> start(const Scene& scene, BakeTools& tools) { return std:
 const BakerCode aperture_baker = {problem, names, defines, start};
 
 ApertureKind aperture_kind(const BakeOptions& options) {
-  return {static_cast<uint32_t>(option(options, "count", 1)), option(options, "anti", 0) > 0};
+  const bool choice = option(options, "choice", 0) > 0;
+  return {choice ? 2 : static_cast<uint32_t>(option(options, "count", 1)), option(options, "anti", 0) > 0,
+          option(options, "soft", 0) > 0, choice};
 }
 
 }  // namespace lamina

@@ -42,6 +42,7 @@ class PointLight {
       : point_(points.points[index]),
         apertures_(std::span(points.apertures).subspan(index * points.kind.count, points.kind.count)),
         anti_(points.kind.anti),
+        choice_(points.kind.choice),
         occluders_(occluders),
         model_(model),
         options_(options),
@@ -80,21 +81,37 @@ class PointLight {
       const double open = of(normal, std::numbers::pi / 2), blocked = of(glm::vec3(apertures_[0]), apertures_[0].w);
       return {{std::max(open - blocked, 0.0), middle_cosine(normal, normal, along)}};
     }
+    if (choice_) {
+      const double open = of(normal, std::numbers::pi / 2), blocked = of(glm::vec3(apertures_[1]), apertures_[1].w);
+      return {{(1 - blocked_weight()) * of(glm::vec3(apertures_[0]), apertures_[0].w),
+               middle_cosine(normal, glm::vec3(apertures_[0]), along)},
+              {blocked_weight() * std::max(open - blocked, 0.0), middle_cosine(normal, normal, along)}};
+    }
     for (const Aperture& a : apertures_) shared.push_back({of(glm::vec3(a), a.w), middle_cosine(normal, glm::vec3(a), along)});
     return shared;
   }
   // The share of the hemisphere that lights leave to the sky.
   double unfilled_by_area() const {
     const double hemisphere = 2 * std::numbers::pi;
+    const auto of = [](const Aperture& a) { return a.w > 0 ? smaller_cap_area(a.w, a.w) : 0.0; };
     double area = anti_ ? hemisphere : 0;
-    for (const Aperture& a : apertures_) area += (anti_ ? -1 : 1) * (a.w > 0 ? smaller_cap_area(a.w, a.w) : 0.0);
+    if (choice_)
+      area = (1 - blocked_weight()) * of(apertures_[0]) + blocked_weight() * (hemisphere - of(apertures_[1]));
+    else
+      for (const Aperture& a : apertures_) area += (anti_ ? -1 : 1) * of(a);
     for (const LightCap& cap : lights_)
       for (const Shared& shared : shared_areas(cap)) area -= shared.area;
     return std::clamp(area / hemisphere, 0.0, 1.0);
   }
 
+  // How much the cap of what is blocked counts, by its direction's length.
+  double blocked_weight() const {
+    const double length = double(glm::length(glm::vec3(apertures_[1])));
+    return std::clamp((length - least_choice_length) / (1 - least_choice_length), 0.0, 1.0);
+  }
   bool in_apertures(glm::vec3 direction) const {
     const auto in = [&](const Aperture& a) { return angle_between(glm::vec3(a), direction) <= a.w; };
+    if (choice_) return blocked_weight() < 0.5 ? in(apertures_[0]) : !in(apertures_[1]);
     return anti_ ? !in(apertures_[0]) : std::any_of(apertures_.begin(), apertures_.end(), in);
   }
 
@@ -159,7 +176,7 @@ class PointLight {
 
   const ShadingPoint& point_;
   std::span<const Aperture> apertures_;
-  bool anti_;
+  bool anti_, choice_;
   const Occluders& occluders_;
   LightModel model_;
   const DirectLightOptions& options_;

@@ -16,8 +16,9 @@ namespace {
 std::string light_key(const ShadingPoints& points, const Scene& scene, const Occluders& occluders, LightModel model,
                       const DirectLightOptions& options) {
   constexpr int version = 1;  // changes when the same input no longer gives the same light
-  std::string text = fmt::format("{} {} {} {} {} {} {} {}", version, static_cast<int>(model), occluders.hash(),
-                                 points.kind.count, points.kind.anti, options.light_rays, options.seed, options.bias_m);
+  std::string text =
+      fmt::format("{} {} {} {} {} {} {} {}", version, static_cast<int>(model), occluders.hash(), points.kind.count,
+                  points.kind.anti + 2 * points.kind.choice, options.light_rays, options.seed, options.bias_m);
   std::string seen;  // member by member: bytes that pad a point differ from one run to the next
   for (const ShadingPoint& point : points.points) {
     seen += bytes_of(point.pixel);
@@ -89,7 +90,7 @@ class DirectLightTruth : public Truth {
   // Rays do not depend on apertures, so variants that show the same points share their light.
   const std::vector<glm::vec3>& traced(ShadingPoints points, const std::function<void(double)>& progress) {
     points.apertures.clear();
-    points.kind = {0, false};
+    points.kind = {.count = 0};
     if (const std::string now = key(points, LightModel::traced); now != traced_key_) {
       traced_ = light(points, LightModel::traced, progress);
       traced_key_ = now;

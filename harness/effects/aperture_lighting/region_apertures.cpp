@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contiguous regions of visibility: directions that touch and are both seen belong together (disjoint sets). Then
-// each point's regions are put in the order of a neighbour's, walking over the surface.
+// each point's regions are put in the order of its neighbours' (region_matching.h).
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <boost/pending/disjoint_sets.hpp>
-#include <cmath>
-#include <numbers>
-#include <numeric>
-#include <queue>
-#include <tuple>
+#include <iterator>
+#include <utility>
 
 #include "harness/effects/aperture_lighting/apertures.h"
+#include "harness/effects/aperture_lighting/region_matching.h"
 
 namespace lamina {
 namespace {
@@ -25,7 +22,8 @@ struct Region {
   glm::dvec3 sum{0};  // of the directions, tangent space
 };
 
-// At most `count` regions, the largest first; the rest is added to the nearest of them.
+// At most `count` regions, the largest first. Where there are more, those that lie nearest together are joined (J. H. Ward,
+// "Hierarchical Grouping to Optimize an Objective Function", 1963).
 std::vector<Region> regions_of(const Visibility& visibility, size_t point, size_t count,
                                const std::vector<std::vector<uint32_t>>& touching) {
   const auto rays = static_cast<uint32_t>(visibility.rays());
@@ -44,83 +42,33 @@ std::vector<Region> regions_of(const Visibility& visibility, size_t point, size_
   }
   std::copy_if(by_set.begin(), by_set.end(), std::back_inserter(regions), [](const Region& region) { return region.rays > 0; });
   std::stable_sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) { return a.rays > b.rays; });
-  const auto is_noise = [&](const Region& region) { return static_cast<double>(region.rays) < min_share * rays; };
-  while (regions.size() > 1 && (regions.size() > count || is_noise(regions.back()))) {
-    const Region last = regions.back();
-    regions.pop_back();
-    const auto cosine = [&](const Region& region) {
-      return glm::dot(region.sum, last.sum) / std::max(glm::length(region.sum), 1e-12);
-    };
-    Region& nearest = *std::max_element(regions.begin(), regions.end(),
-                                        [&](const Region& a, const Region& b) { return cosine(a) < cosine(b); });
-    nearest.rays += last.rays;
-    nearest.sum += last.sum;
+  const auto cosine = [](const Region& a, const Region& b) {
+    return glm::dot(a.sum, b.sum) / std::max(glm::length(a.sum) * glm::length(b.sum), 1e-12);
+  };
+  const auto join = [&](size_t into, size_t last) {
+    regions[into].rays += regions[last].rays, regions[into].sum += regions[last].sum;
+    regions.erase(regions.begin() + ptrdiff_t(last));
+  };
+  while (regions.size() > 1 && static_cast<double>(regions.back().rays) < min_share * rays) {
+    size_t nearest = 0;
+    for (size_t i = 1; i + 1 < regions.size(); ++i)
+      if (cosine(regions[i], regions.back()) > cosine(regions[nearest], regions.back())) nearest = i;
+    join(nearest, regions.size() - 1);
   }
+  // Ward's choice: the two that lose the least by becoming one. What a bar cuts in two is joined before what lies far apart.
+  while (regions.size() > count) {
+    std::pair<size_t, size_t> pair;
+    double least = 1e30;
+    for (size_t i = 0; i < regions.size(); ++i)
+      for (size_t j = i + 1; j < regions.size(); ++j) {
+        const double a = static_cast<double>(regions[i].rays), b = static_cast<double>(regions[j].rays),
+                     cost = a * b / (a + b) * (1 - cosine(regions[i], regions[j]));
+        if (cost < least) least = cost, pair = {i, j};
+      }
+    join(pair.first, pair.second);
+  }
+  std::stable_sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) { return a.rays > b.rays; });
   return regions;
-}
-
-using Order = std::array<size_t, max_apertures>;
-struct Match {
-  Order order{};      // which of the apertures goes to each place
-  double margin = 0;  // how much better than the next best order
-};
-
-// The order in which `apertures` lie nearest to `beside`. One that is hidden there (radius 0) is known by where it last was,
-// which counts for less.
-Match match(std::span<const Aperture> apertures, std::span<const Aperture> beside) {
-  Order order{};
-  std::iota(order.begin(), order.begin() + apertures.size(), size_t{0});
-  Match best;
-  double most = -1, next = -1;
-  do {
-    double score = 0;
-    for (size_t i = 0; i < apertures.size(); ++i) {
-      const Aperture &a = apertures[order[i]], &b = beside[i];
-      const double weight = b.w > 0 ? std::min(a.w, b.w) : 0.5f * a.w;
-      score += weight * (1 + glm::dot(glm::vec3(a), glm::vec3(b)));
-    }
-    if (score > most)
-      next = most, most = score, best.order = order;
-    else
-      next = std::max(next, score);
-  } while (std::next_permutation(order.begin(), order.begin() + apertures.size()));
-  best.margin = most - next;
-  return best;
-}
-
-void reorder(std::span<Aperture> apertures, const Order& order, std::span<const Aperture> beside) {
-  const std::vector<Aperture> old(apertures.begin(), apertures.end());
-  for (size_t i = 0; i < apertures.size(); ++i)
-    apertures[i] = old[order[i]].w > 0 ? old[order[i]] : Aperture(glm::vec3(beside[i]), 0);
-}
-
-// Walks over the surface, always along the step whose match is the clearest (Prim, "Shortest Connection Networks and Some
-// Generalizations", 1957, for the greatest tree), so that doubtful places divide nobody but themselves.
-void match_neighbours(std::vector<Aperture>& apertures, const SurfacePoints& surface, size_t count) {
-  struct Step {
-    double margin;
-    uint32_t from, to;
-    bool operator<(const Step& other) const { return std::tie(margin, other.to) < std::tie(other.margin, to); }
-  };
-  const auto of = [&](uint32_t point) { return std::span<Aperture>(&apertures[point * count], count); };
-  std::vector<bool> reached(surface.points.size(), false);
-  std::priority_queue<Step> steps;
-  const auto reach = [&](uint32_t point) {
-    reached[point] = true;
-    for (const uint32_t other : surface.neighbours[point])
-      if (!reached[other]) steps.push({match(of(other), of(point)).margin, point, other});
-  };
-  for (uint32_t start = 0; start < surface.points.size(); ++start) {
-    if (reached[start]) continue;
-    reach(start);
-    while (!steps.empty()) {
-      const Step step = steps.top();
-      steps.pop();
-      if (reached[step.to]) continue;
-      reorder(of(step.to), match(of(step.to), of(step.from)).order, of(step.from));
-      reach(step.to);
-    }
-  }
 }
 
 }  // namespace

@@ -91,37 +91,52 @@ glm::dvec3 LayerLight::mapped_normal(glm::dvec2 uv) const {
 }
 
 LightsAt LayerLight::at(glm::dvec2 uv) const {
-  LightsAt lights{};
+  const std::optional<LayerPlace> there = place(uv);
+  return there ? lights(*there, mapped_normal(there->uv)) : LightsAt{};
+}
+
+std::optional<LayerPlace> LayerLight::place(glm::dvec2 uv) const {
   uv -= glm::floor(uv);
   const size_t texel = size_t(std::min(static_cast<int>(uv.y * height_), height_ - 1)) * size_t(width_) +
                        size_t(std::min(static_cast<int>(uv.x * width_), width_ - 1));
   const int32_t nearest = nearest_of_[texel];
-  if (nearest < 0) return lights;
+  if (nearest < 0) return std::nullopt;
   if (size_t(nearest) != texel) uv = {(nearest % width_ + 0.5) / width_, (nearest / width_ + 0.5) / height_};
   const Chart& chart = charts_[size_t(chart_of_[size_t(nearest)])];
   const glm::dvec2 w = chart.weights_from_uv * (uv - chart.first_uv);
   const auto mixed = [&](const auto& of) {
     return (1 - w.x - w.y) * of(*chart.corner[0]) + w.x * of(*chart.corner[1]) + w.y * of(*chart.corner[2]);
   };
-  const glm::dvec3 position(world_from_object_ * glm::dvec4(mixed([](const Vertex& v) { return glm::dvec3(v.position); }), 1));
-  const glm::dvec3 normal = glm::normalize(normal_matrix_ * mixed([](const Vertex& v) { return glm::dvec3(v.normal); }));
+  LayerPlace there{uv, {}, {}, {}, {}};
+  there.position =
+      glm::dvec3(world_from_object_ * glm::dvec4(mixed([](const Vertex& v) { return glm::dvec3(v.position); }), 1));
+  there.normal = glm::normalize(normal_matrix_ * mixed([](const Vertex& v) { return glm::dvec3(v.normal); }));
+  const glm::dvec3& normal = there.normal;
   glm::dvec3 along = glm::dmat3(world_from_object_) * mixed([](const Vertex& v) { return glm::dvec3(v.tangent); });
   along -= normal * glm::dot(normal, along);
-  along = glm::dot(along, along) > 1e-12
-              ? glm::normalize(along)
-              : glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  there.along = glm::dot(along, along) > 1e-12
+                    ? glm::normalize(along)
+                    : glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
   const double handedness =
       double(chart.corner[0]->tangent.w) * (glm::determinant(glm::dmat3(world_from_object_)) < 0 ? -1 : 1);
-  const glm::dvec3 mapped = mapped_normal(uv);
-  const glm::dvec3 lit =
-      along * mapped.x + glm::cross(normal, along) * (handedness < 0 ? -mapped.y : mapped.y) + normal * mapped.z;
+  there.across = glm::cross(normal, there.along) * (handedness < 0 ? -1.0 : 1.0);
+  return there;
+}
+
+LightFrom LayerLight::from(const LayerPlace& place, size_t i) const {
+  const Light& light = scene_.lights[i];
+  const bool point = light.kind == Light::Kind::point;
+  const glm::dvec3 to_light = point ? glm::dvec3(light.position) - place.position : -glm::dvec3(light.direction);
+  const double squared = std::max(glm::dot(to_light, to_light), 1e-8);
+  return {to_light / std::sqrt(squared), glm::dvec3(light.radiance) / (point ? squared : 1.0)};
+}
+
+LightsAt LayerLight::lights(const LayerPlace& place, glm::dvec3 tangent_normal) const {
+  const glm::dvec3 lit = place.along * tangent_normal.x + place.across * tangent_normal.y + place.normal * tangent_normal.z;
+  LightsAt lights{};
   for (size_t i = 0; i < std::min(scene_.lights.size(), max_lights); ++i) {
-    const Light& light = scene_.lights[i];
-    const bool point = light.kind == Light::Kind::point;
-    const glm::dvec3 to_light = point ? glm::dvec3(light.position) - position : -glm::dvec3(light.direction);
-    const double squared = std::max(glm::dot(to_light, to_light), 1e-8);
-    lights[i] =
-        glm::dvec3(light.radiance) * (std::max(glm::dot(lit, to_light), 0.0) / std::sqrt(squared) / (point ? squared : 1.0));
+    const LightFrom light = from(place, i);
+    lights[i] = light.irradiance * std::max(glm::dot(lit, light.direction), 0.0);
   }
   return lights;
 }

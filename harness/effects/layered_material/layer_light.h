@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "harness/scene/scene.h"
@@ -14,6 +15,16 @@ namespace lamina {
 // Irradiance of each light of the scene, in its order. What comes from all around is the scene's ambient light everywhere.
 using LightsAt = std::array<glm::dvec3, max_lights>;
 
+// Where texture coordinates lie on the mesh.
+struct LayerPlace {
+  glm::dvec2 uv;                               // of the place; beyond the charts those of the nearest texel
+  glm::dvec3 position, along, across, normal;  // world; an orthonormal frame: dP/du, dP/dv, normal
+};
+// A light from a place: the unit direction to it, and what it gives there at normal incidence.
+struct LightFrom {
+  glm::dvec3 direction, irradiance;
+};
+
 class LayerLight {
  public:
   // `normals`: tangent-space normals, 1/2 + 1/2 n. The object's charts are sought on a grid of as many texels as this texture
@@ -21,6 +32,11 @@ class LayerLight {
   LayerLight(const Scene& scene, const Object& object, const TextureImage& normals);
 
   LightsAt at(glm::dvec2 uv) const;
+  // Nothing where no texel is covered.
+  std::optional<LayerPlace> place(glm::dvec2 uv) const;
+  LightFrom from(const LayerPlace& place, size_t light) const;
+  // On a surface of this normal, unit, in the place's frame.
+  LightsAt lights(const LayerPlace& place, glm::dvec3 tangent_normal) const;
   // The unit normal of the normal map's base level.
   glm::dvec3 mapped_normal(glm::dvec2 uv) const;
 

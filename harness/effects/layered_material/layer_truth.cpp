@@ -9,6 +9,7 @@
 
 #include "harness/core/text.h"
 #include "harness/effects/layered_material/layer_light.h"
+#include "harness/effects/layered_material/layer_walk.h"
 #include "harness/truth/for_each_on_all_cores.h"
 #include "harness/truth/pixel_of.h"
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double least_cosine = 1.0 / 32;    // of the transmitted ray
 constexpr double least_slant_cosine = 0.25;  // of a light's ray through the layers
+constexpr size_t walks_a_sample = 4;         // one walk tells less of a pixel than one sample of the model
 constexpr double golden_turn = 0.6180339887498949;
 
 // Sample i of n in the unit disc, evenly spread (Vogel 1979), turned.
@@ -36,7 +38,8 @@ glm::dvec2 in_pixel(size_t i, double turn) {
 struct LayerModel::Parts {
   const Scene& scene;
   std::vector<FilteredTexture> layers;
-  std::vector<double> depth;  // texels
+  std::vector<std::optional<FilteredTexture>> normals;  // of layers with a map of their own, but the outer one
+  std::vector<double> depth;                            // texels
   glm::dvec2 texel;
   double scattering, shadowing;
   LayerLight light;
@@ -51,13 +54,35 @@ struct LayerModel::Parts {
     layers.emplace_back(*values.textures.at("outer_albedo"));
     layers.emplace_back(*values.textures.at("inner_albedo"));
     depth.push_back(fact_or_number(values, "thickness"));
+    const auto add_normals = [&](const std::string& name) {
+      const auto map = values.textures.find(name + "_normal");
+      normals.emplace_back();
+      if (map != values.textures.end() && fact_or_number(values, name + "_bend") > 0) normals.back().emplace(*map->second);
+    };
+    normals.emplace_back();
+    add_normals("inner");
     for (int n = 3; n <= static_cast<int>(std::lround(fact_or_number(values, "layer_count"))); ++n) {
       layers.emplace_back(*values.textures.at(fmt::format("layer_{}_albedo", n)));
       depth.push_back(depth.back() + fact_or_number(values, fmt::format("layer_{}_distance", n)));
+      add_normals(fmt::format("layer_{}", n));
     }
   }
 
   double through(double transparency) const { return 1 - shadowing + shadowing * transparency; }
+
+  // All light of a place by a normal: of the layer's own map, or the smooth one.
+  glm::dvec3 lit(glm::dvec2 uv, const FilteredTexture* map) const {
+    glm::dvec3 sum(scene.ambient), normal(0, 0, 1);
+    if (map) normal = glm::dvec3(map->base(uv)) * 2.0 - 1.0;
+    if (const std::optional<LayerPlace> place = light.place(uv))
+      for (const glm::dvec3& one : light.lights(*place, glm::normalize(normal))) sum += one;
+    return sum;
+  }
+  // What arrives without the map, as the map's normals take it.
+  static glm::dvec3 bumped(glm::dvec3 arriving, glm::dvec3 of_map, glm::dvec3 smooth) {
+    return of_map * glm::min(arriving / glm::max(smooth, glm::dvec3(1e-9)), glm::dvec3(1)) +
+           glm::max(arriving - smooth, glm::dvec3(0));
+  }
 
   // Light that falls on layer `k` at `uv` from a tap of the disc.
   glm::dvec3 falling(size_t k, glm::dvec2 uv, glm::dvec2 tap, const std::vector<glm::dvec2>& slants) const {
@@ -93,9 +118,9 @@ LayeredLight LayerModel::light(const SeenLayers& seen, glm::dvec3 eye, size_t sa
   };
   const glm::dvec3 view = tangent(glm::normalize(eye - seen.position));
   glm::dvec3 normal(0);
-  for (size_t i = 0; i < samples && !seen.mapped; ++i) normal += p.light.mapped_normal(jitter(i));
-  normal = glm::normalize(seen.mapped.value_or(normal));
-  const double facing = std::clamp(glm::dot(normal, view), 0.0, 1.0);
+  for (size_t i = 0; i < samples && !seen.mapped && !seen.straight; ++i) normal += p.light.mapped_normal(jitter(i));
+  normal = seen.straight ? glm::dvec3(0, 0, 1) : glm::normalize(seen.mapped.value_or(normal));
+  const double facing = seen.straight ? 1 : std::clamp(glm::dot(normal, view), 0.0, 1.0);
   const glm::dvec3 reflected = 2 * glm::dot(normal, view) * normal - view;
   const glm::dvec2 along_ray = glm::dvec2(reflected) / std::max(std::abs(reflected.z), least_cosine);
   const double stretch = 1 / std::max(std::abs(reflected.z), least_cosine);
@@ -126,12 +151,17 @@ LayeredLight LayerModel::light(const SeenLayers& seen, glm::dvec3 eye, size_t sa
   double clear = 1;
   for (size_t k = 1; k < p.layers.size() && outer_mean.a > 0; ++k) {
     glm::dvec4 base(0);
-    glm::dvec3 light(0);
+    glm::dvec3 light(0), of_map(0), smooth(0);
     for (size_t i = 0; i < samples; ++i) {
-      const glm::dvec2 uv = jitter(i) + p.depth[k] * along_ray * p.texel;
-      base += p.layers[k].base(uv + in_disc(i, samples, turn) * (p.depth[k] * stretch) * p.texel) / double(samples);
+      const glm::dvec2 uv = jitter(i) + p.depth[k] * along_ray * p.texel,
+                       beside = uv + in_disc(i, samples, turn) * (p.depth[k] * stretch) * p.texel;
+      base += p.layers[k].base(beside) / double(samples);
       light += p.falling(k, uv, in_disc(i, samples, 1 - turn), slants) / double(samples);
+      if (!p.normals[k]) continue;
+      of_map += p.lit(beside, &*p.normals[k]) / double(samples);
+      smooth += p.lit(uv, nullptr) / double(samples);
     }
+    if (p.normals[k]) light = LayerModel::Parts::bumped(light, of_map, smooth);
     const double through = k + 1 == p.layers.size() ? 0 : base.a;
     below += clear * (1 - through) * glm::dvec3(base) * light;
     clear *= through;
@@ -154,14 +184,17 @@ class LayerTruth : public Truth {
                 &mapped = told.target("seen_mapped", "layers");
     TruthAnswer answer;
     std::map<size_t, LayerModel> models;
+    std::map<size_t, LayerWalk> walks;
+    const bool walked = walks_asked();
     for (size_t i = 0; i < size_t(point.width) * size_t(point.height); ++i) {
       const long place = std::lround(pixel_of(point, i).a) - 1;
       if (place < 0 || size_t(place) >= setting_.scene.objects.size()) continue;
       answer.pixels.push_back(i);
       models.try_emplace(size_t(place), setting_.scene, size_t(place));
+      if (walked) walks.try_emplace(size_t(place), setting_.scene, size_t(place), setting_.occluders);
     }
     if (answer.pixels.empty()) return {};
-    std::vector<glm::vec3> first(answer.pixels.size()), all(first.size());
+    std::vector<glm::vec3> first(answer.pixels.size()), all(first.size()), straight(first.size()), physical(first.size());
     for_each_on_all_cores(all.size(), progress, [&](size_t n) {
       const size_t i = answer.pixels[n];
       const glm::dvec4 at = pixel_of(point, i), tangent = pixel_of(along, i), step = pixel_of(steps, i);
@@ -176,19 +209,38 @@ class LayerTruth : public Truth {
                       glm::dvec3(pixel_of(mapped, i))};
       seen.across = glm::cross(seen.normal, seen.along) * tangent.a;
       const double turn = double(n) * 0.7548776662466927;
-      const LayeredLight light =
-          models.at(size_t(std::lround(at.a)) - 1)
-              .light(seen, glm::dvec3(told.view.eye), std::max<size_t>(setting_.rays, 1), turn - std::floor(turn));
+      const size_t object = size_t(std::lround(at.a)) - 1, samples = std::max<size_t>(setting_.rays, 1);
+      const LayerModel& model = models.at(object);
+      const glm::dvec3 eye(told.view.eye);
+      const LayeredLight light = model.light(seen, eye, samples, turn - std::floor(turn));
       first[n] = glm::vec3(light.under_shown_outer), all[n] = glm::vec3(light.all);
+      if (!walked) return;
+      seen.straight = true;
+      straight[n] = glm::vec3(model.light(seen, eye, samples, turn - std::floor(turn)).all);
+      const glm::dvec3 to_eye = glm::normalize(eye - seen.position);
+      const WalkStart start{seen.uv, seen.right, seen.down,
+                            glm::transpose(glm::dmat3(seen.along, seen.across, seen.normal)) * to_eye};
+      physical[n] = glm::vec3(walks.at(object).light(start, walks_a_sample * samples, 1 + i).mean);
     });
     answer.steps = {
         {"filters", "this variant's light and layers below the outer one against discs of many samples and rays of light",
          std::move(first)},
         {"footprint", "the outer layer as mip levels show it against the mean over the pixel", std::move(all)}};
+    if (!walked) return answer;
+    answer.steps.push_back(
+        {"bending", "the eye's ray bent by the mapped normal, and N.V, against a straight ray without", std::move(straight)});
+    answer.steps.push_back({"walk", "discs and one bounce against a random walk of the light", std::move(physical)});
     return answer;
   }
 
  private:
+  bool walks_asked() const {
+    const auto whole = setting_.scene.effects.find("layered_material");
+    if (whole == setting_.scene.effects.end()) return false;
+    const auto word = whole->second.words.find("truth");
+    return word != whole->second.words.end() && word->second == "walk";
+  }
+
   TruthSetting setting_;
 };
 

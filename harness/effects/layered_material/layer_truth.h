@@ -21,7 +21,9 @@ namespace lamina {
 //   seen_mapped   the mapped normal, tangent space, unit, as the device filters it: all that is told bends the eye's ray the
 //   same way
 // Two steps: first the filters of light and of the layers below, under the outer layer as the device shows it; then that layer
-// over the pixel's footprint, without mip levels. Samples a pixel: the setting's rays.
+// over the pixel's footprint, without mip levels. Samples a pixel: the setting's rays. Where the scene's word `truth` is "walk"
+// two more follow: the model with the eye's ray straight and N.V left out; then the physical truth (layer_walk.h), by four
+// walks a sample.
 std::unique_ptr<Truth> layer_truth(const TruthSetting& setting);
 
 // One seen place, for tests and for the truth itself.
@@ -31,6 +33,8 @@ struct SeenLayers {
   // As the device filters them; without them they are means over the pixel's footprint.
   std::optional<glm::dvec4> outer;
   std::optional<glm::dvec3> mapped;
+  // The outer normal does not bend the eye's ray, and N.V hides nothing.
+  bool straight = false;
 };
 struct LayeredLight {
   glm::dvec3 under_shown_outer, all;  // linear, after the first step and after both
