@@ -85,6 +85,15 @@ std::string gate_section(const Record& record) {
   return text;
 }
 
+std::string saving_section(const Record& record) {
+  if (record.savings.empty()) return "";
+  std::string text = "\n## What is left out, and what that saves\n\n";
+  for (const Headline& headline : saving_headlines(record))
+    text += fmt::format("- **{}**: {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
+  for (const Table& table : saving_tables(record)) text += "\n" + markdown_table(table);
+  return text;
+}
+
 std::string list_section(const char* title, const std::vector<std::string>& lines) {
   if (lines.empty()) return "";
   std::string text = fmt::format("\n## {}\n\n", title);
@@ -104,7 +113,7 @@ std::string markdown_summary(const Record& record) {
   for (const Headline& headline : failure_headlines(rows))
     text += fmt::format("- **{}** {}\n", escaped_markdown(headline.variant), escaped_markdown(headline.words));
   for (const Table& table : choices_tables(rows)) text += "\n" + markdown_table(table, "## ");
-  text += sweep_section(record);
+  text += saving_section(record) + sweep_section(record);
   if (!rows.empty()) text += summary_section(rows);
   text += gate_section(record);
   text += assumptions_section(record);

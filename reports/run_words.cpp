@@ -40,6 +40,8 @@ std::string title_of(const Record& record) {
     views.insert(cell.view);
   }
   if (record.cells.empty() && !record.functions.empty()) return "What functions cost and err by";
+  if (record.cells.empty() && !record.savings.empty())
+    return fmt::format("{}, against every effect", record.savings.front().scene);
   if (record.cells.empty())
     return fmt::format("{}: {}", text_at(record.run, "/scene"), record.gates.empty() ? "no cells" : "gate");
   return fmt::format("{}, {}, {} view{}", fmt::join(scenes, " and "), fmt::join(sizes, " and "), views.size(),

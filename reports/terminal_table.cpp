@@ -10,6 +10,11 @@ std::string terminal_table(const Record& record, bool colour) {
   Lines lines(colour);
   lines.add(one_line(title_of(record)), bold);
   const std::vector<SummaryRow> rows = summarize(record);
+  for (const Headline& headline : saving_headlines(record)) lines.add(headline.variant + ": " + one_line(headline.words));
+  for (const Table& table : saving_tables(record)) {
+    lines.add("");
+    lines.add(table);
+  }
   for (Table& table : summary_tables(rows, false)) {  // the columns against the truth are too many for a terminal
     for (Row& row : table.rows)
       if (!row.note.empty()) row.mark = row.note_mark = Mark::bad;

@@ -105,6 +105,23 @@ std::string words_for_line(const PassSummary::Line& line);     // "fog/sum.frag:
 // The kind of work that a class of operations belongs to, as charts group them: "add" is "add, multiply".
 std::string_view operation_group(std::string_view operation);
 
+// What each effect costs in the frame of what the scene calls for and in the frame of everything, means over views, a table a
+// backend; no times where its timer is not good. None where the record holds no such frames.
+std::vector<Table> saving_tables(const Record& record);
+// The answer of each backend in a sentence, and what is wrong: pictures that differ, effects that have no part and why.
+std::vector<Headline> saving_headlines(const Record& record);
+struct SavingBar {
+  std::string effect;
+  bool called_for = false;
+  double culled = 0, all = 0;  // ms where the backend's times are shown, else operations
+};
+struct SavingBars {
+  std::string backend;
+  bool timed = false;
+  std::vector<SavingBar> bars;  // the greatest saving first; without effects that cost nothing in both
+};
+std::vector<SavingBars> saving_bars(const Record& record);
+
 struct Certificate {
   std::string backend;
   bool ok = false;

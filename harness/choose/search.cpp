@@ -29,6 +29,34 @@ std::vector<Choice> all_choices(const ChoiceSpace& space, const std::string& met
   return all;
 }
 
+uint64_t measured_at_most(uint64_t exist) { return std::max<uint64_t>(2, exist / (exist > 100 ? 10 : 3)); }
+
+ChoiceSearch search_choices(const ChoiceSpace& space, const ChoiceGoal& goal, double doubt,
+                            const std::function<std::vector<Outcome>(const std::vector<Choice>&)>& measure) {
+  ChoiceSearch known(space, goal, measured_at_most(space.choices()), doubt);
+  known.tell(Choice(space.effects.size(), 0), space.baseline);
+  for (std::vector<Choice> next = known.next(choice_batch); !next.empty(); next = known.next(choice_batch)) {
+    const std::vector<Outcome> outcomes = measure(next);
+    for (size_t i = 0; i < next.size(); ++i) known.tell(next[i], outcomes.at(i));
+  }
+  return known;
+}
+
+std::optional<Price> next_price(const ChoiceSearch& known, const ChoiceSpace& space, const Choice& choice, size_t effect) {
+  constexpr double least_gain = 1e-5;  // of SSIM: less is rounding
+  const Outcome now = known.outcome_of(choice);
+  std::optional<Price> cheapest;
+  Choice other = choice;
+  for (other[effect] = 0; other[effect] < space.effects[effect].options.size(); ++other[effect]) {
+    const Outcome then = known.outcome_of(other);
+    const double gain = worst_error(then, "ssim") - worst_error(now, "ssim");
+    if (gain <= least_gain) continue;
+    const double ms = 0.01 * (worst_ms(then) - worst_ms(now)) / gain;
+    if (!cheapest || ms < cheapest->ms) cheapest = Price{other[effect], ms};
+  }
+  return cheapest;
+}
+
 ChoiceSearch::ChoiceSearch(const ChoiceSpace& space, const ChoiceGoal& goal, size_t max_measured, double doubt)
     : space_(space), goal_(goal), max_measured_(max_measured), doubt_(doubt), all_(all_choices(space, goal.metric)) {}
 

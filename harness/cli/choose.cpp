@@ -22,7 +22,6 @@
 namespace lamina {
 namespace {
 
-constexpr size_t batch = 3;  // choices that are timed beside each other, and beside the baseline
 
 struct ChooseOptions : CellOptions {
   std::string budget;               // "4ms"
@@ -73,25 +72,24 @@ std::string figures_of(const Outcome& outcome) {
                      worst_error(outcome, "flip"), std::isinf(psnr) ? "inf" : fmt::format("{:.1f} dB", psnr));
 }
 
-// Measures choices, the best predicted first, until no other can be the best.
+// Measures choices in rounds beside the baselines.
 ChoiceSearch searched(const DrawnOptions& search, const ChoiceGoal& goal, const Plan& plan, ChoiceRun& run,
                       const RoundOptions& rounds, const Tell& tell) {
-  const uint64_t exist = search.space.choices();
-  const uint64_t max_measured = std::max<uint64_t>(2, exist / (exist > 100 ? 10 : 3));
-  ChoiceSearch known(search.space, goal, max_measured, search.doubt);
-  known.tell(search.baseline(), search.space.baseline);
-  for (std::vector<Choice> next = known.next(batch); !next.empty(); next = known.next(batch)) {
-    tell(static_cast<double>(known.measured().size()) / static_cast<double>(max_measured), "measuring choices");
+  const auto most = static_cast<double>(measured_at_most(search.space.choices()));
+  size_t done = 1;
+  return search_choices(search.space, goal, search.doubt, [&](const std::vector<Choice>& next) {
+    tell(static_cast<double>(done) / most, "measuring choices");
+    done += next.size();
     std::vector<Configuration> timed = {configuration_of(plan, {})};
     for (const Choice& choice : next) timed.push_back(search.configuration(plan, choice));
     const std::vector<ChoiceRun::Times> times = run.times_of(timed, rounds);
+    std::vector<Outcome> outcomes;
     for (size_t i = 0; i < next.size(); ++i) {
-      Outcome outcome = run.errors_of(timed[i + 1]);
+      Outcome& outcome = outcomes.emplace_back(run.errors_of(timed[i + 1]));
       set_times(outcome, times[i + 1], times[0], search.space.baseline);
-      known.tell(next[i], outcome);
     }
-  }
-  return known;
+    return outcomes;
+  });
 }
 
 // Views half way between the scene's, one after another, and a little off a single one.
@@ -131,20 +129,12 @@ Outcome held_out(Backend& backend, const Library& library, const DrawnOptions& s
 
 // Effect by effect: what the next 0.01 of SSIM would cost, by the cheapest other option that has less error.
 void print_prices(const ChoiceSearch& known, const DrawnOptions& search, const Choice& choice) {
-  const Outcome now = known.outcome_of(choice);
   fmt::print("\nwhat the next 0.01 of SSIM costs, predicted:\n");
   for (size_t e = 0; e < choice.size(); ++e) {
-    std::string words = "nothing here has less error";
-    double least = std::numeric_limits<double>::infinity();
-    Choice other = choice;
-    for (other[e] = 0; other[e] < search.options[e].size(); ++other[e]) {
-      const Outcome then = known.outcome_of(other);
-      const double gain = worst_error(then, "ssim") - worst_error(now, "ssim"), ms = worst_ms(then) - worst_ms(now);
-      if (gain <= 1e-5 || ms / gain >= least) continue;
-      least = ms / gain;
-      words = fmt::format("{:+.4g} ms, by {}", 0.01 * least, search.name(other, e));
-    }
-    fmt::print("  {:<20} {}\n", search.effects[e]->name, words);
+    const std::optional<Price> price = next_price(known, search.space, choice, e);
+    fmt::print("  {:<20} {}\n", search.effects[e]->name,
+               price ? fmt::format("{:+.4g} ms, by {}", price->ms, search.space.effects[e].options[price->option].name)
+                     : "nothing here has less error");
   }
 }
 

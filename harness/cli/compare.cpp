@@ -8,10 +8,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "harness/cli/against_all.h"
 #include "harness/cli/calibrate_cost.h"
 #include "harness/cli/commands.h"
 #include "harness/cli/devices.h"
 #include "harness/cli/effect_run.h"
+#include "harness/cli/planned.h"
 #include "harness/cli/run_line.h"
 #include "harness/core/stop_signals.h"
 #include "harness/core/stopwatch.h"
@@ -189,7 +191,7 @@ int run_compare(const CompareOptions& given) {
   check_size("compare", options, devices);
 
   ShaderCache shaders(Api::vulkan, library.shaders);
-  const PlanRow planned = plan_row(plan, scene, shaders);
+  const PlanRow planned = plan_row(plan, scene, shaders, options);
 
   std::error_code not_there;
   std::filesystem::remove_all(options.out / "images", not_there);  // an earlier run's
@@ -270,10 +272,16 @@ Command add_compare(CLI::App& program) {
   add_alpha(command, *options);
   add_seed(command, options->rounds.seed);
   add_validation(command, *options);
-  CLI::Option* watch = command.add_flag("--watch", options->watch,
-                                        "Draw again what a changed shader, manifest or scene file touches, into a page that "
-                                        "loads itself again; the first backend, "
-                                        "no truth unless --truth-rays says so; Ctrl-C ends with the record");
+  CLI::Option* against_all =
+      command.add_flag("--against-all-effects", options->against_all,
+                       "In place of variants: the frame with only what the scene calls for, against the frame in which every "
+                       "effect runs that can; fails where their pictures differ");
+  CLI::Option* watch = command
+                           .add_flag("--watch", options->watch,
+                                     "Draw again what a changed shader, manifest or scene file touches, into a page that "
+                                     "loads itself again; the first backend, "
+                                     "no truth unless --truth-rays says so; Ctrl-C ends with the record")
+                           ->excludes(against_all);
   command.add_option("--view", options->views, "View that is watched; the first without (may be given again)")
       ->type_name(placeholder::view)
       ->needs(watch);
@@ -286,6 +294,7 @@ Command add_compare(CLI::App& program) {
             if (quick_default("--budget")) options->rounds.budget_s = quick_budget_s;
             if (quick_default("--precision")) options->rounds.precision = quick_precision;
             if (quick_default("--truth-rays")) options->truth_rays = 64;
+            if (options->against_all) return run_against_all(*options);
             if (options->watch) {
               if (command.count("--truth-rays") == 0) options->truth_rays = 0;
               if (command.count("--budget") == 0) options->rounds.budget_s = 1;

@@ -20,6 +20,7 @@ struct CompareOptions : WatchOptions {                // the rounds are of a bac
   bool quick = false;
   bool times = true;
   bool watch = false;
+  bool against_all = false;  // the frame of what is called for, against the frame of everything
   // Counts and times of these effects alone in the first view, in a record: no picture, error, report or table. Empty: all.
   std::vector<std::string> costs_of;
   bool only_costs() const { return !costs_of.empty(); }

@@ -173,7 +173,7 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
   const nlohmann::ordered_json run = gate_run_line(options, scene, devices);
   if (!options.update) check_comparable(*stored, shape_of(run, effects, options), file);
 
-  RecordWriter record = begin_record(options.compare.out, run, scene, tree);
+  RecordWriter record = begin_record(options.compare, run, scene, tree);
   const StopSignals signals(report_on_stop);
   GateMeasurements measured = measure_in_processes(
       options, watch, [&](const GateTask& task, const EmitLine& emit) { measure_state(tree, effects, task, options, emit); },

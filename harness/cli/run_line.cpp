@@ -11,7 +11,6 @@
 #include "commit.h"
 #include "harness/cli/cell.h"
 #include "harness/cli/common.h"
-#include "harness/graph/graph.h"
 #include "harness/record/run_row.h"
 
 namespace lamina {
@@ -26,23 +25,6 @@ const std::time_t started = std::time(nullptr);  // about when the program did: 
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
   return value ? value : "";
-}
-
-std::vector<PlanRow::Pass> planned(const std::vector<GraphPass>& passes, const Scene& scene, bool runs) {
-  std::vector<PlanRow::Pass> rows;
-  for (const GraphPass& pass : passes) {
-    PlanRow::Pass& row = rows.emplace_back();
-    row.pass = pass.pass->name, row.effect = pass.variant->effect;
-    row.runs = runs, row.once = pass.once, row.reason = pass.reason;
-    std::set<std::string> names;
-    for (const GraphDraw& draw : pass.draws) {
-      if (draw.object) row.objects.push_back(scene.objects[*draw.object].name);
-      for (const ResolvedRead& read : draw.reads) names.insert(read.source.name);
-    }
-    row.reads.assign(names.begin(), names.end());
-    row.writes = pass.pass->written();
-  }
-  return rows;
 }
 
 }  // namespace
@@ -97,30 +79,6 @@ Json run_line(const CellOptions& options, const RoundOptions& rounds, bool quick
   line["time_s"] = scene.time_s;
   line["warnings"] = scene.warnings;
   return line;
-}
-
-PlanRow plan_row(const Plan& plan, const Scene& scene, ShaderCache& shaders) {
-  PlanRow row;
-  for (const EffectPlan& entry : plan.effects) {
-    PlanRow::Effect& effect = row.effects.emplace_back();
-    effect.effect = entry.effect->name, effect.called_for = entry.called_for, effect.reason = entry.reason;
-    effect.objects = entry.objects.size();
-    for (const FeaturePlan& feature : entry.features) effect.features.push_back({feature.define, feature.on, feature.reason});
-    for (const VariantManifest& manifest : entry.effect->variants) {
-      if (!entry.called_for) break;
-      PlanRow::Variant& variant = effect.variants.emplace_back();
-      variant.variant = manifest.name, variant.baseline = manifest.baseline;
-      try {
-        const Graph graph = make_graph(plan, {&manifest}, scene, shaders);
-        variant.passes = planned(graph.passes, scene, true);
-        for (PlanRow::Pass& dropped : planned(graph.dropped, scene, false)) variant.passes.push_back(std::move(dropped));
-      } catch (const Error& error) {
-        if (error.kind() == ErrorKind::bad_input && error.stage() == "variants") throw;  // a mistake of a manifest
-        variant.error = error.what();
-      }
-    }
-  }
-  return row;
 }
 
 }  // namespace lamina

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first lines of a record: what was run, on what, and what the scene called for.
+// The first line of a record: what was run, and on what.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,8 +8,7 @@
 
 #include "harness/cli/devices.h"
 #include "harness/cli/options.h"
-#include "harness/graph/graph.h"
-#include "harness/record/plan_row.h"
+#include "harness/scene/scene.h"
 
 namespace lamina {
 
@@ -22,7 +21,5 @@ nlohmann::ordered_json run_line(const std::string& command, const std::vector<Pr
 // The same with the scene and the settings of a command that leaves cells.
 nlohmann::ordered_json run_line(const CellOptions& options, const RoundOptions& rounds, bool quick, const Scene& scene,
                                 const std::vector<ProbedBackend>& backends);
-// Each effect with called_for and why, its features, and the passes of every variant.
-PlanRow plan_row(const Plan& plan, const Scene& scene, ShaderCache& shaders);
 
 }  // namespace lamina

@@ -11,6 +11,7 @@
 #include "harness/cli/common.h"
 #include "harness/cli/devices.h"
 #include "harness/cli/effect_run.h"
+#include "harness/cli/planned.h"
 #include "harness/cli/run_line.h"
 #include "harness/cli/sweep_end.h"
 #include "harness/core/stop_signals.h"
@@ -258,7 +259,7 @@ int run_sweep(const SweepOptions& options) {
   std::optional<PlanRow> planned;  // before the record is begun: a mistake of a manifest leaves none
   if (!earlier || !earlier->kinds.contains("plan")) {
     ShaderCache shaders(Api::vulkan, library.shaders);
-    planned = plan_row(plan, scene, shaders);
+    planned = plan_row(plan, scene, shaders, options.compare);
   }
   RecordWriter record(file, earlier.has_value());
   if (!earlier) record.append(run), record.append(to_json(swept));

@@ -95,7 +95,17 @@ void Frame::set_background(glm::vec3 linear) {
 }
 
 FrameTimes Frame::run_once(Timing timing) { return run_sequence(once_, 0, timing); }
-FrameTimes Frame::run(size_t view, Timing timing) { return run_sequence(frame_, view, timing); }
+
+FrameTimes Frame::run(size_t view, Timing timing) {
+  if (frame_.steps.empty()) {  // nothing is called for, and what is there is the background
+    const glm::vec3& around = resources_.scene().background;
+    Pass cleared;
+    cleared.name = "nothing to draw";
+    cleared.colors.push_back({picture_, 0, Load::clear, {around.r, around.g, around.b, 0}});
+    backend_.run({&cleared, 1}, Timing::off);
+  }
+  return run_sequence(frame_, view, timing);
+}
 
 namespace {
 

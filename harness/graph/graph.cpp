@@ -38,10 +38,10 @@ std::string frequency_words(const PassManifest& pass, const Scene& scene, bool& 
 }
 
 // The effect's objects that the pass is of: those with and without the features that it names.
-std::vector<size_t> chosen_objects(const EffectPlan& effect, const PassManifest& pass, const Scene& scene) {
+std::vector<size_t> chosen_objects(const Plan& plan, const EffectPlan& effect, const PassManifest& pass, const Scene& scene) {
   std::vector<size_t> chosen;
   for (const size_t object : effect.objects) {
-    const auto features = feature_defines(*effect.effect, scene, &scene.objects[object]);
+    const auto features = feature_defines(plan, *effect.effect, scene, &scene.objects[object]);
     if ((pass.with.empty() || features.contains(pass.with)) && !features.contains(pass.without)) chosen.push_back(object);
   }
   return chosen;
@@ -103,11 +103,11 @@ class Maker {
  private:
   std::vector<size_t> objects_of(const EffectPlan& effect, const PassManifest& pass) const {
     if (pass.of != DrawnObjects::own) return pass.of == DrawnObjects::all ? plan_.all : plan_.opaque;
-    return chosen_objects(effect, pass, scene_);
+    return chosen_objects(plan_, effect, pass, scene_);
   }
 
   std::map<std::string, std::string> definitions(const GraphPass& pass, const Object* object) const {
-    std::map<std::string, std::string> defines = feature_defines(*pass.effect, scene_, object);
+    std::map<std::string, std::string> defines = feature_defines(plan_, *pass.effect, scene_, object);
     if (!pass.effect->baker.empty())
       for (const auto& [name, text] : plan_.library->code->bakers.at(pass.effect->baker)->defines(pass.variant->bake))
         defines[name] = text;
@@ -261,7 +261,7 @@ Graph make_graph(const Plan& plan, const Configuration& configuration, const Sce
         continue;
       }
       check_features(*effect.effect, manifest);
-      if (!chosen_words(manifest).empty() && chosen_objects(effect, manifest, scene).empty()) {
+      if (!chosen_words(manifest).empty() && chosen_objects(plan, effect, manifest, scene).empty()) {
         graph.dropped.push_back({.effect = effect.effect,
                                  .variant = variant,
                                  .pass = &manifest,
@@ -271,8 +271,10 @@ Graph make_graph(const Plan& plan, const Configuration& configuration, const Sce
       graph.passes.push_back(maker.make_pass(effect, *variant, manifest));
     }
   }
-  leave_out_repeated(graph);
-  leave_out_unread(graph);
+  if (plan.culling == Culling::on) {
+    leave_out_repeated(graph);
+    leave_out_unread(graph);
+  }
   check_written_before_read(graph);
   return graph;
 }

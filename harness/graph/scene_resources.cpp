@@ -82,6 +82,13 @@ TextureId SceneResources::texture(const std::shared_ptr<const TextureImage>& ima
   return entry->second;
 }
 
+uint64_t SceneResources::texture_bytes() const {
+  uint64_t bytes = 0;
+  for (const auto& [image, id] : textures_)
+    for (const std::vector<std::byte>& level : image->levels) bytes += level.size();
+  return bytes;
+}
+
 std::shared_ptr<const TextureImage> SceneResources::image_of(const Source& source, std::optional<size_t> object) {
   switch (source.kind) {
     case Source::Kind::object_texture:

@@ -51,6 +51,7 @@ class SceneResources {
   TextureId texture(const std::shared_ptr<const TextureImage>& image);
   BufferId baked_buffer(const Source& source, size_t object);
   size_t textures_uploaded() const { return textures_.size(); }
+  uint64_t texture_bytes() const;  // of them, all levels, as their formats say
 
   Backend& backend() const { return backend_; }
   const Scene& scene() const { return scene_; }

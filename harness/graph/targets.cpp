@@ -10,15 +10,14 @@ bool writes(const PassManifest& pass, std::string_view name) {
   return std::find(pass.writes.begin(), pass.writes.end(), name) != pass.writes.end();
 }
 
-// Whether some pass reads the frame that it writes, which then needs two buffers.
-bool frame_is_read_back(const Graph& graph) {
+}  // namespace
+
+uint32_t frame_buffers(const Graph& graph) {
   for (const GraphPass& pass : graph.passes)
     for (const GraphDraw& draw : pass.draws)
-      if (writes(*pass.pass, "frame") && reads_back(pass, draw, "frame")) return true;
-  return false;
+      if (writes(*pass.pass, "frame") && reads_back(pass, draw, "frame")) return 2;
+  return 1;
 }
-
-}  // namespace
 
 bool reads_back(const GraphPass& pass, const GraphDraw& draw, const std::string& name) {
   if (pass.pass->levels != LevelWalk::none) return false;  // it reads another level than it writes
@@ -31,8 +30,8 @@ bool reads_back(const GraphPass& pass, const GraphDraw& draw, const std::string&
 Targets::Targets(SceneResources& resources, const Graph& graph, MadeResources& made)
     : resources_(resources), graph_(graph), made_(made) {
   const uint32_t width = resources.width_px(), height = resources.height_px();
-  frame_ = make("frame", width, height, Format::rgba16_float, false, frame_is_read_back(graph) ? 2 : 1, false);
-  depth_ = make("depth", width, height, Format::d32_float, false, 1, false);
+  frame_ = make("frame", width, height, frame_format, false, frame_buffers(graph), false);
+  depth_ = make("depth", width, height, frame_depth_format, false, 1, false);
 }
 
 void Targets::begin_sequence() {
@@ -48,7 +47,8 @@ FrameTarget& Targets::target(const GraphPass& pass, const GraphDraw& draw, const
     throw Error(ErrorKind::bad_input, "variants", pass.pass->where, fmt::format("'{}' is not a target of this variant", name));
   const Resource key = target_of(*pass.variant, name, draw, light);
   if (const auto found = targets_.find(key); found != targets_.end()) return found->second;
-  const auto [width, height] = size_of(pass, manifest->size, key.object);
+  const auto [width, height] = target_size(graph_, resources_.scene(), {resources_.width_px(), resources_.height_px()}, pass,
+                                           manifest->size, key.object);
   const bool storage = std::any_of(pass.variant->passes.begin(), pass.variant->passes.end(), [&](const PassManifest& other) {
     return other.draw == DrawKind::compute && writes(other, name);
   });
@@ -83,20 +83,20 @@ FrameTarget Targets::make(const std::string& label, uint32_t width, uint32_t hei
     made.buffers[i] = resources_.backend().create_texture(desc);
     made_.textures.push_back(made.buffers[i]);
     made_.whole[made.buffers[i]] = {0, 0, width, height};
-    for (uint32_t level = 0; level < made.levels; ++level)
-      made_.bytes += uint64_t{std::max(width >> level, 1u)} * std::max(height >> level, 1u) * bytes_per_texel(format);
+    made_.bytes += texel_bytes(width, height, mips, format);
   }
   return made;
 }
 
-std::pair<uint32_t, uint32_t> Targets::size_of(const GraphPass& pass, const SizeRule& rule, std::optional<size_t> object) {
-  const auto value = [&](const Setting& setting) { return pass.variant->value_of(setting, graph_.parameters); };
+std::pair<uint32_t, uint32_t> target_size(const Graph& graph, const Scene& scene, FramePx frame, const GraphPass& pass,
+                                          const SizeRule& rule, std::optional<size_t> object) {
+  const auto value = [&](const Setting& setting) { return pass.variant->value_of(setting, graph.parameters); };
   double width = value(rule.width), height = value(rule.height);
-  if (rule.kind == SizeRule::Kind::frame) width = resources_.width_px(), height = resources_.height_px();
+  if (rule.kind == SizeRule::Kind::frame) width = frame.width, height = frame.height;
   if (rule.kind == SizeRule::Kind::texture) {
-    const Object& of = resources_.scene().objects[*object];
+    const Object& of = scene.objects[*object];
     const Texture* texture = nullptr;
-    for (const EffectManifest* effect : {graph_.library->otherwise(), pass.effect})
+    for (const EffectManifest* effect : {graph.library->otherwise(), pass.effect})
       if (const auto values = effect ? of.effects.find(effect->name) : of.effects.end(); values != of.effects.end())
         if (const auto found = values->second.textures.find(rule.texture); found != values->second.textures.end())
           texture = &found->second;
@@ -110,6 +110,18 @@ std::pair<uint32_t, uint32_t> Targets::size_of(const GraphPass& pass, const Size
   return {scaled(width), scaled(height)};
 }
 
+uint64_t texel_bytes(uint32_t width, uint32_t height, bool mips, Format format) {
+  uint64_t texels = 0;
+  for (uint32_t level = 0; level < (mips ? full_mip_levels(width, height) : 1); ++level)
+    texels += uint64_t{std::max(width >> level, 1u)} * std::max(height >> level, 1u);
+  return texels * bytes_per_texel(format);
+}
+
+uint64_t buffer_bytes(const BufferManifest& buffer, const Scene& scene, FramePx frame, std::optional<size_t> object) {
+  const uint64_t vertices = object ? scene.objects[*object].mesh.vertices.size() : 0;
+  return buffer.bytes + buffer.bytes_per_vertex * vertices + buffer.bytes_per_pixel * (uint64_t{frame.width} * frame.height);
+}
+
 BufferId Targets::buffer(const GraphPass& pass, const GraphDraw& draw, const ResolvedBuffer& buffer) {
   if (buffer.source.kind == Source::Kind::baked) return resources_.baked_buffer(buffer.source, *draw.object);
   const auto manifest = std::find_if(pass.variant->buffers.begin(), pass.variant->buffers.end(),
@@ -117,10 +129,8 @@ BufferId Targets::buffer(const GraphPass& pass, const GraphDraw& draw, const Res
   const std::optional<size_t> owner = manifest->scope == Scope::object ? draw.object : std::nullopt;
   BufferId& id = buffers_[{pass.variant, manifest->name, owner, std::nullopt}];
   if (id) return id;
-  const uint64_t pixels = uint64_t{resources_.width_px()} * resources_.height_px();
-  const uint64_t vertices = owner ? resources_.scene().objects[*owner].mesh.vertices.size() : 0;
-  const std::vector<std::byte> zeros(manifest->bytes + manifest->bytes_per_vertex * vertices +
-                                     manifest->bytes_per_pixel * pixels);
+  const std::vector<std::byte> zeros(
+      buffer_bytes(*manifest, resources_.scene(), {resources_.width_px(), resources_.height_px()}, owner));
   id = resources_.backend().create_buffer(pass.variant->name + "." + manifest->name, BufferUse::storage, zeros.size(), zeros);
   made_.buffers.push_back(id);
   made_.bytes += zeros.size();

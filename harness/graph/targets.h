@@ -49,8 +49,6 @@ class Targets {
  private:
   FrameTarget make(const std::string& label, uint32_t width, uint32_t height, Format format, bool mips, uint32_t buffers,
                    bool storage);
-  std::pair<uint32_t, uint32_t> size_of(const GraphPass& pass, const SizeRule& rule, std::optional<size_t> object);
-
   SceneResources& resources_;
   const Graph& graph_;
   MadeResources& made_;
@@ -61,5 +59,22 @@ class Targets {
 
 // Whether the draw reads what it also writes under this name.
 bool reads_back(const GraphPass& pass, const GraphDraw& draw, const std::string& name);
+
+// ---- What targets take, known without a device --------------------------------------------------------------------------
+
+inline constexpr Format frame_format = Format::rgba16_float, frame_depth_format = Format::d32_float;
+struct FramePx {
+  uint32_t width = 1, height = 1;
+};
+// 2 where some pass reads the frame that it writes, else 1.
+uint32_t frame_buffers(const Graph& graph);
+// Of a pass's target, in texels: as its rule says, of the frame's size, of a texture of the object, or fixed. Throws
+// Error(bad_input) where the object has no such texture.
+std::pair<uint32_t, uint32_t> target_size(const Graph& graph, const Scene& scene, FramePx frame, const GraphPass& pass,
+                                          const SizeRule& rule, std::optional<size_t> object);
+// Of one texture, all levels.
+uint64_t texel_bytes(uint32_t width, uint32_t height, bool mips, Format format);
+// Of one storage buffer. `object`: whose it is.
+uint64_t buffer_bytes(const BufferManifest& buffer, const Scene& scene, FramePx frame, std::optional<size_t> object);
 
 }  // namespace lamina

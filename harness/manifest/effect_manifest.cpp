@@ -251,11 +251,16 @@ TomlFormPtr effect_form(const EffectCode& code) {
                   {"because", "the plan's reason where it is called for", {form::text()}, true},
                   {"not_because", "the plan's reason where it is not", {form::text()}, true},
                   needs("left out where one of these numbers or facts is 0", false),
+                  {"vanishes", "an object that does not meet 'needs' is nowhere; else it is a plain surface", {form::flag()}},
                   {"bake", "C++ that bakes what its variants want", {form::word(names_in(code.bakers))}},
                   {"truth", "C++ that makes the offline picture", {form::word(names_in(code.truths))}}});
   const TomlFormPtr feature = form::make({needs("facts or numbers that must be above 0, or NAME >= NUMBER", true),
                                           {"because", "the plan's reason where shaders get it", {form::text()}, true},
-                                          {"not_because", "the plan's reason where they do not", {form::text()}, true}});
+                                          {"not_because", "the plan's reason where they do not", {form::text()}, true},
+                                          {"at_zero",
+                                           "shaders draw the same to the bit with it where its needs are 0; a frame of "
+                                           "everything has it",
+                                           {form::flag()}}});
   std::vector<TomlKey> functions;
   for (const std::string& name : fact_functions) functions.push_back({name, "the texture that is looked at", {form::text()}});
   const TomlFormPtr mirror =
@@ -313,9 +318,13 @@ EffectManifest read_effect(const std::filesystem::path& file, const EffectCode& 
     feature.needs = read_needs(table, effect);
     if (feature.needs.empty()) throw table.error({}, "'needs' is missing: the facts or numbers that must be above 0");
     feature.because = table.string("because"), feature.not_because = table.string("not_because");
+    feature.at_zero = table.optional_bool("at_zero").value_or(false);
     table.check_keys();
   }
   effect.needs = read_needs(head, effect);
+  effect.vanishes = head.optional_bool("vanishes").value_or(false);
+  if (effect.vanishes && effect.needs.empty())
+    throw head.error("vanishes", "'vanishes' is about objects that do not meet 'needs', and there are none");
   if (root.has("mirror")) effect.mirror = read_mirror(root.table("mirror"), effect);
   effect.baker = head.optional_string("bake").value_or("");
   effect.truth = head.optional_string("truth").value_or("");

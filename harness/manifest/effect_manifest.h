@@ -77,6 +77,7 @@ struct FeatureManifest {
   std::string define;
   std::vector<NeedManifest> needs;
   std::string because, not_because;
+  bool at_zero = false;  // shaders draw the same to the bit with the definition where its needs are 0
 };
 
 // The plane that views of kind mirror look into: dot(normal, p) = height.
@@ -116,6 +117,7 @@ struct EffectManifest {
   std::vector<std::string> instead_of;  // effects that an object with this one cannot have; load_library() makes it mutual
   std::vector<std::string> quick;       // variants of its own folder that a quick comparison looks at; empty: all
   std::vector<NeedManifest> needs;      // where one is not met, the effect is not called for
+  bool vanishes = false;                // and the object is not there at all, in place of a plain surface
   std::string because, not_because;
   std::optional<MirrorManifest> mirror;
   Declarations object, scene;

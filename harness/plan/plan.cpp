@@ -35,22 +35,24 @@ bool is_in_a_view(const Scene& scene, const Object& object, double aspect) {
 }
 
 // Gives the object to the effects that draw it. One whose effects need what it has none of is drawn as what no effect draws,
-// where it is a surface.
+// where it is a surface and does not vanish with that.
 void add_object(Plan& plan, const Scene& scene, std::optional<double> aspect, size_t index) {
   const Object& object = scene.objects[index];
-  bool drawn = false, over_frame = false;
+  const bool all_run = plan.culling == Culling::off;
+  bool drawn = false, over_frame = false, vanishes = false;
   for (const EffectManifest* effect : effects_of(object, *plan.library)) {
-    if (!are_met(effect->needs, *effect, scene, &object)) continue;
-    if (aspect && effect->only_where_seen && !is_in_a_view(scene, object, *aspect))
+    const bool met = are_met(effect->needs, *effect, scene, &object);
+    if (aspect && !all_run && effect->only_where_seen && met && !is_in_a_view(scene, object, *aspect))
       ++of_effect(plan, *effect).unseen;
-    else
+    else if (met || all_run)
       of_effect(plan, *effect).objects.push_back(index);
-    drawn = true;
-    over_frame = over_frame || effect->reads_frame;
+    drawn = drawn || met || all_run;
+    over_frame = over_frame || (met && effect->reads_frame);
+    vanishes = vanishes || (!met && effect->vanishes);
   }
   const EffectManifest* otherwise = plan.library->otherwise();
-  if (!drawn && object.solid && otherwise) of_effect(plan, *otherwise).objects.push_back(index);
-  if (!object.solid) return;
+  if (!drawn && !vanishes && object.solid && otherwise) of_effect(plan, *otherwise).objects.push_back(index);
+  if (!object.solid || vanishes) return;
   plan.all.push_back(index);
   if (!over_frame) plan.opaque.push_back(index);
 }
@@ -105,17 +107,31 @@ std::map<std::string, std::string> feature_defines(const EffectManifest& effect,
   return defines;
 }
 
-Plan make_plan(const Library& library, const Scene& scene, std::optional<double> aspect) {
+std::map<std::string, std::string> feature_defines(const Plan& plan, const EffectManifest& effect, const Scene& scene,
+                                                   const Object* object) {
+  std::map<std::string, std::string> defines = feature_defines(effect, scene, object);
+  if (plan.culling == Culling::off)
+    for (const FeatureManifest& feature : effect.features)
+      if (feature.at_zero) defines[feature.define] = "1";
+  return defines;
+}
+
+Plan make_plan(const Library& library, const Scene& scene, std::optional<double> aspect, Culling culling) {
   Plan plan;
   plan.library = &library;
+  plan.culling = culling;
   for (const EffectManifest& effect : library.effects) plan.effects.emplace_back().effect = &effect;
   for (size_t i = 0; i < scene.objects.size(); ++i) add_object(plan, scene, aspect, i);
   for (EffectPlan& entry : plan.effects) {
     const EffectManifest& effect = *entry.effect;
-    if (!says_what_is_needed(entry, scene)) entry.objects.clear();
-    entry.called_for = effect.of_objects()
-                           ? !entry.objects.empty()
-                           : scene.effects.contains(effect.name) && are_met(effect.needs, effect, scene, nullptr);
+    if (culling == Culling::off) {
+      entry.called_for = scene.effects.contains(effect.name) || !entry.objects.empty();
+    } else {
+      if (!says_what_is_needed(entry, scene)) entry.objects.clear();
+      entry.called_for = effect.of_objects()
+                             ? !entry.objects.empty()
+                             : scene.effects.contains(effect.name) && are_met(effect.needs, effect, scene, nullptr);
+    }
     entry.reason = reason_of(entry);
     if (entry.called_for) settle_features(entry, scene);
   }

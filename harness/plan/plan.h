@@ -29,8 +29,15 @@ struct EffectPlan {
   std::vector<FeaturePlan> features;
 };
 
+// Whether what a scene does not call for is left out.
+enum class Culling : uint8_t {
+  on,
+  off  // everything runs that can: plan/everything.h makes the scene for it
+};
+
 struct Plan {
   const Library* library = nullptr;
+  Culling culling = Culling::on;
   std::vector<EffectPlan> effects;  // in drawing order, those not called for too
   // The solid objects, and those of effects that do not read the frame, by index.
   std::vector<size_t> all, opaque;
@@ -46,13 +53,20 @@ bool reads_frame_after(const Plan& plan, const EffectManifest& effect);
 
 // In time linear in objects and effects, and in vertices of objects of effects with `only_where_seen`. The plan points into
 // `library`. `aspect`: width over height of the frame; without one, no object is left out for being out of every view.
-Plan make_plan(const Library& library, const Scene& scene, std::optional<double> aspect = std::nullopt);
+//
+// With culling off every effect is called for that the scene has values for, objects keep effects whose needs they do not meet,
+// and none is left out for being seen by nobody. What is a surface, which passes of all objects draw, is the same.
+Plan make_plan(const Library& library, const Scene& scene, std::optional<double> aspect = std::nullopt,
+               Culling culling = Culling::on);
 
 // What a number or fact of the effect is worth for an object, or, without one or where the object has none, for the scene.
 double needed_value(const EffectManifest& effect, const Scene& scene, const Object* object, std::string_view name);
 
 // The definitions that the effect's shaders get for this object, or, null, for passes of the whole frame.
 std::map<std::string, std::string> feature_defines(const EffectManifest& effect, const Scene& scene, const Object* object);
+// The same in this plan: with culling off, those too whose shaders say that they draw the same at 0 (`at_zero`).
+std::map<std::string, std::string> feature_defines(const Plan& plan, const EffectManifest& effect, const Scene& scene,
+                                                   const Object* object);
 
 // One variant for each effect that is called for, in drawing order.
 using Configuration = std::vector<const VariantManifest*>;

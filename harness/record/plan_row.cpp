@@ -13,7 +13,7 @@ constexpr auto fields(const PlanRow::Pass*) {
   using Row = PlanRow::Pass;
   return std::tuple(may_lack("pass", &Row::pass), may_lack("effect", &Row::effect), may_lack("runs", &Row::runs),
                     may_lack("once", &Row::once), may_lack("reason", &Row::reason), may_lack("objects", &Row::objects),
-                    may_lack("reads", &Row::reads), may_lack("writes", &Row::writes));
+                    may_lack("reads", &Row::reads), may_lack("writes", &Row::writes), left_out("variant", &Row::variant));
 }
 
 constexpr auto fields(const PlanRow::Variant*) {
@@ -34,7 +34,32 @@ constexpr auto fields(const PlanRow::Effect*) {
                     may_lack("variants", &Row::variants));
 }
 
-constexpr auto fields(const PlanRow*) { return std::tuple(field("effects", &PlanRow::effects)); }
+constexpr auto fields(const PlanRow::Target*) {
+  using Row = PlanRow::Target;
+  return std::tuple(field("target", &Row::target), left_out("effect", &Row::effect), left_out("variant", &Row::variant),
+                    field("shared", &Row::shared), field("copies", &Row::copies), field("writers", &Row::writers),
+                    field("readers", &Row::readers), field("bytes", &Row::bytes));
+}
+
+constexpr auto fields(const PlanRow::Frame*) {
+  using Row = PlanRow::Frame;
+  return std::tuple(field("width", &Row::width), field("height", &Row::height), field("passes", &Row::passes),
+                    field("left_out", &Row::left_out), field("targets", &Row::targets));
+}
+
+constexpr auto fields(const PlanRow*) {
+  return std::tuple(field("effects", &PlanRow::effects), left_out("frame", &PlanRow::frame),
+                    left_out("frame_error", &PlanRow::frame_error));
+}
+
+// A reader of the record goes from targets to passes by these places.
+void check(const PlanRow::Frame& frame, const lines::At& at) {
+  for (const PlanRow::Target& target : frame.targets)
+    for (const auto* places : {&target.writers, &target.readers})
+      for (const uint64_t place : *places)
+        if (place >= frame.passes.size())
+          lines::refuse(at, fmt::format("the target '{}' names pass {} of {}", target.target, place, frame.passes.size()));
+}
 
 lines::Line to_json(const PlanRow& row) { return lines::line_of("plan", row, "plan"); }
 

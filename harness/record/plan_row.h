@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The line of the record that says what the scene calls for and why, and the passes of every variant, those left out too.
+// The line of the record that says what the scene calls for and why, the passes of every variant, those left out too, and the
+// frame in which every effect stands at its variant: its passes in order, and its targets.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +17,7 @@ struct PlanRow {
     bool runs = true, once = false;
     std::string reason;  // why it runs, or does not
     std::vector<std::string> objects, reads, writes;
+    std::string variant;  // of a frame's pass
   };
   struct Variant {
     std::string variant;
@@ -34,7 +38,23 @@ struct PlanRow {
     std::vector<Feature> features;
     std::vector<Variant> variants;  // none of an effect that is not called for
   };
+  // A target or storage buffer of the frame, with those of its name that objects or lights have of their own.
+  struct Target {
+    std::string target, effect, variant;     // effect and variant: whose it is; "" for one that is shared or the frame's own
+    bool shared = false;                     // one for all effects that declare it
+    uint64_t copies = 1;                     // one for each object or light that has one
+    std::vector<uint64_t> writers, readers;  // passes by their place in the frame; what writes at its end may read it too
+    uint64_t bytes = 0;                      // of all copies, as their formats say
+  };
+  struct Frame {
+    uint64_t width = 0, height = 0;  // pixels
+    std::vector<Pass> passes;        // those that run: what is done once, then each frame, in order
+    std::vector<Pass> left_out;
+    std::vector<Target> targets;
+  };
   std::vector<Effect> effects;
+  std::optional<Frame> frame{};  // absent where it cannot run, and in records of before
+  std::string frame_error{};     // why
 };
 
 nlohmann::ordered_json to_json(const PlanRow& row);

@@ -17,6 +17,7 @@
 #include "harness/record/plan_row.h"
 #include "harness/record/row_of.h"
 #include "harness/record/run_row.h"
+#include "harness/record/saving_row.h"
 #include "harness/record/sweep_rows.h"
 #include "harness/record/timer_row.h"
 
@@ -44,6 +45,7 @@ struct Record {
   std::vector<CellRow> cells;
   std::vector<BakeRow> bakes;
   std::vector<PhaseRow> phases;
+  std::vector<SavingRow> savings;
   std::vector<FunctionRow> functions;
   std::vector<FunctionTimeRow> function_times;
   std::vector<FunctionTimerRow> function_timers;

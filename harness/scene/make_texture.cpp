@@ -2,6 +2,7 @@
 #include "harness/scene/make_texture.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "harness/core/error.h"
 #include "harness/scene/declare.h"
@@ -25,7 +26,7 @@ TexelMeaning stored_as(TextureMeaning meaning) {
 // A file's red channel in every channel.
 Texels red_of(const std::filesystem::path& file) {
   Texels texels = load_texels(file, false);
-  for (glm::vec4& texel : texels.rgba) texel = glm::vec4(texel.r);
+  texels.rgba.spread_red();
   return texels;
 }
 
@@ -53,14 +54,14 @@ Texels with_alpha(const Texels& colour, const Texels& transparency) {
   Texels result = resized(colour, width, height);
   if (transparency.rgba.size() == 1) {
     const float all = transparency.rgba[0].a;
-    if (all == 0 || all == 1) {
-      result.rgba.change(
-          3, [&](uint8_t) { return static_cast<uint8_t>(255 * all); }, [&](float) { return all; });
-      return result;
-    }
+    result.rgba.change(
+        3, [&](uint8_t) { return static_cast<uint8_t>(std::lround(255 * std::clamp(all, 0.0f, 1.0f))); },
+        [&](float) { return all; });
+    return result;
   }
   const Texels alpha = resized(transparency, width, height);
   if (colour.rgba.size() == 1) result.wraps = transparency.wraps;
+  if (result.rgba.take_alpha_codes(alpha.rgba)) return result;
   for (size_t i = 0; i < result.rgba.size(); ++i) result.rgba[i].a = alpha.rgba[i].a;
   return result;
 }
@@ -92,7 +93,8 @@ const Texels* model_texels(const TextureRequest& request) {
 Texels default_alpha(const TextureRequest& request) {
   if (!request.declared.alpha_otherwise.empty() && request.look && !request.look->opaque) {
     Texels alpha = request.look->base_colour;
-    for (glm::vec4& texel : alpha.rgba) texel.a = 1 - texel.a;
+    alpha.rgba.change(
+        3, [](uint8_t code) { return static_cast<uint8_t>(255 - code); }, [](float a) { return 1 - a; });
     return alpha;
   }
   return {1, 1, {glm::vec4(static_cast<float>(request.declared.alpha_value))}};
@@ -110,8 +112,14 @@ Texture texture_of_look(const TextureRequest& request, const Texels& texels) {
       declared.alpha.empty() ? colours : fmt::format("{}{} {}", colours, declared.alpha_otherwise, declared.alpha_value);
   for (const ModelLook::Made& made : request.look->made)
     if (made.of == asked || (declared.alpha.empty() && !declared.required && made.of.starts_with(colours))) return made.texture;
-  const Texels with = declared.alpha.empty() ? texels : with_alpha(texels, default_alpha(request));
-  const Texture made = make_texture(label(request, request.look->name), with, stored_as(declared.meaning));
+  const std::string name = label(request, request.look->name);
+  const auto made_of = [&]() -> Texture {
+    if (declared.alpha.empty()) return make_texture(name, texels, stored_as(declared.meaning));
+    const Texels alpha = default_alpha(request);
+    if (alpha.rgba.size() == 1) return make_texture(name, texels, stored_as(declared.meaning), alpha.rgba[0].a);
+    return make_texture(name, with_alpha(texels, alpha), stored_as(declared.meaning));
+  };
+  const Texture made = made_of();
   request.look->made.push_back({asked, made});
   return made;
 }
@@ -155,9 +163,7 @@ Texture made_texture(const TextureRequest& request, const Texture& before, bool 
 }
 
 void set_alpha(Texture& texture, TextureMeaning meaning, float alpha) {
-  Texels texels = base_texels(*texture);
-  for (glm::vec4& texel : texels.rgba) texel.a = alpha;
-  texture = make_texture(texture->name, texels, stored_as(meaning));
+  texture = make_texture(texture->name, base_texels(*texture), stored_as(meaning), alpha);
 }
 
 }  // namespace lamina

@@ -76,6 +76,18 @@ class TexelArray {
     for (glm::vec4& texel : floats_) texel[channel] = of_value(texel[channel]);
   }
 
+  // Red in every channel.
+  void spread_red() {
+    for (size_t i = 0; i + 3 < codes_.size(); i += 4) codes_[i + 1] = codes_[i + 2] = codes_[i + 3] = codes_[i];
+    for (glm::vec4& texel : floats_) texel = glm::vec4(texel.r);
+  }
+  // Takes the alpha of as many texels, where both are codes; returns whether they are.
+  bool take_alpha_codes(const TexelArray& from) {
+    if (codes_.empty() || codes_.size() != from.codes_.size()) return false;
+    for (size_t i = 3; i < codes_.size(); i += 4) codes_[i] = from.codes_[i];
+    return true;
+  }
+
  private:
   glm::vec4 decoded(size_t i) const {
     const uint8_t* code = &codes_[4 * i];

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <deque>
 
 #include "harness/core/error.h"
 
@@ -149,53 +150,67 @@ glm::vec3 unit_or_flat(glm::vec3 sum) {
                         : glm::vec3(0, 0, 1);  // far below what any two 8-bit normals can leave unless they cancel
 }
 
-// Row y of what levels are filtered from: normals as vectors, everything else as it is stored.
-void read_row(const Texels& level, uint32_t y, bool codes_of_normals, std::span<glm::vec4> row) {
-  const TexelArray& texels = level.rgba;
-  for (size_t x = 0; x < row.size(); ++x) {
-    row[x] = texels[size_t{y} * level.width + x];
-    if (codes_of_normals) row[x] = glm::vec4(unit_or_flat(glm::vec3(row[x]) * 2.0f - 1.0f), row[x].a);
+// Codes of a row as the texture's format stores it.
+void encode_row(std::span<const glm::vec4> row, TexelMeaning meaning, std::byte* out) {
+  for (glm::vec4 texel : row) {
+    if (meaning == TexelMeaning::normal) texel = glm::vec4(unit_or_flat(glm::vec3(texel)) * 0.5f + 0.5f, texel.a);
+    if (meaning == TexelMeaning::normal_mean) texel = glm::vec4(glm::vec3(texel) * 0.5f + 0.5f, texel.a);
+    for (int c = 0; c < 3; ++c) *out++ = meaning == TexelMeaning::colour ? srgb_code(texel[c]) : unorm_code(texel[c]);
+    *out++ = unorm_code(texel.a);
   }
 }
 
-Texels half_size(const Texels& source, bool codes_of_normals) {
-  const uint32_t width = std::max(1u, source.width / 2), height = std::max(1u, source.height / 2);
-  std::vector<glm::vec4> half(size_t{width} * height), row(source.width), sums(width);
-  const std::vector<Tap> across = box_taps(source.width, width), down = box_taps(source.height, height);
-  for (uint32_t y = 0; y < height; ++y)
-    for (size_t j = 0; j < down[y].weights.size(); ++j) {
-      read_row(source, down[y].first + static_cast<uint32_t>(j), codes_of_normals, row);
-      for (uint32_t x = 0; x < width; ++x) {
-        glm::vec4 row_sum{0};
-        for (size_t i = 0; i < across[x].weights.size(); ++i) row_sum += across[x].weights[i] * row[across[x].first + i];
-        half[size_t{y} * width + x] += down[y].weights[j] * row_sum;
-      }
-    }
-  return {width, height, std::move(half)};
-}
+// A mip level that is filtered row by row from the level above, before that is rounded or renormalized, so that every level is
+// a box of the base; and all smaller levels, each from the rows of the one before. Only rows that are not yet whole are kept.
+class SmallerLevels {
+ public:
+  SmallerLevels(TextureImage& texture, TexelMeaning meaning, uint32_t source_width, uint32_t source_height)
+      : texture_(texture),
+        meaning_(meaning),
+        width_(std::max(1u, source_width / 2)),
+        across_(box_taps(source_width, width_)),
+        down_(box_taps(source_height, std::max(1u, source_height / 2))),
+        level_(texture.levels.size()),
+        filtered_(width_) {
+    texture.levels.emplace_back(size_t{width_} * down_.size() * 4);
+    if (width_ * down_.size() > 1)
+      smaller_ = std::make_unique<SmallerLevels>(texture, meaning, width_, static_cast<uint32_t>(down_.size()));
+  }
 
-// One level in the texture's format.
-std::vector<std::byte> encoded(const Texels& level, bool codes_of_normals, TexelMeaning meaning) {
-  std::vector<std::byte> bytes(level.rgba.size() * 4);
-  const bool normals = meaning == TexelMeaning::normal || meaning == TexelMeaning::normal_mean;
-  if (const auto& codes = level.rgba.codes();
-      !normals && !codes.empty() && level.rgba.srgb() == (meaning == TexelMeaning::colour)) {
-    std::memcpy(bytes.data(), codes.data(), codes.size());  // they are what would come of them
-    return bytes;
-  }
-  std::vector<glm::vec4> row(level.width);
-  std::byte* out = bytes.data();
-  for (uint32_t y = 0; y < level.height; ++y) {
-    read_row(level, y, codes_of_normals, row);
-    for (glm::vec4 texel : row) {
-      if (meaning == TexelMeaning::normal) texel = glm::vec4(unit_or_flat(glm::vec3(texel)) * 0.5f + 0.5f, texel.a);
-      if (meaning == TexelMeaning::normal_mean) texel = glm::vec4(glm::vec3(texel) * 0.5f + 0.5f, texel.a);
-      for (int c = 0; c < 3; ++c) *out++ = meaning == TexelMeaning::colour ? srgb_code(texel[c]) : unorm_code(texel[c]);
-      *out++ = unorm_code(texel.a);
+  // The next row of the level above, from its top.
+  void take(std::span<const glm::vec4> row) {
+    for (uint32_t x = 0; x < width_; ++x) {
+      glm::vec4 sum{0};
+      for (size_t i = 0; i < across_[x].weights.size(); ++i) sum += across_[x].weights[i] * row[across_[x].first + i];
+      filtered_[x] = sum;
+    }
+    // A row weighs in at most two of this level's rows.
+    while (begun_ < down_.size() && down_[begun_].first <= taken_) sums_.emplace_back(width_), ++begun_;
+    const size_t first = begun_ - sums_.size();
+    for (size_t i = 0; i < sums_.size(); ++i)
+      for (uint32_t x = 0; x < width_; ++x)
+        sums_[i][x] += down_[first + i].weights[taken_ - down_[first + i].first] * filtered_[x];
+    ++taken_;
+    while (!sums_.empty() && is_whole(begun_ - sums_.size())) {
+      encode_row(sums_.front(), meaning_, &texture_.levels[level_][(begun_ - sums_.size()) * width_ * 4]);
+      if (smaller_) smaller_->take(sums_.front());
+      sums_.pop_front();
     }
   }
-  return bytes;
-}
+
+ private:
+  bool is_whole(size_t row) const { return down_[row].first + down_[row].weights.size() == taken_; }
+
+  TextureImage& texture_;
+  const TexelMeaning meaning_;
+  const uint32_t width_;
+  const std::vector<Tap> across_, down_;
+  const size_t level_;
+  std::vector<glm::vec4> filtered_;          // the row across
+  std::deque<std::vector<glm::vec4>> sums_;  // rows that are begun
+  size_t begun_ = 0, taken_ = 0;             // rows of this level and of the one above
+  std::unique_ptr<SmallerLevels> smaller_;
+};
 
 }  // namespace
 
@@ -230,7 +245,8 @@ Texels decode_texels(std::span<const std::byte> encoded_file, const std::string&
   refuse_texture(name, "cannot be read as a picture" + why);
 }
 
-std::shared_ptr<const TextureImage> make_texture(std::string name, const Texels& base, TexelMeaning meaning) {
+std::shared_ptr<const TextureImage> make_texture(std::string name, const Texels& base, TexelMeaning meaning,
+                                                 std::optional<float> alpha) {
   if (base.width == 0 || base.height == 0 || base.rgba.size() != size_t{base.width} * base.height)
     refuse_texture(name, fmt::format("{} texels do not fill {} x {}", base.rgba.size(), base.width, base.height));
   auto texture = std::make_shared<TextureImage>();
@@ -241,11 +257,27 @@ std::shared_ptr<const TextureImage> make_texture(std::string name, const Texels&
   texture->wraps = base.wraps;
 
   const bool normals = meaning == TexelMeaning::normal || meaning == TexelMeaning::normal_mean;
-  texture->levels.push_back(encoded(base, normals, meaning));
-  // Each level is filtered from the one above before that is rounded or renormalized, so every level is a box of the base.
-  for (Texels level; texture->levels.back().size() > 4;) {
-    level = texture->levels.size() == 1 ? half_size(base, normals) : half_size(level, false);
-    texture->levels.push_back(encoded(level, false, meaning));
+  const std::vector<uint8_t>& codes = base.rgba.codes();
+  const bool stored = !normals && !codes.empty() && base.rgba.srgb() == (meaning == TexelMeaning::colour);
+  texture->levels.emplace_back(size_t{base.width} * base.height * 4);
+  std::unique_ptr<SmallerLevels> smaller;
+  if (base.rgba.size() > 1) smaller = std::make_unique<SmallerLevels>(*texture, meaning, base.width, base.height);
+  std::vector<glm::vec4> row(base.width);
+  for (uint32_t y = 0; y < base.height; ++y) {
+    const size_t first = size_t{y} * base.width;
+    for (size_t x = 0; x < row.size(); ++x) {
+      row[x] = base.rgba[first + x];
+      if (normals) row[x] = glm::vec4(unit_or_flat(glm::vec3(row[x]) * 2.0f - 1.0f), row[x].a);
+      if (alpha) row[x].a = *alpha;
+    }
+    std::byte* out = &texture->levels.front()[4 * first];
+    if (stored) {
+      std::memcpy(out, &codes[4 * first], 4 * row.size());  // they are what would come of them
+      for (size_t x = 0; alpha && x < row.size(); ++x) out[4 * x + 3] = unorm_code(*alpha);
+    } else {
+      encode_row(row, meaning, out);
+    }
+    if (smaller) smaller->take(row);
   }
   return texture;
 }

@@ -37,8 +37,10 @@ enum class TexelMeaning {
   data,         // rgba8_unorm: box filter
   normal_mean,  // rgba8_unorm: unit vectors at the base, box filter below: a mean's length shows how much they scatter
 };
-// Throws Error(bad_input) where the texels do not fill width * height.
-std::shared_ptr<const TextureImage> make_texture(std::string name, const Texels& base, TexelMeaning meaning);
+// `alpha`: of every texel, in place of the base's own. Takes the levels' own memory and some rows. Throws Error(bad_input)
+// where the texels do not fill width * height.
+std::shared_ptr<const TextureImage> make_texture(std::string name, const Texels& base, TexelMeaning meaning,
+                                                 std::optional<float> alpha = std::nullopt);
 
 // One-texel textures for materials that have only a factor.
 std::shared_ptr<const TextureImage> constant_texture(std::string name, glm::vec4 linear, TexelMeaning meaning);

@@ -48,6 +48,10 @@ std::string html_samples(const Record& record, const std::vector<const CellRow*>
 std::string difference_words(const Record& record);
 // For every view with a truth, what each assumption costs by itself: pictures, figures, and which costs the most.
 std::string html_assumptions(const Record& record, const PictureUrl& url);
+// What the frame saves that runs only what the scene calls for, a bar an effect; "" where the record does not hold it.
+std::string html_saving(const Record& record);
+// The passes of the frame and the targets that they write and read, what is left out too; "" in records of before.
+std::string html_frame_graph(const Record& record);
 // What was run and what was not: effects, failures, certificates, A/A arms, device, commit, hashes, command.
 std::string html_run(const Record& record);
 

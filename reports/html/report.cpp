@@ -42,7 +42,7 @@ std::string one_record(const Record& record, const std::string& name, const Pict
     html +=
         "<p class=\"note\">A gate times the same pass of two trees strip by strip, not whole frames: its times are below, "
         "before and after the change.</p>\n";
-  html += html_gate(record) + charts;
+  html += html_saving(record) + html_gate(record) + charts;
   if (const std::string passes = html_passes(record); !passes.empty()) html += "<h2>Every pass</h2>\n" + passes;
   html += html_assumptions(record, url) + html_functions(record, name, url) + html_gallery(record, url);
   return html + html_run(record);

@@ -48,6 +48,7 @@ std::string html_run(const Record& record) {
     html += fmt::format("<p>To make it again: <code>{}</code></p>\n", escaped_html(command));
   html += failures_section(record);
   if (const auto plan = plan_lines(record); !plan.empty()) html += "<h3>What the scene calls for</h3>\n" + html_list(plan);
+  html += html_frame_graph(record);
   if (const auto baked = bake_lines(record); !baked.empty()) html += "<h3>What is done once</h3>\n" + html_list(baked);
   return html + timer_section(record) + hashes_section(record);
 }

@@ -20,12 +20,14 @@
 #include "harness/scene/made/glossy_floor.h"
 #include "harness/scene/made/hair_head.h"
 #include "harness/scene/made/heart.h"
+#include "harness/scene/made/heart_in_fog.h"
 #include "harness/scene/made/hollow_shell.h"
 #include "harness/scene/made/layered_scenes.h"
 #include "harness/scene/made/leaf_pair.h"
 #include "harness/scene/made/open_plane.h"
 #include "harness/scene/made/open_sea.h"
 #include "harness/scene/made/pool.h"
+#include "harness/scene/made/portrait.h"
 #include "harness/scene/made/rough_glass.h"
 #include "harness/scene/made/skin_head.h"
 #include "harness/scene/made/skin_plate.h"
@@ -34,6 +36,7 @@
 #include "harness/scene/made/terrain.h"
 #include "harness/scene/made/thin_glass.h"
 #include "harness/scene/made/two_windows.h"
+#include "harness/scene/made/valley.h"
 #include "harness/scene/made/wax_block.h"
 
 namespace lamina {
@@ -77,6 +80,9 @@ constexpr Builtin builtins[] = {
     {"three_layer_heart", make_three_layer_heart},
     {"marble_stack", [](float) { return make_marble_stack(); }},
     {"lattice_plate", [](float) { return make_lattice_plate(); }},
+    {"heart_in_fog", make_heart_in_fog},
+    {"portrait", make_portrait},
+    {"valley", make_valley},
 };
 
 }  // namespace
