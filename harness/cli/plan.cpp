@@ -26,7 +26,7 @@ void print_variant(const PlanRow::Variant& variant) {
   }
 }
 
-// "volume_fog: hulls" of the passes at these places, each once.
+// "hulls (3)": the passes at these places.
 std::string passes_at(const PlanRow::Frame& frame, const std::vector<uint64_t>& places) {
   std::vector<std::string> names;
   for (const uint64_t place : places) names.push_back(fmt::format("{} ({})", frame.passes[place].pass, place + 1));
