@@ -36,7 +36,7 @@ struct SavingRow {
   uint64_t culled_frame_bytes = 0, all_frame_bytes = 0;      // of the frame's picture and depth
   uint64_t different_pixels = 0;                             // whose colours are not the same bits
   double largest_difference = 0;  // of a channel, linear; beyond all bounds where one is not finite: 1e30
-  std::string where;              // of it: "pixel 12, 7 of 160x120, by fog"; "" where the pictures are the same
+  std::string where;              // of it: "pixel 12, 7 of 160x120, by an effect"; "" where the pictures are the same
   std::string failure;            // why there are no figures
 };
 
