@@ -39,7 +39,9 @@ TEST_F(PlanShown, AFrameAgainstEverything) {
     uint64_t culled = 0, all = 0, ran = 0;
     for (const SavingRow::Effect& effect : row.effects) {
       culled += effect.culled.operations, all += effect.all.operations, ran += effect.cannot.empty() ? 1 : 0;
-      if (!effect.called_for) EXPECT_EQ(effect.culled.operations + effect.culled.fetches + effect.culled.target_bytes, 0u);
+      if (!effect.called_for) {
+        EXPECT_EQ(effect.culled.operations + effect.culled.fetches + effect.culled.target_bytes, 0u);
+      }
       EXPECT_TRUE(effect.culled.ms.empty());
     }
     EXPECT_GT(all, culled);
