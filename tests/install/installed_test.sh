@@ -52,7 +52,7 @@ in_bash() {   # the line is split as bash itself does, at '=' too
   bash --norc -c 'source usr/share/bash-completion/completions/lamina; COMP_LINE=$1 COMP_POINT=${#1}
     _lamina '"$lamina"' 2>/dev/null; printf "%s " "${COMPREPLY[@]}"' - "$1"
 }
-check "bash: a scene" "$(in_bash 'lamina compare he')" "heart "
+check "bash: a scene" "$(in_bash 'lamina compare terr')" "terrain "
 check "bash: an option" "$(in_bash 'lamina compare --back')" "--backend "
 check "bash: after =" "$(in_bash 'lamina compare --backend=os')" "osmesa "
 check "bash: a path" "$(in_bash 'lamina sweep heart --set objects.heart.th')" "objects.heart.thickness= "

@@ -40,7 +40,8 @@ TEST(Parameters, WhatIsSetIsWhatIsThereThen) {
   ASSERT_GT(all.size(), 30u);
   for (const Parameter& parameter : all) {
     if (!parameter.set) continue;
-    const double wanted = std::clamp(parameter.value.value_or(0.5) + 0.25, parameter.min, parameter.max);
+    const double beside = std::clamp(parameter.value.value_or(0.5) + 0.25, parameter.min, parameter.max);
+    const double wanted = parameter.words.empty() ? beside : parameter.max;  // of a word: its place
     Scene scene = heart();
     parameter.set(scene, wanted);
     const bool relative = parameter.path.find("rotation") != std::string::npos || parameter.path.ends_with(".scale");
