@@ -156,13 +156,18 @@ nlohmann::ordered_json limit_settings(const std::vector<std::string>& texts) {
 std::vector<std::string> quick_variants(const std::vector<const EffectManifest*>& effects) {
   std::vector<std::string> names;
   size_t all = 0;
-  for (const EffectManifest* effect : effects)
+  for (const EffectManifest* effect : effects) {
+    const std::vector<std::string> known = variant_names({effect});
+    for (const std::string& name : effect->quick)
+      if (std::ranges::count(known, name) == 0)
+        throw Error(ErrorKind::bad_input, "variants", effect->file.string(), "quick: " + unknown_name("variant", name, known));
     for (const VariantManifest& variant : effect->variants) {
       const bool is_own = variant.file.parent_path() != effect->file.parent_path();
       if (variant.baseline || is_own || effect->quick.empty() || std::ranges::count(effect->quick, variant.name) > 0)
         names.push_back(variant.name);
       ++all;
     }
+  }
   if (names.size() == all) return {};
   fmt::print(stderr, "lamina: note: --quick looks at {} of {} variants; others by --variant\n", names.size(), all);
   return names;

@@ -101,11 +101,6 @@ void check_effect(const Library& library, const EffectManifest& effect) {
   if (effect.variants.empty() || !effect.variants.front().baseline)
     refuse(fmt::format("{} has no baseline: one variant must say 'baseline = true'", effect.name));
   for (const std::string& name : effect.instead_of) library.effect(name);
-  std::vector<std::string> variants;
-  for (const VariantManifest& variant : effect.variants) variants.push_back(variant.name);
-  for (const std::string& name : effect.quick)
-    if (std::find(variants.begin(), variants.end(), name) == variants.end())
-      refuse("quick: " + unknown_name("variant", name, variants));
   if (effect.otherwise && library.otherwise() != &effect)
     refuse(fmt::format("{} draws what no other effect does already: remove 'otherwise = true'", library.otherwise()->name));
   for (const VariantManifest& variant : effect.variants) check_bake(library, effect, variant);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // lamina compare from end to end, as a user runs it, in a small frame.
 #include <algorithm>
+#include <set>
 
 #include "harness/quality/quality.h"
 #include "harness/scene/textures.h"
@@ -22,6 +23,23 @@ class Compare : public ProgramTest {
     return found;
   }
 };
+
+// Without --variant, --quick looks at what the effect names for it; without --quick, at all.
+TEST_F(Compare, QuickLooksAtWhatTheEffectNames) {
+  const auto variants = [&](const std::string& arguments) {
+    const Outcome outcome = compare("open_plane --truth-rays 0 --backend vulkan " + arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    std::set<std::string> names;
+    for (const CellRow& cell : record().cells) names.insert(cell.variant);
+    return std::pair(names, outcome.output);
+  };
+  const auto [quick, said] = variants("--quick");
+  EXPECT_EQ(quick, (std::set<std::string>{"exact_cap", "smoothstep_cap", "fitted_cap", "naive_cap", "lens_cosine"}));
+  EXPECT_SAYS(said, "--quick looks at 5 of ");
+  const auto [named, nothing] = variants("--quick --variant linear_cap");
+  EXPECT_EQ(named, (std::set<std::string>{"exact_cap", "linear_cap"}));
+  EXPECT_EQ(nothing.find("--quick looks at"), std::string::npos);
+}
 
 TEST_F(Compare, HeartOnEveryDefaultBackend) {
   const Outcome outcome = compare("heart", "--quick --budget 0.1 --variant normal_map_taps --variant vertex_normal");
