@@ -179,8 +179,10 @@ Command add_gate(CLI::App& program) {
                   "Processes that measure on each backend; two where the budget is short, more where it lasts")
       ->capture_default_str()
       ->check(CLI::Range(2, 100));
-  command.add_flag("--self-test", options->self_test,
-                   "Put each fault that the gate claims to catch into the scene's own baseline, and print which are caught");
+  command
+      .add_flag("--self-test", options->self_test,
+                "Put each fault that the gate claims to catch into the scene's own baseline, and print which are caught")
+      ->excludes(against);
   CLI::Option* calibrate = command.add_flag("--calibrate", options->calibrate,
                                             "Measure the gate's own error rates here: gates over equal trees, and over trees "
                                             "with one slower pass, each within --budget");

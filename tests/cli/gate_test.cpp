@@ -276,6 +276,7 @@ TEST_F(Gate, SelfTestCatchesEveryFaultThatIsThere) {
                             "twice", "times_zero", "times_equal"})
     EXPECT_SAYS(outcome.output, std::string("caught     ") + fault);
   EXPECT_SAYS(outcome.output, "not there  alpha_0");
+  EXPECT_EQ(lamina_program("gate lattice_plate --self-test --against .").status, 2) << "two things at once";
 }
 
 }  // namespace
