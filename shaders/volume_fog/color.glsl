@@ -19,7 +19,7 @@ float along(float part, int width) {
 vec4 fog_of(float thickness) {
 #ifdef RAMP
   vec4 color = textureLod(ramp, vec2(along(thickness / ramp_length, textureSize(ramp, 0).x), 0.5), 0.0);
-  return vec4(color.rgb * color.a, color.a);
+  return density > 0.0 ? vec4(color.rgb * color.a, color.a) : vec4(0.0);  // no fog, whatever the ramp says
 #else
   // Single scattering under even light (Hoffman and Preetham, "Rendering Outdoor Light Scattering in Real Time", GDC 2002).
 #ifdef TABLE

@@ -19,7 +19,7 @@ FogColor::FogColor(const Scene& scene) {
 }
 
 glm::dvec3 FogColor::over(glm::dvec3 behind, double thickness_m) const {
-  if (!(thickness_m > 0)) return behind;
+  if (!(thickness_m > 0) || !(density_ > 0)) return behind;
   if (ramp_.empty()) return color_ + (behind - color_) * std::exp(-density_ * thickness_m);
   const double at = std::min(thickness_m / ramp_length_m_, 1.0) * static_cast<double>(ramp_.size() - 1);
   const size_t left = std::min(static_cast<size_t>(at), ramp_.size() - 1), right = std::min(left + 1, ramp_.size() - 1);
