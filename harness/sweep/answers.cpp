@@ -112,9 +112,9 @@ void add_limit(const Curve& curve, const Limit& limit, std::vector<CrossoverRow>
   }
   for (size_t i = 0; i < found.size(); ++i) {
     const std::string at = sentence.at(found[i]);
-    add(found[i].rising ? fmt::format("keeps {} from {} on", bound, at)
+    add(found[i].rising ? fmt::format("keeps {} from {} upwards", bound, at)
         : i == 0        ? fmt::format("keeps {} up to {}", bound, at)
-                        : fmt::format("no longer keeps {} from {} on", bound, at),
+                        : fmt::format("no longer keeps {} from {} upwards", bound, at),
         &found[i]);
   }
 }
@@ -185,7 +185,7 @@ std::vector<Stretch> common(const std::vector<Stretch>& a, const std::vector<Str
   return both;
 }
 
-// "from thickness 9.1 texels (within 0.2) on".
+// "from thickness 9.1 texels (within 0.2) upwards".
 std::string words_of(const Stretch& stretch, const Curve& curve, bool everywhere) {
   const Sentence sentence(curve);
   const bool from_first = stretch.from == curve.x.front(), to_last = stretch.to == curve.x.back();
@@ -197,7 +197,7 @@ std::string words_of(const Stretch& stretch, const Curve& curve, bool everywhere
   const std::string from = stretch.begin ? sentence.at(*stretch.begin) : sentence.range(stretch.from, stretch.from);
   const std::string to = stretch.end ? sentence.at(*stretch.end) : sentence.range(stretch.to, stretch.to);
   if (!stretch.begin && from_first) return "up to " + to;
-  return "from " + from + (!stretch.end && to_last ? " on" : " to " + to);
+  return "from " + from + (!stretch.end && to_last ? " upwards" : " to " + to);
 }
 
 // An answer about two variants, and whether the first is nowhere behind the second.
