@@ -10,7 +10,7 @@
 #include "harness/cli/everything_run.h"
 #include "harness/cli/planned.h"
 #include "harness/cli/run_line.h"
-#include "harness/measure/timer_certificate.h"
+#include "harness/record/kept_certificate.h"
 #include "reports/reports.h"
 
 namespace lamina {
@@ -24,7 +24,7 @@ size_t run_both_frames(const ProbedBackend& probed, const Library& library, cons
   std::optional<RoundOptions> rounds;
   if (options.times) {
     progress.show(0, "certifying the timer");
-    const TimerRow timer = certify_timer(*backend, library.shaders);
+    const TimerRow timer = certified_timer(*backend, library.shaders, options.cache);
     record.append(to_json(timer));
     if (timer.ok) rounds = options.rounds;
   }
@@ -56,12 +56,8 @@ int run_against_all(const CompareOptions& options) {
   ShaderCache shaders(Api::vulkan, library.shaders);
   const PlanRow planned = plan_row(plan, scene, shaders, options);
 
-  std::error_code not_there;
-  std::filesystem::remove_all(options.out / "images", not_there);  // an earlier run's
-  make_run_folder("compare", options.out);
-  RecordWriter record(options.out / "record.jsonl");
-  record.append(run_line(options, options.rounds, options.quick, scene, backends));
-  record.append(to_json(planned));
+  RecordWriter record =
+      begin_record("compare", options.out, run_line(options, options.rounds, options.quick, scene, backends), planned);
   size_t messages = 0;
   for (const ProbedBackend& backend : backends) {
     std::string failure = backend.failure;

@@ -72,6 +72,12 @@ void make_run_folder(std::string_view stage, const std::filesystem::path& out) {
   if (!can_be_made(out) || !can_be_made(out / "images")) refuse_folder(stage, out);
 }
 
+void make_new_run_folder(std::string_view stage, const std::filesystem::path& out) {
+  std::error_code not_there;
+  std::filesystem::remove_all(out / "images", not_there);
+  make_run_folder(stage, out);
+}
+
 Scene load_scene_for(const SceneOptions& options, const Library& library) {
   Scene scene = load_scene(options.scene, library, options.time_s);
   if (scene.objects.empty()) throw Error(ErrorKind::bad_input, "scene", scene.source, "has no objects");

@@ -34,5 +34,7 @@ void check_variant_names(std::string_view stage, const std::vector<std::string>&
 void make_folder(std::string_view stage, const std::filesystem::path& out);
 // Makes `out` and its images/, which may be there. Throws Error(bad_input) where they cannot be made or written.
 void make_run_folder(std::string_view stage, const std::filesystem::path& out);
+// The same for a run that begins anew: pictures of an earlier one are gone.
+void make_new_run_folder(std::string_view stage, const std::filesystem::path& out);
 
 }  // namespace lamina

@@ -198,14 +198,9 @@ int run_compare(const CompareOptions& given) {
   ShaderCache shaders(Api::vulkan, library.shaders);
   const PlanRow planned = plan_row(plan, scene, shaders, options);
 
-  std::error_code not_there;
-  std::filesystem::remove_all(options.out / "images", not_there);  // an earlier run's
-  make_run_folder("compare", options.out);
-  RecordWriter record(options.out / "record.jsonl");
   nlohmann::ordered_json run = run_line(options, options.rounds, options.quick, scene, backends);
   run["settings"]["limits"] = limits;
-  record.append(run);
-  record.append(to_json(planned));
+  RecordWriter record = begin_record("compare", options.out, run, planned);
   for (const std::string& warning : scene.warnings) fmt::print(stderr, "lamina: note: {}\n", warning);
 
   spent.loading = watch.elapsed_s();
@@ -215,8 +210,7 @@ int run_compare(const CompareOptions& given) {
   bake(plan, effects, scene, options, bakes, record);
   spent.baking = watch.elapsed_s() - spent.loading;
 
-  CompareOptions stoppable = options;
-  stoppable.rounds.stop = [] { return StopSignals::stopped_by() != 0; };
+  options.rounds.stop = [] { return StopSignals::stopped_by() != 0; };
   const StopSignals signals(report_on_stop);
   size_t messages = 0;
   for (const ProbedBackend& backend : backends) {
@@ -224,7 +218,7 @@ int run_compare(const CompareOptions& given) {
     std::string failure = backend.failure;
     std::vector<const EffectManifest*> left = effects;
     try {
-      if (failure.empty()) messages += run_backend(backend.name, scene, library, plan, left, bakes, stoppable, record, spent);
+      if (failure.empty()) messages += run_backend(backend.name, scene, library, plan, left, bakes, options, record, spent);
     } catch (const StopRequested&) {
       break;
     } catch (const Error& error) {

@@ -48,7 +48,8 @@ int run_against(GateOptions options, const Stopwatch& watch) {
   const std::vector<DeviceInfo> devices = probe_devices(options);
   options.side_by_side = can_run_side_by_side(devices);
 
-  RecordWriter record = begin_record(options.compare, gate_run_line(options, scene, devices), scene, trees.after);
+  RecordWriter record = begin_record("gate", options.compare.out, gate_run_line(options, scene, devices),
+                                     plan_row(trees.after.plan, scene, trees.after.shaders.begin()->second, options.compare));
   const StopSignals signals(report_on_stop);
   const GateMeasurements measured = measure_trees(trees, options, limits, watch);
   GateResult result;
@@ -100,17 +101,6 @@ bool can_run_side_by_side(const std::vector<DeviceInfo>& devices) {
   const char* threads = ::getenv("LP_NUM_THREADS");
   return threads && std::string_view(threads) == "0" && std::thread::hardware_concurrency() >= devices.size() &&
          std::ranges::all_of(devices, [](const DeviceInfo& device) { return device.software; });
-}
-
-RecordWriter begin_record(const CellOptions& options, const nlohmann::ordered_json& run, const Scene& scene, Tree& tree) {
-  const std::filesystem::path& out = options.out;
-  std::error_code not_there;
-  std::filesystem::remove_all(out / "images", not_there);  // an earlier run's
-  make_run_folder("gate", out);
-  RecordWriter record(out / "record.jsonl");
-  record.append(run);
-  record.append(to_json(plan_row(tree.plan, scene, tree.shaders.begin()->second, options)));
-  return record;
 }
 
 int finish_gate(const std::filesystem::path& out) {

@@ -141,8 +141,6 @@ int run_calibration(GateOptions options);
 int run_self_test(GateOptions options);
 int run_against_record(GateOptions options, const Stopwatch& watch);
 
-// The record in `out`, with the lines that say what is run and of which state; pictures of an earlier run are gone.
-RecordWriter begin_record(const CellOptions& options, const nlohmann::ordered_json& run, const Scene& scene, Tree& tree);
 // Reports from the record in `out`; prints the table. Returns the exit status that the record holds, or the signal's that has
 // stopped the gate.
 int finish_gate(const std::filesystem::path& out);

@@ -6,6 +6,7 @@
 
 #include "harness/cli/effect_run.h"
 #include "harness/cli/gate_process.h"
+#include "harness/cli/planned.h"
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
 #include "harness/gate/stored.h"
@@ -173,7 +174,8 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
   const nlohmann::ordered_json run = gate_run_line(options, scene, devices);
   if (!options.update) check_comparable(*stored, shape_of(run, effects, options), file);
 
-  RecordWriter record = begin_record(options.compare, run, scene, tree);
+  RecordWriter record =
+      begin_record("gate", options.compare.out, run, plan_row(tree.plan, scene, tree.shaders.begin()->second, options.compare));
   const StopSignals signals(report_on_stop);
   GateMeasurements measured = measure_in_processes(
       options, watch, [&](const GateTask& task, const EmitLine& emit) { measure_state(tree, effects, task, options, emit); },

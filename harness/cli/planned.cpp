@@ -2,6 +2,7 @@
 #include "harness/cli/planned.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "harness/graph/target_uses.h"
 
@@ -46,6 +47,17 @@ PlanRow::Frame planned_frame(const Plan& plan, const Scene& scene, ShaderCache& 
   return frame;
 }
 
+// What `work` throws, "" where it does not. A mistake of a manifest is thrown on.
+std::string failure_of(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::bad_input && error.stage() == "variants") throw;
+    return error.what();
+  }
+  return "";
+}
+
 }  // namespace
 
 PlanRow plan_row(const Plan& plan, const Scene& scene, ShaderCache& shaders, const FrameSize& size) {
@@ -59,22 +71,14 @@ PlanRow plan_row(const Plan& plan, const Scene& scene, ShaderCache& shaders, con
       if (!entry.called_for) break;
       PlanRow::Variant& variant = effect.variants.emplace_back();
       variant.variant = manifest.name, variant.baseline = manifest.baseline;
-      try {
+      variant.error = failure_of([&] {
         const Graph graph = make_graph(plan, {&manifest}, scene, shaders);
         variant.passes = planned_passes(graph.passes, scene, true);
         for (PlanRow::Pass& dropped : planned_passes(graph.dropped, scene, false)) variant.passes.push_back(std::move(dropped));
-      } catch (const Error& error) {
-        if (error.kind() == ErrorKind::bad_input && error.stage() == "variants") throw;  // a mistake of a manifest
-        variant.error = error.what();
-      }
+      });
     }
   }
-  try {
-    row.frame = planned_frame(plan, scene, shaders, size);
-  } catch (const Error& error) {
-    if (error.kind() == ErrorKind::bad_input && error.stage() == "variants") throw;
-    row.frame_error = error.what();
-  }
+  row.frame_error = failure_of([&] { row.frame = planned_frame(plan, scene, shaders, size); });
   return row;
 }
 

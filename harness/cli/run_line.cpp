@@ -81,4 +81,13 @@ Json run_line(const CellOptions& options, const RoundOptions& rounds, bool quick
   return line;
 }
 
+RecordWriter begin_record(std::string_view stage, const std::filesystem::path& out, const nlohmann::ordered_json& run,
+                          const PlanRow& planned) {
+  make_new_run_folder(stage, out);
+  RecordWriter record(out / "record.jsonl");
+  record.append(run);
+  record.append(to_json(planned));
+  return record;
+}
+
 }  // namespace lamina

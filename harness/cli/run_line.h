@@ -8,6 +8,7 @@
 
 #include "harness/cli/devices.h"
 #include "harness/cli/options.h"
+#include "harness/record/record.h"
 #include "harness/scene/scene.h"
 
 namespace lamina {
@@ -21,5 +22,9 @@ nlohmann::ordered_json run_line(const std::string& command, const std::vector<Pr
 // The same with the scene and the settings of a command that leaves cells.
 nlohmann::ordered_json run_line(const CellOptions& options, const RoundOptions& rounds, bool quick, const Scene& scene,
                                 const std::vector<ProbedBackend>& backends);
+
+// The record of a run that begins in `out`, with the lines that say what is run and what is planned.
+RecordWriter begin_record(std::string_view stage, const std::filesystem::path& out, const nlohmann::ordered_json& run,
+                          const PlanRow& planned);
 
 }  // namespace lamina

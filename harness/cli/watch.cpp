@@ -237,9 +237,7 @@ int run_watch(const WatchOptions& options) {
   if (timer && !timer->ok) fmt::print(stderr, "lamina: warning: {}; no times are taken\n", timer->reason);
 
   Watch watch(options, *backend, timer);
-  std::error_code not_there;
-  fs::remove_all(options.out / "images", not_there);  // an earlier run's
-  make_run_folder("compare", options.out);
+  make_new_run_folder("compare", options.out);
   WatchedFiles files(watch.places());
   watch.update({});
   fmt::print("page: {}\nwatching; Ctrl-C ends and writes the record\n", (options.out / "watch.html").string());

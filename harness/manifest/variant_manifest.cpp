@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/core/text.h"
 #include "harness/manifest/choices.h"
 #include "harness/manifest/like.h"
+#include "harness/manifest/parameter_value.h"
 #include "harness/manifest/read_pass.h"
 
 namespace lamina {
@@ -92,20 +92,12 @@ BufferManifest read_buffer(const std::string& name, const TomlTable& table) {
 // What lamina choose tries beside the default.
 void read_tries(const TomlTable& table, ParameterManifest& parameter) {
   if (!table.has("try")) return;
-  if (!parameter.words.empty()) {
-    const std::vector<std::string> tries = table.optional_strings("try").value();
-    for (const std::string& word : tries) {
-      const auto found = std::ranges::find(parameter.words, word);
-      if (found == parameter.words.end()) throw table.error("try", unknown_name("word", word, parameter.words));
-      parameter.tries.push_back(static_cast<double>(found - parameter.words.begin()));
-    }
-    return;
-  }
-  parameter.tries = table.optional_numbers("try").value();
-  for (const double value : parameter.tries)
-    if (value < parameter.min || value > parameter.max || (parameter.whole && value != std::round(value)))
-      throw table.error("try", fmt::format("'try' holds {}, which is no {}number from {} to {}", value,
-                                           parameter.whole ? "whole " : "", parameter.min, parameter.max));
+  if (parameter.words.empty())
+    for (const std::vector<double> tries = table.optional_numbers("try").value(); const double value : tries)
+      parameter.tries.push_back(checked_number(parameter, value, table, "try"));
+  else
+    for (const std::vector<std::string> tries = table.optional_strings("try").value(); const std::string& word : tries)
+      parameter.tries.push_back(checked_word(parameter, word, table, "try"));
 }
 
 ParameterManifest read_parameter(const std::string& name, const TomlTable& table) {

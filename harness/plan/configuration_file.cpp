@@ -9,6 +9,7 @@
 
 #include "harness/core/text.h"
 #include "harness/core/toml_table.h"
+#include "harness/manifest/parameter_value.h"
 
 namespace lamina {
 namespace {
@@ -19,17 +20,8 @@ const VariantManifest* variant_named(const EffectManifest& effect, std::string_v
 }
 
 double value_in(const TomlTable& table, const std::string& path, const ParameterManifest& parameter) {
-  if (!parameter.words.empty()) {
-    const std::string word = table.string(path);
-    const auto found = std::ranges::find(parameter.words, word);
-    if (found == parameter.words.end()) throw table.error(path, unknown_name("word", word, parameter.words));
-    return static_cast<double>(found - parameter.words.begin());
-  }
-  const std::optional<double> value = table.optional_number(path);
-  if (!value || *value < parameter.min || *value > parameter.max || (parameter.whole && *value != std::round(*value)))
-    throw table.error(
-        path, fmt::format("must be a {}number from {} to {}", parameter.whole ? "whole " : "", parameter.min, parameter.max));
-  return *value;
+  return parameter.words.empty() ? checked_number(parameter, table.optional_number(path).value_or(std::nan("")), table, path)
+                                 : checked_word(parameter, table.string(path), table, path);
 }
 
 // [parameters]: of the variants that are chosen.
