@@ -188,5 +188,15 @@ TEST_F(UserVariant, AnEmptyOrMissingFolderIsSaid) {
   EXPECT_THROW(load_library(LAMINA_SOURCE_DIR, effect_code(), {folder_ / "no"}), Error);
 }
 
+TEST_F(UserVariant, WhatIsTriedIsWhatTheParameterTakes) {
+  const std::string taps = head + "[parameters.taps]\nvalue = 3\nmin = 1\nmax = 8\nwhole = true\n";
+  EXPECT_EQ(refusal(taps + "try = [1, 8]\n" + pass), "");
+  EXPECT_SAYS(refusal(taps + "try = [1, 9]\n" + pass), "mine.toml:9: 'try' holds 9, which is no whole number from 1 to 8");
+  EXPECT_SAYS(refusal(taps + "try = [1.5]\n" + pass), "'try' holds 1.5");
+  const std::string words = head + "[parameters.kind]\nvalue = \"low\"\nof = [\"low\", \"high\"]\n";
+  EXPECT_EQ(refusal(words + "try = [\"high\"]\n" + pass), "");
+  EXPECT_SAYS(refusal(words + "try = [\"hig\"]\n" + pass), "unknown word 'hig' (did you mean 'high'?)");
+}
+
 }  // namespace
 }  // namespace lamina
