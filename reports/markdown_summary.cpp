@@ -121,6 +121,7 @@ std::string markdown_summary(const Record& record) {
   text += list_section("What is done once", bake_lines(record));
   text += functions_section(record);
   text += list_section("What the scene calls for", plan_lines(record));
+  text += list_section("What targets take", memory_lines(record));
   std::vector<std::string> failed, certified, facts;
   for (const auto& [cell, reason] : failures(record)) failed.push_back(cell + ": " + reason);
   for (const Certificate& certificate : certificates(record)) certified.push_back(certificate.words);

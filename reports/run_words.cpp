@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "harness/core/byte_words.h"
 #include "reports/words.h"
 
 namespace lamina {
@@ -143,6 +144,27 @@ std::vector<std::string> bake_lines(const Record& record) {
       words += fmt::format(", {:.3g} million rays a second", *bake.rays_per_second / 1e6);
     lines.push_back(fmt::format("{} of {} ({}): {} points, {} rays, {}", bake.what, bake.object, bake.effect, bake.points,
                                 bake.rays, words));
+  }
+  return lines;
+}
+
+std::vector<std::string> memory_lines(const Record& record) {
+  std::vector<std::string> lines;
+  for (const PlanRow& plan : record.plans) {
+    if (!plan.frame || !plan.frame->aliased_bytes || !plan.frame->reused_bytes) continue;
+    uint64_t alone = 0;
+    for (const PlanRow::Target& target : plan.frame->targets) alone += target.bytes;
+    lines.push_back(
+        fmt::format("the frame's targets take {} each alone; where those needed at different times share memory, {} "
+                    "on Vulkan and {} on OpenGL (as their formats say)",
+                    byte_words(alone), byte_words(*plan.frame->aliased_bytes), byte_words(*plan.frame->reused_bytes)));
+  }
+  std::set<std::string> told;
+  for (const CellRow& cell : record.cells) {
+    if (!cell.baseline || !cell.memory_bytes || !cell.memory_bytes_alone || !told.insert(cell.backend).second) continue;
+    lines.push_back(fmt::format("{}: the targets of the frame of {} take {} of the device's memory, {} if each were alone",
+                                cell.backend, cell.variant, byte_words(*cell.memory_bytes),
+                                byte_words(*cell.memory_bytes_alone)));
   }
   return lines;
 }

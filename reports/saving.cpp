@@ -154,6 +154,9 @@ std::vector<Headline> saving_headlines(const Record& record) {
         words_of_count(all.fetches), byte_words(static_cast<uint64_t>(culled.target_bytes)),
         byte_words(static_cast<uint64_t>(all.target_bytes)), byte_words(rows.front()->culled_texture_bytes),
         byte_words(rows.front()->all_texture_bytes));
+    if (const SavingRow& first = *rows.front(); first.culled_memory_bytes && first.all_memory_bytes)
+      words += fmt::format("; where targets share memory they take {} of the device in place of {}",
+                           byte_words(*first.culled_memory_bytes), byte_words(*first.all_memory_bytes));
     if (const auto ratio = frame_ratio(rows); ratio && times_shown(record, backend))
       words = fmt::format("the frame takes {} of the time that everything takes: {}", words_for_ratio(*ratio), words);
     lines.push_back({backend, words});

@@ -132,6 +132,8 @@ std::vector<Certificate> certificates(const Record& record);
 std::vector<std::string> plan_lines(const Record& record);
 // What was done before the first frame: "apertures of ground (aperture_lighting): ..."; no rays a second from the cache.
 std::vector<std::string> bake_lines(const Record& record);
+// What targets take, alone and where they share memory: of the plan's frame, then as measured of a frame on each backend.
+std::vector<std::string> memory_lines(const Record& record);
 // How long the timed rounds took by the wall clock, over the device time that they measured.
 std::vector<std::string> phase_lines(const Record& record);
 // Every failed cell: what it is, and why it failed.

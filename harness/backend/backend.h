@@ -64,6 +64,25 @@ struct TextureDesc {
 };
 inline bool is_3d(const TextureDesc& desc) { return desc.depth > 1; }
 
+// Places in an order of passes, both included.
+struct Lifetime {
+  uint32_t first = 0, last = 0;
+  bool operator==(const Lifetime&) const = default;
+};
+inline bool overlap(const Lifetime& a, const Lifetime& b) { return a.first <= b.last && b.first <= a.last; }
+
+// A texture of which only this part of the passes needs what it holds: the one at `first` must fill it, as its memory may have
+// held another texture before, and what it holds after `last` is lost. Without a lifetime it is needed always.
+struct TransientDesc {
+  TextureDesc texture;
+  std::optional<Lifetime> lifetime;
+};
+struct PlacedTextures {
+  std::vector<TextureId> textures;  // beside what was asked for; several may be one: destroy each once
+  uint64_t bytes = 0;               // of device memory that they take; on OpenGL, which tells none, as their formats say
+  uint64_t bytes_alone = 0;         // that they would take if each had its own
+};
+
 enum class BufferUse : uint8_t { vertex, index, uniform, storage };  // indices are uint32
 
 // Every mesh has this one vertex layout: 48 bytes interleaved. Shaders take what they need by location.
@@ -200,6 +219,10 @@ class Backend {
   // Throws Error(failed) when the device has no room, Error(bad_input) when the size is over max_texture_size (3D: over what
   // the device makes in three dimensions) or a 3D texture asks for what it cannot have.
   virtual TextureId create_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels = {}) = 0;
+  // Textures without content, of which those that are needed at different times share memory: on Vulkan they lie in one
+  // allocation, on OpenGL, where memory cannot be shared, equal ones are one texture. Throws as create_texture(). On Vulkan,
+  // run() and read_texture() throw Error(bad_input) where they need what a texture has lost.
+  virtual PlacedTextures create_textures(std::span<const TransientDesc> descs) = 0;
   virtual BufferId create_buffer(std::string name, BufferUse use, size_t size_bytes, std::span<const std::byte> data = {}) = 0;
   // Throws Error(failed) with the driver's words when the device refuses a shader.
   virtual PipelineId create_pipeline(const PipelineDesc& desc) = 0;

@@ -180,7 +180,10 @@ void EffectRun::prepare(Variant& variant) {
   const std::set<std::string> hashes = variant.prepared.front().ready->graph.shader_hashes();
   for (CellRow& row : variant.rows) {
     row.shader_hashes.assign(hashes.begin(), hashes.end());
-    row.target_bytes = variant.prepared.front().ready->frame.target_bytes();
+    const Frame& frame = variant.prepared.front().ready->frame;
+    row.target_bytes = frame.target_bytes();
+    row.memory_bytes = frame.memory_bytes();
+    row.memory_bytes_alone = frame.memory_bytes_alone();
   }
 }
 

@@ -73,7 +73,7 @@ void add_side_counts(std::vector<SavingRow>& rows, Side& side, CostOf cost) {
 
 // A target counts with the effect whose pass first writes it; what no pass writes was not made.
 void add_side_bytes(std::vector<SavingRow>& rows, const Side& side, const Scene& scene, CostOf cost, const CellOptions& options,
-                    uint64_t SavingRow::*textures, uint64_t SavingRow::*of_frame) {
+                    uint64_t SavingRow::*textures, uint64_t SavingRow::*of_frame, std::optional<uint64_t> SavingRow::*memory) {
   for (const TargetUse& use : target_uses(side.graph, scene, options.width_px, options.height_px)) {
     const bool of_frame_itself = !use.variant && !use.shared;
     if (!of_frame_itself && use.writers.empty() && use.readers.empty()) continue;
@@ -85,7 +85,7 @@ void add_side_bytes(std::vector<SavingRow>& rows, const Side& side, const Scene&
             .target_bytes += use.bytes;
     }
   }
-  for (SavingRow& row : rows) row.*textures = side.resources.texture_bytes();
+  for (SavingRow& row : rows) row.*textures = side.resources.texture_bytes(), row.*memory = side.frame.memory_bytes();
 }
 
 void add_side_times(std::vector<SavingRow>& rows, Side& culled, Side& all, const RoundOptions& options, const Tell& tell) {
@@ -177,9 +177,9 @@ std::vector<SavingRow> saving_rows(Backend& backend, const Library& library, con
     add_side_counts(rows, culled, &SavingRow::Effect::culled);
     add_side_counts(rows, whole, &SavingRow::Effect::all);
     add_side_bytes(rows, culled, scene, &SavingRow::Effect::culled, options, &SavingRow::culled_texture_bytes,
-                   &SavingRow::culled_frame_bytes);
+                   &SavingRow::culled_frame_bytes, &SavingRow::culled_memory_bytes);
     add_side_bytes(rows, whole, everything, &SavingRow::Effect::all, options, &SavingRow::all_texture_bytes,
-                   &SavingRow::all_frame_bytes);
+                   &SavingRow::all_frame_bytes, &SavingRow::all_memory_bytes);
     if (rounds) add_side_times(rows, culled, whole, *rounds, tell);
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::bad_input) throw;

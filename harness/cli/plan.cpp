@@ -58,6 +58,9 @@ void print_frame(const PlanRow& row) {
   for (const PlanRow::Target& target : frame.targets) bytes += target.bytes, shared += target.shared ? 1 : 0;
   fmt::print("\nits targets, {}{}:\n", byte_words(bytes),
              shared > 0 ? fmt::format("; {} of them shared, drawn once for all effects that read them", shared) : "");
+  if (frame.aliased_bytes && frame.reused_bytes)
+    fmt::print("  where those needed at different times share memory: {} on Vulkan, {} on OpenGL\n",
+               byte_words(*frame.aliased_bytes), byte_words(*frame.reused_bytes));
   for (const PlanRow::Target& target : frame.targets) print_target(frame, target);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "harness/graph/lifetimes.h"
 #include "harness/graph/target_uses.h"
 
 namespace lamina {
@@ -36,6 +37,7 @@ PlanRow::Frame planned_frame(const Plan& plan, const Scene& scene, ShaderCache& 
   frame.width = size.width_px, frame.height = size.height_px;
   frame.passes = planned_passes(graph.passes, scene, true, true);
   frame.left_out = planned_passes(graph.dropped, scene, false, true);
+  uint64_t bytes = 0;
   for (TargetUse& use : target_uses(graph, scene, size.width_px, size.height_px)) {
     PlanRow::Target& target = frame.targets.emplace_back();
     target.target = use.name;
@@ -43,7 +45,11 @@ PlanRow::Frame planned_frame(const Plan& plan, const Scene& scene, ShaderCache& 
     target.shared = use.shared, target.copies = use.copies, target.bytes = use.bytes;
     target.writers.assign(use.writers.begin(), use.writers.end());
     target.readers.assign(use.readers.begin(), use.readers.end());
+    bytes += use.bytes;
   }
+  const TargetMemory memory = target_memory(make_frame_passes(graph, scene, {size.width_px, size.height_px}));
+  const uint64_t buffers = bytes - std::min(bytes, memory.alone);  // storage buffers keep theirs
+  frame.aliased_bytes = memory.aliased + buffers, frame.reused_bytes = memory.reused + buffers;
   return frame;
 }
 

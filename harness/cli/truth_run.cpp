@@ -53,9 +53,9 @@ TruthRun::Answered& TruthRun::answered(const VariantManifest& told, size_t view,
     truth_ = plan_.library->code->truths.at(effect_.truth)(
         {resources_.scene(), bakes_.occluders(), bakes_.cache(), options_.truth_rays});
   if (!frames_[&told]) {
-    graphs_[&told] = std::make_unique<Graph>(
-        make_graph(plan_, configuration_with(plan_, told), resources_.scene(), shaders_, &told));
-    frames_[&told] = std::make_unique<Frame>(resources_, *graphs_[&told], Build::timed);
+    graphs_[&told] =
+        std::make_unique<Graph>(make_graph(plan_, configuration_with(plan_, told), resources_.scene(), shaders_, &told));
+    frames_[&told] = std::make_unique<Frame>(resources_, *graphs_[&told], Build::timed, TargetSharing::off);
     frames_[&told]->run_once(Timing::off);
   }
   Frame& frame = *frames_[&told];

@@ -10,10 +10,10 @@
 
 namespace lamina {
 
-Frame::Frame(SceneResources& resources, const Graph& graph, Build build)
+Frame::Frame(SceneResources& resources, const Graph& graph, Build build, TargetSharing sharing)
     : resources_(resources), backend_(resources.backend()), build_(build) {
   try {
-    FrameBuilder(*this, graph).build();
+    FrameBuilder(*this, graph).build(sharing);
   } catch (...) {
     release();
     throw;
@@ -132,7 +132,8 @@ std::vector<Frame::Slice> Frame::slices(size_t view, std::span<const uint32_t> p
       slices.push_back({step, passes[i]});
       continue;
     }
-    const Area whole = made_.whole.at(passes[i].colors.front().texture);
+    const TextureDesc& target = made_.targets.at(passes[i].colors.front().texture);
+    const Area whole{0, 0, target.width, target.height};
     const uint32_t count = std::clamp(parts[step], 1u, whole.height);
     for (uint32_t strip = 0; strip < count; ++strip) {
       const auto row = [&](uint32_t edge) { return static_cast<uint32_t>(uint64_t{whole.height} * edge / count); };
@@ -149,10 +150,11 @@ Image Frame::picture() {
 
 Image Frame::target(const VariantManifest& variant, const std::string& name) {
   const auto found = made_.frame_sized.find({&variant, name});
-  const Format format = found == made_.frame_sized.end() ? Format::r8_unorm : found->second.second;
+  const Format format = found == made_.frame_sized.end() ? Format::r8_unorm : made_.targets.at(found->second).format;
   if (format != Format::rgba16_float && format != Format::rgba32_float)
-    throw Error(ErrorKind::failed, "graph", name, "is no target of four floats as large as the frame");
-  const std::vector<std::byte> bytes = backend_.read_texture(found->second.first);
+    throw Error(ErrorKind::failed, "graph", name,
+                "is no target of four floats as large as the frame, or another target has its memory by now");
+  const std::vector<std::byte> bytes = backend_.read_texture(found->second);
   if (format == Format::rgba16_float) return image_from_rgba16(resources_.width_px(), resources_.height_px(), bytes);
   Image image{static_cast<int>(resources_.width_px()), static_cast<int>(resources_.height_px()), {}};
   image.rgba.resize(bytes.size() / sizeof(float));
@@ -162,9 +164,11 @@ Image Frame::target(const VariantManifest& variant, const std::string& name) {
 
 std::map<std::string, Image> Frame::targets_of(const VariantManifest& variant) {
   std::map<std::string, Image> images;
-  for (const auto& [key, made] : made_.frame_sized)
-    if (key.first == &variant && (made.second == Format::rgba16_float || made.second == Format::rgba32_float))
+  for (const auto& [key, texture] : made_.frame_sized) {
+    const Format format = made_.targets.at(texture).format;
+    if (key.first == &variant && (format == Format::rgba16_float || format == Format::rgba32_float))
       images[key.second] = target(variant, key.second);
+  }
   return images;
 }
 

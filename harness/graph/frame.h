@@ -12,7 +12,6 @@
 #include "harness/graph/counts.h"
 #include "harness/graph/graph.h"
 #include "harness/graph/scene_resources.h"
-#include "harness/graph/targets.h"
 
 namespace lamina {
 
@@ -23,10 +22,13 @@ struct FrameTimes {
 
 enum class Build : uint8_t { timed, counting };
 
+// Whether targets that are needed at different times share memory. Either way draws the same.
+enum class TargetSharing : uint8_t { on, off };
+
 class Frame {
  public:
   // Everything given must outlive the frame. Throws Error(failed) where the device refuses.
-  Frame(SceneResources& resources, const Graph& graph, Build build);
+  Frame(SceneResources& resources, const Graph& graph, Build build, TargetSharing sharing = TargetSharing::on);
   ~Frame();
   Frame(const Frame&) = delete;
   Frame& operator=(const Frame&) = delete;
@@ -43,8 +45,11 @@ class Frame {
   // scene: its targets, and in the counting build its counts, stay for the other views.
   FrameTimes run(size_t view, Timing timing);
 
-  // What its targets and storage buffers take, as their formats say: a driver may pad them.
+  // What its targets and storage buffers would take each alone, as their formats say: a driver may pad them.
   uint64_t target_bytes() const { return made_.bytes; }
+  // What they take of the device's memory, as it was asked for, and what they would if each target had memory of its own.
+  uint64_t memory_bytes() const { return made_.memory_bytes; }
+  uint64_t memory_bytes_alone() const { return made_.memory_bytes_alone; }
 
   // A frame in small pieces, for comparing two frames piece by piece: raster passes are cut into at most `parts[pass]` strips
   // of whole rows, as equal as they get; what cannot be cut (compute, mip chains, shaders with storage) is one piece. Running
@@ -62,7 +67,7 @@ class Frame {
   Image picture();
 
   // A variant's target as large as the frame after the last run(), as floats: rgba16_float or rgba32_float. Throws
-  // Error(failed) for any other.
+  // Error(failed) for any other, and for one that shares its memory.
   Image target(const VariantManifest& variant, const std::string& name);
   // All of them, by name.
   std::map<std::string, Image> targets_of(const VariantManifest& variant);
@@ -107,6 +112,14 @@ class Frame {
     bool stops_early = false;
     std::optional<uint64_t> complete_at;  // the state of the scene that all of its passes have run for
   };
+  // What was made, for whoever gives it back.
+  struct Made {
+    std::vector<TextureId> textures;  // each once
+    std::vector<BufferId> buffers;
+    std::map<TextureId, TextureDesc> targets;
+    std::map<std::pair<const VariantManifest*, std::string>, TextureId> frame_sized;  // of those that share no memory
+    uint64_t bytes = 0, memory_bytes = 0, memory_bytes_alone = 0;
+  };
   friend class FrameBuilder;
 
   void release();
@@ -120,7 +133,7 @@ class Frame {
   Sequence once_, frame_;
   TextureId picture_;
   std::array<TextureId, 2> frame_buffers_;
-  MadeResources made_;
+  Made made_;
   std::vector<PipelineId> pipelines_;
 };
 

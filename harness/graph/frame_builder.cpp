@@ -4,9 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <bit>
 
+#include "harness/backend/common/shared_memory.h"
 #include "harness/core/text.h"
+#include "harness/graph/lifetimes.h"
 #include "harness/graph/spec_constants.h"
 
 namespace lamina {
@@ -16,46 +17,70 @@ namespace {
 constexpr uint32_t first_counter_binding = 16;
 constexpr uint32_t counter_header_words = 2;  // shader.h's CountingLayout: width of the coverage map, 0
 
-bool writes_frame(const GraphPass& pass) {
-  return std::find(pass.pass->writes.begin(), pass.pass->writes.end(), "frame") != pass.pass->writes.end();
-}
-
-std::array<float, 4> clear_of(const PassManifest& pass, const std::string& target, const Scene& scene) {
-  if (pass.clear) return *pass.clear;
-  if (target == "frame") return {scene.background.r, scene.background.g, scene.background.b, 0};
-  return {0, 0, 0, 0};
-}
-
-// The level that repetition `index` writes, and the one that it reads, of a target that the pass walks along.
-uint32_t written_level(LevelWalk walk, uint32_t index, uint32_t levels) {
-  return walk == LevelWalk::down ? index + 1 : walk == LevelWalk::up ? levels - 2 - index : 0;
-}
-uint32_t read_level(LevelWalk walk, uint32_t index, uint32_t levels) {
-  return walk == LevelWalk::down ? index : levels - 1 - index;
+// Every target of the pass, which is a place in `textures`, becomes the texture that is there.
+void put_textures(Pass& pass, std::span<const TextureId> textures) {
+  const auto put = [&](TextureId& id) {
+    if (id) id = textures[id.value];
+  };
+  for (Attachment& color : pass.colors) put(color.texture);
+  if (pass.depth) put(pass.depth->texture);
+  for (TextureId* id : {&pass.mips_of, &pass.copy_from, &pass.copy_to}) put(*id);
+  for (Draw& draw : pass.draws) {
+    for (TextureBinding& binding : draw.textures) put(binding.texture);
+    for (ImageBinding& binding : draw.images) put(binding.texture);
+  }
 }
 
 }  // namespace
 
 FrameBuilder::FrameBuilder(Frame& frame, const Graph& graph)
-    : frame_(frame),
-      resources_(frame.resources_),
-      backend_(frame.backend_),
-      scene_(frame.resources_.scene()),
-      graph_(graph),
-      targets_(frame.resources_, graph, frame.made_) {}
+    : frame_(frame), resources_(frame.resources_), backend_(frame.backend_), scene_(frame.resources_.scene()), graph_(graph) {}
 
-void FrameBuilder::build() {
-  build_sequence(true, frame_.once_);
-  build_sequence(false, frame_.frame_);
-  frame_.frame_buffers_ = targets_.frame().buffers;
-  frame_.picture_ = targets_.frame().buffers[targets_.frame().current];
+void FrameBuilder::build(TargetSharing sharing) {
+  FramePasses passes = make_frame_passes(graph_, scene_, {resources_.width_px(), resources_.height_px()});
+  make_targets(passes, sharing);
+  build_sequence(passes.once, frame_.once_);
+  build_sequence(passes.frame, frame_.frame_);
 }
 
-void FrameBuilder::build_sequence(bool once, Frame::Sequence& sequence) {
-  targets_.begin_sequence();
+void FrameBuilder::make_targets(FramePasses& passes, TargetSharing sharing) {
+  std::vector<TransientDesc> targets = transient_targets(passes);
+  if (sharing == TargetSharing::off)
+    for (TransientDesc& target : targets) target.lifetime.reset();
+  const PlacedTextures placed = backend_.create_textures(targets);
+  Frame::Made& made = frame_.made_;
+  made.memory_bytes += placed.bytes;
+  made.memory_bytes_alone += placed.bytes_alone;
+  for (size_t i = 0; i < targets.size(); ++i) {
+    const TextureDesc& desc = targets[i].texture;
+    made.bytes += texture_bytes(desc);
+    if (made.targets.try_emplace(placed.textures[i], desc).second) made.textures.push_back(placed.textures[i]);
+  }
+  for (const auto& [key, id] : passes.targets.frame_sized)
+    if (!targets[id.value].lifetime) made.frame_sized[key] = placed.textures[id.value];
+  for (PlannedSequence* sequence : {&passes.once, &passes.frame})
+    for (PlannedPass& pass : sequence->passes) put_textures(pass.pass, placed.textures);
+  for (size_t i = 0; i < passes.frame_buffers.size(); ++i)
+    if (passes.frame_buffers[i]) frame_.frame_buffers_[i] = placed.textures[passes.frame_buffers[i].value];
+  frame_.picture_ = placed.textures[passes.picture.value];
+}
+
+void FrameBuilder::build_sequence(PlannedSequence& planned, Frame::Sequence& sequence) {
   sequence.passes_by_view.emplace_back();
-  for (const GraphPass& pass : graph_.passes)
-    if (pass.once == once) build_step(pass, sequence);
+  for (size_t step = 0, next = 0; step < planned.steps.size(); ++step) {
+    Frame::Step& into = begin_step(planned.steps[step], sequence);
+    const size_t first_pass = sequence.passes_by_view[0].size();
+    for (; next < planned.passes.size() && planned.passes[next].step == step; ++next) {
+      PlannedPass& pass = planned.passes[next];
+      Pass ready = pass.pass;
+      for (size_t i = 0; i < ready.draws.size(); ++i) finish_draw({pass, into}, *pass.draws[i], pass.pass, ready.draws[i]);
+      sequence.passes_by_view[0].push_back(std::move(ready));
+      sequence.step_of_pass.push_back(step);
+      sequence.repetition_of_pass.push_back(pass.repetition);
+    }
+    end_step(first_pass, sequence);
+  }
+  const bool once = &sequence == &frame_.once_;
   sequence.running.resize(once ? 1 : scene_.views.size());
   // The other views differ by their blocks Frame.
   for (size_t view = 1; view < scene_.views.size() && !once; ++view) {
@@ -71,24 +96,22 @@ void FrameBuilder::build_sequence(bool once, Frame::Sequence& sequence) {
   }
 }
 
-void FrameBuilder::build_step(const GraphPass& pass, Frame::Sequence& sequence) {
+Frame::Step& FrameBuilder::begin_step(const PlannedSequence::Step& planned, Frame::Sequence& sequence) {
   Frame::Step& step = sequence.steps.emplace_back();
-  step.pass = &pass;
-  sequence.names.push_back(pass.pass->name);
+  step.pass = planned.pass;
+  step.turns = planned.turns;
+  sequence.names.push_back(step.pass->pass->name);
+  sequence.stops_early = sequence.stops_early || step.pass->pass->until_empty;
   next_word_ = counter_header_words;
-  if (writes_frame(pass)) {
+  if (writes_frame(*step.pass)) {
     step.coverage_word = next_word_;
     next_word_ += resources_.width_px() * resources_.height_px();
   }
-  std::vector<Pass>& passes = sequence.passes_by_view[0];
-  const size_t first_pass = passes.size();
-  const uint32_t count = repetitions(pass);
-  for (uint32_t index = 0; index < count; ++index) {
-    build_repetition({pass, step, index, count, passes});
-    sequence.repetition_of_pass.resize(passes.size(), index);
-  }
-  sequence.step_of_pass.resize(passes.size(), sequence.steps.size() - 1);
-  sequence.stops_early = sequence.stops_early || pass.pass->until_empty;
+  return step;
+}
+
+void FrameBuilder::end_step(size_t first_pass, Frame::Sequence& sequence) {
+  Frame::Step& step = sequence.steps.back();
   if (frame_.build_ == Build::counting && !step.counted.empty()) give_counters(step, first_pass, sequence);
 }
 
@@ -104,218 +127,65 @@ void FrameBuilder::give_counters(Frame::Step& step, size_t first_pass, Frame::Se
         if (!binding.buffer) binding.buffer = step.counters;
 }
 
-uint32_t FrameBuilder::repetitions(const GraphPass& pass) {
-  if (pass.pass->levels != LevelWalk::none)
-    return targets_.target(pass, pass.draws.front(), pass.pass->writes.front()).levels - 1;
-  if (pass.pass->repeat_log2_of.empty())
-    return static_cast<uint32_t>(pass.variant->value_of(pass.pass->repeat, graph_.parameters));
-  uint32_t longest = 1;
-  for (const GraphDraw& draw : pass.draws) {
-    const FrameTarget& sized = targets_.target(pass, draw, pass.pass->repeat_log2_of);
-    longest = std::max({longest, sized.width, sized.height});
-  }
-  return static_cast<uint32_t>(std::bit_width(longest - 1));
+void FrameBuilder::finish_draw(const Place& place, const GraphDraw& draw, const Pass& into, Draw& command) {
+  bind(place, draw, command);
+  command.pipeline = pipeline(place, draw, into, command);
+  const DrawKind kind = place.pass().pass->draw;
+  if (kind == DrawKind::compute || kind == DrawKind::fullscreen) return;
+  const SceneResources::MeshBuffers& mesh = resources_.mesh(*draw.object);
+  command.vertices = mesh.vertices;
+  command.indices = mesh.indices;
+  command.count = mesh.index_count;
 }
 
-void FrameBuilder::build_repetition(const Repetition& repetition) {
-  const std::span<const GraphDraw> draws = repetition.pass.draws;
-  const bool together = repetition.pass.pass->draw == DrawKind::objects;  // all objects of a view in one pass
-  for (size_t begin = 0; begin < draws.size();) {
-    size_t end = begin + 1;
-    while (together && end < draws.size() && draws[end].light == draws[begin].light) ++end;
-    build_pass(repetition, draws.subspan(begin, end - begin));
-    begin = end;
+void FrameBuilder::bind(const Place& place, const GraphDraw& draw, Draw& command) {
+  for (size_t i = 0; i < draw.reads.size(); ++i) {
+    const auto image = resources_.image_of(draw.reads[i].source, draw.object);
+    if (!image) continue;
+    TextureBinding& binding = command.textures[i];
+    binding.texture = resources_.texture(image);
+    if (image->wraps) binding.sampler.wrap = image->wraps->u, binding.sampler.wrap_v = image->wraps->v;
   }
-}
-
-void FrameBuilder::build_pass(const Repetition& repetition, std::span<const GraphDraw> draws) {
-  const PassManifest& manifest = *repetition.pass.pass;
-  // Any object of the pass may read back what it writes, so targets are swapped only after the reads of all draws are bound.
-  std::vector<FrameTarget*> turning;
-  for (const GraphDraw& draw : draws) {
-    clear_unwritten(repetition, draw);
-    prepare_read_back(repetition, draw, turning);
-  }
-  Pass into = begin_pass(repetition, draws.front());
-  for (size_t i = 0; i < draws.size() && manifest.draw != DrawKind::mips; ++i)
-    if (!draws[i].stages.empty()) into.draws.push_back(make_draw(repetition, draws[i], into));
-  into.count_samples = manifest.until_empty;
-  repetition.passes.push_back(std::move(into));
-  for (FrameTarget* target : turning) target->current = 1 - target->current;
-  repetition.step.turns = repetition.step.turns || !turning.empty();
-}
-
-// The frame and its depth may be read where nothing has been drawn: they are then empty.
-void FrameBuilder::clear_unwritten(const Repetition& repetition, const GraphDraw& draw) {
-  for (const ResolvedRead& read : draw.reads) {
-    const bool depth = read.source.kind == Source::Kind::depth;
-    if (!depth && (read.source.kind != Source::Kind::frame || writes_frame(repetition.pass))) continue;
-    FrameTarget& target = depth ? targets_.depth() : targets_.frame();
-    if (target.written) continue;
-    target.written = true;
-    Pass cleared;
-    cleared.name = label_of(repetition.pass, draw, false) + " before";
-    const glm::vec3& around = scene_.background;
-    if (depth)
-      cleared.depth = Attachment{target.buffers[target.current], 0, Load::clear, {1, 0, 0, 0}};
-    else
-      cleared.colors.push_back({target.buffers[target.current], 0, Load::clear, {around.r, around.g, around.b, 0}});
-    repetition.passes.push_back(cleared);
-  }
-}
-
-// For a draw that reads what it writes: clears the buffer that it reads, if nothing is in it yet, and copies it into the buffer
-// that it writes where objects are drawn, for these need not cover all.
-void FrameBuilder::prepare_read_back(const Repetition& repetition, const GraphDraw& draw, std::vector<FrameTarget*>& turning) {
-  const PassManifest& manifest = *repetition.pass.pass;
-  for (const std::string& name : manifest.written()) {
-    if (!reads_back(repetition.pass, draw, name)) continue;
-    FrameTarget& target = targets_.target(repetition.pass, draw, name);
-    if (std::find(turning.begin(), turning.end(), &target) != turning.end()) continue;
-    turning.push_back(&target);
-    if (!target.buffers[1])
-      throw Error(ErrorKind::bad_input, "variants", manifest.where,
-                  fmt::format("reads and writes '{}', which needs buffers = 2", name));
-    const bool depth = name == manifest.depth_target;
-    const TextureId now = target.buffers[target.current], next = target.buffers[1 - target.current];
-    Pass before;
-    before.name = label_of(repetition.pass, draw, false) + " before";
-    if (!target.written) {
-      before.kind = PassKind::raster;
-      const Attachment cleared{now, 0, Load::clear,
-                               depth ? std::array<float, 4>{0, 0, 0, 0} : clear_of(manifest, name, scene_)};
-      if (depth)
-        before.depth = cleared;
-      else
-        before.colors.push_back(cleared);
-      repetition.passes.push_back(before);
-    }
-    target.written = true;
-    if (depth || manifest.draw != DrawKind::objects || manifest.clear) continue;
-    Pass copy;
-    copy.name = before.name;
-    copy.kind = PassKind::copy;
-    copy.copy_from = now, copy.copy_to = next;
-    repetition.passes.push_back(copy);
-  }
-}
-
-Pass FrameBuilder::begin_pass(const Repetition& repetition, const GraphDraw& draw) {
-  const PassManifest& manifest = *repetition.pass.pass;
-  Pass into;
-  into.name = label_of(repetition.pass, draw, manifest.draw != DrawKind::objects);
-  if (manifest.draw == DrawKind::mips) {
-    const FrameTarget& mipped = targets_.target(repetition.pass, draw, manifest.writes.front());
-    into.kind = PassKind::mips;
-    into.mips_of = mipped.buffers[mipped.current];
-  } else if (manifest.draw == DrawKind::compute) {
-    into.kind = PassKind::compute;
-    for (const std::string& name : manifest.writes) targets_.target(repetition.pass, draw, name).written = true;
-  } else {
-    attach(repetition, draw, into);
-  }
-  return into;
-}
-
-void FrameBuilder::attach(const Repetition& repetition, const GraphDraw& draw, Pass& into) {
-  const PassManifest& manifest = *repetition.pass.pass;
-  for (const std::string& name : manifest.writes) {
-    FrameTarget& written = targets_.target(repetition.pass, draw, name);
-    const bool turns = reads_back(repetition.pass, draw, name);
-    Attachment attachment;
-    attachment.texture = written.buffers[turns ? 1 - written.current : written.current];
-    attachment.level = written_level(manifest.levels, repetition.index, written.levels);
-    const Blend blend = manifest.blend[into.colors.size()];
-    const bool covers_all = manifest.draw == DrawKind::fullscreen && blend == Blend::none;
-    const bool keeps = written.written && !manifest.clear && (attachment.level == 0 || manifest.levels == LevelWalk::up);
-    attachment.load = covers_all ? Load::discard : keeps ? Load::keep : Load::clear;
-    attachment.clear = clear_of(manifest, name, scene_);
-    written.written = true;
-    into.colors.push_back(attachment);
-  }
-  if (manifest.depth == Depth::none) return;
-  const bool own = !manifest.depth_target.empty();
-  FrameTarget& depth = own ? targets_.target(repetition.pass, draw, manifest.depth_target) : targets_.depth();
-  const bool turns = own && reads_back(repetition.pass, draw, manifest.depth_target);
-  const bool keeps = depth.written && !turns && !manifest.clear_depth_again;
-  into.depth = Attachment{depth.buffers[turns ? 1 - depth.current : depth.current],
-                          0,
-                          keeps ? Load::keep : Load::clear,
-                          {manifest.clear_depth, 0, 0, 0}};
-  depth.written = true;
-}
-
-Draw FrameBuilder::make_draw(const Repetition& repetition, const GraphDraw& draw, const Pass& into) {
-  const PassManifest& manifest = *repetition.pass.pass;
-  Draw command;
-  bind(repetition, draw, command);
-  command.pipeline = pipeline(repetition, draw, into, command);
-  if (manifest.draw == DrawKind::compute) {
-    command.groups = manifest.groups;
-    if (!manifest.threads_over.empty()) {
-      const FrameTarget& over = targets_.target(repetition.pass, draw, manifest.threads_over);
-      const auto& local = manifest.local_size;
-      command.groups = {(over.width + local[0] - 1) / local[0], (over.height + local[1] - 1) / local[1], 1};
-    }
-  } else if (manifest.draw == DrawKind::fullscreen) {
-    command.count = 3;
-  } else {
-    const SceneResources::MeshBuffers& mesh = resources_.mesh(*draw.object);
-    command.vertices = mesh.vertices;
-    command.indices = mesh.indices;
-    command.count = mesh.index_count;
-  }
-  return command;
-}
-
-void FrameBuilder::bind(const Repetition& repetition, const GraphDraw& draw, Draw& command) {
-  const GraphPass& pass = repetition.pass;
-  for (const ResolvedRead& read : draw.reads) {
-    TextureBinding binding{read.binding, {}, read.source.sampler, {}};
-    if (const auto image = resources_.image_of(read.source, draw.object)) {
-      binding.texture = resources_.texture(image);
-      if (image->wraps) binding.sampler.wrap = image->wraps->u, binding.sampler.wrap_v = image->wraps->v;
-    } else {
-      const FrameTarget& target = targets_.source_target(pass, draw, read.source);
-      binding.texture = target.buffers[target.current];
-      const auto& writes = pass.pass->writes;
-      if (pass.pass->levels != LevelWalk::none && read.source.kind == Source::Kind::target &&
-          std::find(writes.begin(), writes.end(), read.source.name) != writes.end())
-        binding.level = read_level(pass.pass->levels, repetition.index, target.levels);
-    }
-    command.textures.push_back(binding);
-  }
-  for (const ResolvedBuffer& buffer : draw.buffers)
-    command.buffers.push_back({buffer.binding, targets_.buffer(pass, draw, buffer), BindingKind::storage_buffer});
+  for (const ResolvedBuffer& storage : draw.buffers)
+    command.buffers.push_back({storage.binding, buffer(place.pass(), draw, storage), BindingKind::storage_buffer});
   std::vector<uint32_t> bound;
   for (const auto& stage : draw.stages)
     for (const ShaderResource& resource : stage->reflection.resources) {
+      if (resource.kind != BindingKind::uniform_buffer) continue;
       if (std::find(bound.begin(), bound.end(), resource.binding) != bound.end()) continue;
-      if (resource.kind == BindingKind::storage_image) {
-        const FrameTarget& image = targets_.target(pass, draw, resource.name);
-        command.images.push_back({resource.binding, image.buffers[image.current], 0});
-      } else if (resource.kind == BindingKind::uniform_buffer) {
-        bind_block(repetition, draw, resource, command);
-      } else {
-        continue;
-      }
+      bind_block(place, draw, resource, command);
       bound.push_back(resource.binding);
     }
 }
 
-void FrameBuilder::bind_block(const Repetition& repetition, const GraphDraw& draw, const ShaderResource& block, Draw& command) {
-  const GraphPass& pass = repetition.pass;
-  const glm::ivec4 iteration(static_cast<int>(repetition.index), static_cast<int>(repetition.count), 0, 0);
+void FrameBuilder::bind_block(const Place& place, const GraphDraw& draw, const ShaderResource& block, Draw& command) {
+  const GraphPass& pass = place.pass();
+  const glm::ivec4 iteration(static_cast<int>(place.planned.repetition), static_cast<int>(place.planned.repetitions), 0, 0);
   const BufferId id =
       resources_.block(block, {*pass.effect, pass.pass->where, 0, pass.pass->view, draw.light, draw.object, iteration});
   if (block.name == "Frame") frame_blocks_.try_emplace(id, FrameBlock{block, &pass, draw.light});
   command.buffers.push_back({block.binding, id, BindingKind::uniform_buffer});
 }
 
-PipelineId FrameBuilder::pipeline(const Repetition& repetition, const GraphDraw& draw, const Pass& into, Draw& command) {
-  const GraphPass& pass = repetition.pass;
+BufferId FrameBuilder::buffer(const GraphPass& pass, const GraphDraw& draw, const ResolvedBuffer& buffer) {
+  if (buffer.source.kind == Source::Kind::baked) return resources_.baked_buffer(buffer.source, *draw.object);
+  const auto manifest = std::find_if(pass.variant->buffers.begin(), pass.variant->buffers.end(),
+                                     [&](const BufferManifest& known) { return known.name == buffer.source.name; });
+  const std::optional<size_t> owner = manifest->scope == Scope::object ? draw.object : std::nullopt;
+  BufferId& id = buffers_[{pass.variant, manifest->name, owner, std::nullopt}];
+  if (id) return id;
+  const std::vector<std::byte> zeros(buffer_bytes(*manifest, scene_, {resources_.width_px(), resources_.height_px()}, owner));
+  id = backend_.create_buffer(pass.variant->name + "." + manifest->name, BufferUse::storage, zeros.size(), zeros);
+  Frame::Made& made = frame_.made_;
+  made.buffers.push_back(id);
+  for (uint64_t* bytes : {&made.bytes, &made.memory_bytes, &made.memory_bytes_alone}) *bytes += zeros.size();
+  return id;
+}
+
+PipelineId FrameBuilder::pipeline(const Place& place, const GraphDraw& draw, const Pass& into, Draw& command) {
+  const GraphPass& pass = place.pass();
   PipelineDesc desc;
-  desc.name = label_of(pass, draw, true);
+  desc.name = pass_label(pass, draw, scene_, true);
   std::string key = fmt::format("{}|{}|{}", pass.variant->effect, pass.variant->name, pass.pass->where);
   for (const auto& stage : draw.stages) {
     desc.stages.push_back({stage->stage, stage->spirv});
@@ -323,8 +193,7 @@ PipelineId FrameBuilder::pipeline(const Repetition& repetition, const GraphDraw&
     for (const ShaderResource& resource : stage->reflection.resources) desc.bindings.push_back(resource.slot());
     if (stage->stage == Stage::vertex) desc.vertex_locations = stage->reflection.input_locations;
   }
-  for (const std::string& name : pass.pass->writes)
-    if (!into.colors.empty()) desc.colors.push_back(targets_.target(pass, draw, name).format);
+  for (const Attachment& color : into.colors) desc.colors.push_back(frame_.made_.targets.at(color.texture).format);
   if (into.depth) desc.depth_format = Format::d32_float;
   desc.constants = spec_constants(pass, draw, graph_.parameters);
   if (!desc.colors.empty()) desc.blend = pass.pass->blend;
@@ -337,9 +206,9 @@ PipelineId FrameBuilder::pipeline(const Repetition& repetition, const GraphDraw&
     desc.bindings.push_back({binding, BindingKind::storage_buffer});
     command.buffers.push_back({binding, {}, BindingKind::storage_buffer});
     // Its counters are built in, and they count by format and filter: draws and repetitions that are alike in these share both.
-    for (const ResolvedRead& read : draw.reads)
-      key += fmt::format("|{}", fmt::join(words_of(repetition.pass, draw, read), ","));
-    if (!pipelines_.contains(key)) count(repetition, draw, binding, desc);
+    for (size_t read = 0; read < draw.reads.size(); ++read)
+      key += fmt::format("|{}", fmt::join(words_of(draw, command, read), ","));
+    if (!pipelines_.contains(key)) count(place, draw, command, binding, desc);
   }
   std::sort(desc.bindings.begin(), desc.bindings.end());
   desc.bindings.erase(std::unique(desc.bindings.begin(), desc.bindings.end()), desc.bindings.end());
@@ -350,13 +219,15 @@ PipelineId FrameBuilder::pipeline(const Repetition& repetition, const GraphDraw&
   return id;
 }
 
-std::array<std::string, 3> FrameBuilder::words_of(const GraphPass& pass, const GraphDraw& draw, const ResolvedRead& read) {
-  return {read.sampler, std::string(name_of(format_of(pass, draw, read.source))),
-          std::string(name_of(read.source.sampler.filter))};
+std::array<std::string, 3> FrameBuilder::words_of(const GraphDraw& draw, const Draw& command, size_t read) {
+  const Source& source = draw.reads[read].source;
+  const auto image = resources_.image_of(source, draw.object);
+  const Format format = image ? image->format : frame_.made_.targets.at(command.textures[read].texture).format;
+  return {draw.reads[read].sampler, std::string(name_of(format)), std::string(name_of(source.sampler.filter))};
 }
 
-void FrameBuilder::count(const Repetition& repetition, const GraphDraw& draw, uint32_t binding, PipelineDesc& desc) {
-  Frame::Step& step = repetition.step;
+void FrameBuilder::count(const Place& place, const GraphDraw& draw, const Draw& command, uint32_t binding, PipelineDesc& desc) {
+  Frame::Step& step = place.step;
   for (size_t i = 0; i < draw.stages.size(); ++i) {
     const CompiledShader& shader = *draw.stages[i];
     const uint32_t coverage = shader.stage == Stage::fragment ? step.coverage_word : 0;
@@ -364,25 +235,13 @@ void FrameBuilder::count(const Repetition& repetition, const GraphDraw& draw, ui
     Frame::Counted& counted =
         step.counted.emplace_back(Frame::Counted{shader.stage, next_word_, {}, {}, counting.early_fragment_tests});
     next_word_ += counting.words();
-    for (const ResolvedRead& read : draw.reads) {
-      const auto [sampler, format, filter] = words_of(repetition.pass, draw, read);
-      counted.textures[read.binding] = {sampler, format, filter, 0};
+    for (size_t read = 0; read < draw.reads.size(); ++read) {
+      const auto [sampler, format, filter] = words_of(draw, command, read);
+      counted.textures[draw.reads[read].binding] = {sampler, format, filter, 0};
     }
     counted.work = std::move(counting.work);
     desc.stages[i].spirv = std::move(counting.spirv);
   }
-}
-
-std::string FrameBuilder::label_of(const GraphPass& pass, const GraphDraw& draw, bool with_object) const {
-  std::string label = pass.variant->name + "." + pass.pass->name;
-  if (with_object && draw.object) label += "." + scene_.objects[*draw.object].name;
-  if (draw.light) label += "." + scene_.lights[*draw.light].name;
-  return label;
-}
-
-Format FrameBuilder::format_of(const GraphPass& pass, const GraphDraw& draw, const Source& source) {
-  if (const auto image = resources_.image_of(source, draw.object)) return image->format;
-  return targets_.source_target(pass, draw, source).format;
 }
 
 }  // namespace lamina

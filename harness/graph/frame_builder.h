@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns a graph into a Frame: makes targets, buffers and pipelines, and writes the lists of backend passes.
-//
-// Loads: the first pass of a sequence that writes a target clears it (the frame to the scene's background with alpha 0, depth
-// to the manifest's `clear_depth`, others to 0, or all to the manifest's `clear`), later ones keep what is there; a full-screen
-// pass that does not blend discards instead. A pass that reads a target it also writes gets the target's other buffer to write,
-// and later passes read that. Where it draws objects, which need not cover all, the target is copied into the other buffer
-// first.
+// Turns a graph into a Frame: makes targets, buffers and pipelines, and the passes ready that frame_passes.h plans.
 #pragma once
 
 #include <array>
@@ -14,51 +8,42 @@
 #include <vector>
 
 #include "harness/graph/frame.h"
-#include "harness/graph/targets.h"
+#include "harness/graph/frame_passes.h"
 
 namespace lamina {
 
 class FrameBuilder {
  public:
   FrameBuilder(Frame& frame, const Graph& graph);
-  void build();
+  void build(TargetSharing sharing);
 
  private:
-  // One repetition of a pass.
-  struct Repetition {
-    const GraphPass& pass;
+  // A pass that is being made ready, and what it belongs to.
+  struct Place {
+    const PlannedPass& planned;
     Frame::Step& step;
-    uint32_t index, count;
-    std::vector<Pass>& passes;  // that are added to
+    const GraphPass& pass() const { return *planned.of; }
   };
 
-  void build_sequence(bool once, Frame::Sequence& sequence);
-  void build_step(const GraphPass& pass, Frame::Sequence& sequence);
-  void build_repetition(const Repetition& repetition);
-  // Draws of one backend pass: all objects of a view, or one thing's.
-  void build_pass(const Repetition& repetition, std::span<const GraphDraw> draws);
-  void clear_unwritten(const Repetition& repetition, const GraphDraw& draw);
-  void prepare_read_back(const Repetition& repetition, const GraphDraw& draw, std::vector<FrameTarget*>& turning);
-  Pass begin_pass(const Repetition& repetition, const GraphDraw& draw);
-  void attach(const Repetition& repetition, const GraphDraw& draw, Pass& into);
-  Draw make_draw(const Repetition& repetition, const GraphDraw& draw, const Pass& into);
-  void bind(const Repetition& repetition, const GraphDraw& draw, Draw& command);
-  void bind_block(const Repetition& repetition, const GraphDraw& draw, const ShaderResource& block, Draw& command);
-  PipelineId pipeline(const Repetition& repetition, const GraphDraw& draw, const Pass& into, Draw& command);
+  void make_targets(FramePasses& passes, TargetSharing sharing);
+  void build_sequence(PlannedSequence& planned, Frame::Sequence& sequence);
+  Frame::Step& begin_step(const PlannedSequence::Step& planned, Frame::Sequence& sequence);
+  void end_step(size_t first_pass, Frame::Sequence& sequence);
+  void finish_draw(const Place& place, const GraphDraw& draw, const Pass& into, Draw& command);
+  void bind(const Place& place, const GraphDraw& draw, Draw& command);
+  void bind_block(const Place& place, const GraphDraw& draw, const ShaderResource& block, Draw& command);
+  BufferId buffer(const GraphPass& pass, const GraphDraw& draw, const ResolvedBuffer& buffer);
+  PipelineId pipeline(const Place& place, const GraphDraw& draw, const Pass& into, Draw& command);
   // The draw's sampler, and the format and filter of what it reads there.
-  std::array<std::string, 3> words_of(const GraphPass& pass, const GraphDraw& draw, const ResolvedRead& read);
-  void count(const Repetition& repetition, const GraphDraw& draw, uint32_t binding, PipelineDesc& desc);
-  uint32_t repetitions(const GraphPass& pass);
+  std::array<std::string, 3> words_of(const GraphDraw& draw, const Draw& command, size_t read);
+  void count(const Place& place, const GraphDraw& draw, const Draw& command, uint32_t binding, PipelineDesc& desc);
   void give_counters(Frame::Step& step, size_t first_pass, Frame::Sequence& sequence);
-  std::string label_of(const GraphPass& pass, const GraphDraw& draw, bool with_object) const;
-  Format format_of(const GraphPass& pass, const GraphDraw& draw, const Source& source);
 
   Frame& frame_;
   SceneResources& resources_;
   Backend& backend_;
   const Scene& scene_;
   const Graph& graph_;
-  Targets targets_;
   // The blocks Frame that the first view's passes bind, so that the other views' can be put in their place.
   struct FrameBlock {
     ShaderResource layout;
@@ -67,7 +52,8 @@ class FrameBuilder {
   };
   std::map<BufferId, FrameBlock> frame_blocks_;
   std::map<std::string, PipelineId> pipelines_;
-  uint32_t next_word_ = 0;  // of the step's counter buffer, while it is being laid out
+  std::map<Resource, BufferId> buffers_;  // storage
+  uint32_t next_word_ = 0;                // of the step's counter buffer, while it is being laid out
 };
 
 }  // namespace lamina

@@ -27,11 +27,10 @@ bool reads_back(const GraphPass& pass, const GraphDraw& draw, const std::string&
   });
 }
 
-Targets::Targets(SceneResources& resources, const Graph& graph, MadeResources& made)
-    : resources_(resources), graph_(graph), made_(made) {
-  const uint32_t width = resources.width_px(), height = resources.height_px();
-  frame_ = make("frame", width, height, frame_format, false, frame_buffers(graph), false);
-  depth_ = make("depth", width, height, frame_depth_format, false, 1, false);
+Targets::Targets(const Graph& graph, const Scene& scene, FramePx size, TargetTextures& made)
+    : graph_(graph), scene_(scene), size_(size), made_(made) {
+  frame_ = make("frame", size.width, size.height, frame_format, false, frame_buffers(graph), false);
+  depth_ = make("depth", size.width, size.height, frame_depth_format, false, 1, false);
 }
 
 void Targets::begin_sequence() {
@@ -47,18 +46,17 @@ FrameTarget& Targets::target(const GraphPass& pass, const GraphDraw& draw, const
     throw Error(ErrorKind::bad_input, "variants", pass.pass->where, fmt::format("'{}' is not a target of this variant", name));
   const Resource key = target_of(*pass.variant, name, draw, light);
   if (const auto found = targets_.find(key); found != targets_.end()) return found->second;
-  const auto [width, height] = target_size(graph_, resources_.scene(), {resources_.width_px(), resources_.height_px()}, pass,
-                                           manifest->size, key.object);
+  const auto [width, height] = target_size(graph_, scene_, size_, pass, manifest->size, key.object);
   const bool storage = std::any_of(pass.variant->passes.begin(), pass.variant->passes.end(), [&](const PassManifest& other) {
     return other.draw == DrawKind::compute && writes(other, name);
   });
   std::string label = pass.variant->name + "." + name;
-  if (key.object) label += "." + resources_.scene().objects[*key.object].name;
-  if (key.light) label += "." + resources_.scene().lights[*key.light].name;
+  if (key.object) label += "." + scene_.objects[*key.object].name;
+  if (key.light) label += "." + scene_.lights[*key.light].name;
   const Format format = pass.variant->format_of(*manifest, graph_.parameters);
   const FrameTarget made = make(label, width, height, format, manifest->mips, manifest->buffers, storage);
-  if (!key.object && !key.light && width == resources_.width_px() && height == resources_.height_px())
-    made_.frame_sized[{pass.variant, name}] = {made.buffers[0], made.format};
+  if (!key.object && !key.light && width == size_.width && height == size_.height)
+    made_.frame_sized[{pass.variant, name}] = made.buffers[0];
   return targets_[key] = made;
 }
 
@@ -80,10 +78,8 @@ FrameTarget Targets::make(const std::string& label, uint32_t width, uint32_t hei
     desc.width = width, desc.height = height, desc.levels = made.levels;
     desc.format = format;
     desc.target = true, desc.storage = storage;
-    made.buffers[i] = resources_.backend().create_texture(desc);
-    made_.textures.push_back(made.buffers[i]);
-    made_.whole[made.buffers[i]] = {0, 0, width, height};
-    made_.bytes += texel_bytes(width, height, mips, format);
+    made.buffers[i] = TextureId{static_cast<uint32_t>(made_.textures.size())};
+    made_.textures.push_back(std::move(desc));
   }
   return made;
 }
@@ -120,21 +116,6 @@ uint64_t texel_bytes(uint32_t width, uint32_t height, bool mips, Format format) 
 uint64_t buffer_bytes(const BufferManifest& buffer, const Scene& scene, FramePx frame, std::optional<size_t> object) {
   const uint64_t vertices = object ? scene.objects[*object].mesh.vertices.size() : 0;
   return buffer.bytes + buffer.bytes_per_vertex * vertices + buffer.bytes_per_pixel * (uint64_t{frame.width} * frame.height);
-}
-
-BufferId Targets::buffer(const GraphPass& pass, const GraphDraw& draw, const ResolvedBuffer& buffer) {
-  if (buffer.source.kind == Source::Kind::baked) return resources_.baked_buffer(buffer.source, *draw.object);
-  const auto manifest = std::find_if(pass.variant->buffers.begin(), pass.variant->buffers.end(),
-                                     [&](const BufferManifest& known) { return known.name == buffer.source.name; });
-  const std::optional<size_t> owner = manifest->scope == Scope::object ? draw.object : std::nullopt;
-  BufferId& id = buffers_[{pass.variant, manifest->name, owner, std::nullopt}];
-  if (id) return id;
-  const std::vector<std::byte> zeros(
-      buffer_bytes(*manifest, resources_.scene(), {resources_.width_px(), resources_.height_px()}, owner));
-  id = resources_.backend().create_buffer(pass.variant->name + "." + manifest->name, BufferUse::storage, zeros.size(), zeros);
-  made_.buffers.push_back(id);
-  made_.bytes += zeros.size();
-  return id;
 }
 
 }  // namespace lamina

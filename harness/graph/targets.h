@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The targets and storage buffers of a frame while it is being built: made when a pass first names them, with the size and
-// format that their variant's parameters give, and which of two buffers is read and which written.
+// The targets of a frame while its passes are being built: known from when a pass first names them, with the size and format
+// that their variant's parameters give, and which of two buffers is read and which written. No device is needed.
 #pragma once
 
 #include <array>
-#include <functional>
 #include <map>
 
 #include "harness/graph/graph.h"
-#include "harness/graph/scene_resources.h"
 
 namespace lamina {
 
@@ -20,20 +18,21 @@ struct FrameTarget {
   bool written = false;  // in the sequence being built
 };
 
-// What was made, for whoever gives it back.
-struct MadeResources {
-  std::vector<TextureId> textures;
-  std::vector<BufferId> buffers;
-  std::map<TextureId, Area> whole;  // of every target, its level 0
-  uint64_t bytes = 0;               // of all of them, as their formats say
+struct FramePx {
+  uint32_t width = 1, height = 1;
+};
+
+// The textures that targets are, before a device has made them: a TextureId of theirs is a place in `textures`.
+struct TargetTextures {
+  std::vector<TextureDesc> textures;
   // Targets as large as the frame, by variant and name.
-  std::map<std::pair<const VariantManifest*, std::string>, std::pair<TextureId, Format>> frame_sized;
+  std::map<std::pair<const VariantManifest*, std::string>, TextureId> frame_sized;
 };
 
 class Targets {
  public:
   // All must outlive this.
-  Targets(SceneResources& resources, const Graph& graph, MadeResources& made);
+  Targets(const Graph& graph, const Scene& scene, FramePx size, TargetTextures& made);
 
   FrameTarget& frame() { return frame_; }
   FrameTarget& depth() { return depth_; }
@@ -42,20 +41,24 @@ class Targets {
   FrameTarget& target(const GraphPass& pass, const GraphDraw& draw, const std::string& name,
                       std::optional<size_t> light = std::nullopt);
   FrameTarget& source_target(const GraphPass& pass, const GraphDraw& draw, const Source& source);
-  BufferId buffer(const GraphPass& pass, const GraphDraw& draw, const ResolvedBuffer& buffer);
   // Nothing is written yet in the sequence that begins.
   void begin_sequence();
 
  private:
   FrameTarget make(const std::string& label, uint32_t width, uint32_t height, Format format, bool mips, uint32_t buffers,
                    bool storage);
-  SceneResources& resources_;
   const Graph& graph_;
-  MadeResources& made_;
+  const Scene& scene_;
+  FramePx size_;
+  TargetTextures& made_;
   FrameTarget frame_, depth_;
   std::map<Resource, FrameTarget> targets_;
-  std::map<Resource, BufferId> buffers_;
 };
+
+// Whether a source is a target, the frame or its depth, and no texture of the scene.
+inline bool is_target(const Source& source) {
+  return source.kind == Source::Kind::target || source.kind == Source::Kind::frame || source.kind == Source::Kind::depth;
+}
 
 // Whether the draw reads what it also writes under this name.
 bool reads_back(const GraphPass& pass, const GraphDraw& draw, const std::string& name);
@@ -63,9 +66,6 @@ bool reads_back(const GraphPass& pass, const GraphDraw& draw, const std::string&
 // ---- What targets take, known without a device --------------------------------------------------------------------------
 
 inline constexpr Format frame_format = Format::rgba16_float, frame_depth_format = Format::d32_float;
-struct FramePx {
-  uint32_t width = 1, height = 1;
-};
 // 2 where some pass reads the frame that it writes, else 1.
 uint32_t frame_buffers(const Graph& graph);
 // Of a pass's target, in texels: as its rule says, of the frame's size, of a texture of the object, or fixed. Throws

@@ -104,7 +104,7 @@ struct PassManifest {
   std::map<std::string, std::string> constants;     // specialization constants by name
   std::map<std::string, ReadManifest> reads;        // by sampler name, where it differs from the source's
   std::vector<std::string> writes;                  // targets or "frame"; for compute: storage images by target name
-  std::optional<std::array<float, 4>> clear;        // of the colour targets; absent: see graph/frame_builder.h
+  std::optional<std::array<float, 4>> clear;        // of the colour targets; absent: see graph/frame_passes.h
   std::vector<Blend> blend;                         // beside `writes`
   Depth depth = Depth::none;
   DepthTest depth_test = DepthTest::less_equal;

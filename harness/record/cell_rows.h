@@ -67,6 +67,8 @@ struct CellRow {
   std::optional<uint64_t> fetches;          // of the frame: sum over passes that are not done once; absent: not asked for
   std::optional<double> fetches_per_pixel;  // fetches / covered_pixels
   std::optional<uint64_t> target_bytes;     // of the frame's targets and storage buffers; absent in records of before
+  // What they take of the device's memory, as it was asked for, and what they would if no targets shared it; likewise.
+  std::optional<uint64_t> memory_bytes, memory_bytes_alone;
   // Against the baseline, over the pixels that the effect covers and over the frame; absent for the baseline itself and failed
   // cells.
   std::optional<ErrorFigures> error_covered, error_frame;

@@ -44,7 +44,8 @@ constexpr auto fields(const PlanRow::Target*) {
 constexpr auto fields(const PlanRow::Frame*) {
   using Row = PlanRow::Frame;
   return std::tuple(field("width", &Row::width), field("height", &Row::height), field("passes", &Row::passes),
-                    field("left_out", &Row::left_out), field("targets", &Row::targets));
+                    field("left_out", &Row::left_out), field("targets", &Row::targets),
+                    left_out("aliased_bytes", &Row::aliased_bytes), left_out("reused_bytes", &Row::reused_bytes));
 }
 
 constexpr auto fields(const PlanRow*) {

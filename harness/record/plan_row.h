@@ -51,6 +51,9 @@ struct PlanRow {
     std::vector<Pass> passes;        // those that run: what is done once, then each frame, in order
     std::vector<Pass> left_out;
     std::vector<Target> targets;
+    // What targets and storage buffers take together, as their formats say, where targets that are needed at different times
+    // lie in one memory, and where they are one texture if they are alike. Absent in records of before.
+    std::optional<uint64_t> aliased_bytes{}, reused_bytes{};
   };
   std::vector<Effect> effects;
   std::optional<Frame> frame{};  // absent where it cannot run, and in records of before

@@ -29,7 +29,8 @@ constexpr auto fields(const SavingRow*) {
                     field("effects", &Row::effects), left_out("ratio", &Row::ratio),
                     field("culled_texture_bytes", &Row::culled_texture_bytes),
                     field("all_texture_bytes", &Row::all_texture_bytes), field("culled_frame_bytes", &Row::culled_frame_bytes),
-                    field("all_frame_bytes", &Row::all_frame_bytes), field("different_pixels", &Row::different_pixels),
+                    field("all_frame_bytes", &Row::all_frame_bytes), left_out("culled_memory_bytes", &Row::culled_memory_bytes),
+                    left_out("all_memory_bytes", &Row::all_memory_bytes), field("different_pixels", &Row::different_pixels),
                     field("largest_difference", &Row::largest_difference), left_out("where", &Row::where),
                     left_out("failure", &Row::failure));
 }

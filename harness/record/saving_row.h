@@ -34,7 +34,10 @@ struct SavingRow {
   std::optional<Interval> ratio;  // of the frames' times, culled over all; absent where they are not timed
   uint64_t culled_texture_bytes = 0, all_texture_bytes = 0;  // of the textures that were put on the device
   uint64_t culled_frame_bytes = 0, all_frame_bytes = 0;      // of the frame's picture and depth
-  uint64_t different_pixels = 0;                             // whose colours are not the same bits
+  // Of the device's memory, what the frames' targets and storage buffers take where targets share it; absent in records of
+  // before.
+  std::optional<uint64_t> culled_memory_bytes, all_memory_bytes;
+  uint64_t different_pixels = 0;  // whose colours are not the same bits
   double largest_difference = 0;  // of a channel, linear; beyond all bounds where one is not finite: 1e30
   std::string where;              // of it: "pixel 12, 7 of 160x120, by an effect"; "" where the pictures are the same
   std::string failure;            // why there are no figures

@@ -49,4 +49,13 @@ bool allows_early_tests(const SpirvModule& module) {
                               [&](const SpirvInstruction& i) { return prevents_early_tests(module, i); });
 }
 
+// An instruction's first word has its length in the upper half (SPIR-V specification, section 2.3).
+bool may_discard(std::span<const uint32_t> spirv) {
+  for (size_t at = spirv_header_words; at < spirv.size(); at += std::max(spirv[at] >> 16, 1u)) {
+    const uint32_t op = spirv[at] & 0xffffu;
+    if (op == spv::OpKill || op == spv::OpTerminateInvocation || op == spv::OpDemoteToHelperInvocation) return true;
+  }
+  return false;
+}
+
 }  // namespace lamina

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a fragment shader's depth test comes before it.
+// Whether a fragment shader's depth test comes before it, and whether it discards.
 #pragma once
+
+#include <span>
 
 #include "harness/shader/spirv_module.h"
 
@@ -13,5 +15,8 @@ bool demands_early_tests(const SpirvModule& module);
 // early: it neither discards, nor writes depth, stencil or its sample mask, nor writes memory, which hidden fragments would do
 // too.
 bool allows_early_tests(const SpirvModule& module);
+
+// Whether some function of the shader, called or not, discards fragments.
+bool may_discard(std::span<const uint32_t> spirv);
 
 }  // namespace lamina

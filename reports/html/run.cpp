@@ -49,6 +49,7 @@ std::string html_run(const Record& record) {
   html += failures_section(record);
   if (const auto plan = plan_lines(record); !plan.empty()) html += "<h3>What the scene calls for</h3>\n" + html_list(plan);
   html += html_frame_graph(record);
+  if (const auto memory = memory_lines(record); !memory.empty()) html += "<h3>What targets take</h3>\n" + html_list(memory);
   if (const auto baked = bake_lines(record); !baked.empty()) html += "<h3>What is done once</h3>\n" + html_list(baked);
   return html + timer_section(record) + hashes_section(record);
 }

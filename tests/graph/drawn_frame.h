@@ -16,6 +16,7 @@ struct DrawnFrame {
     const VariantManifest* told = nullptr;  // as for make_graph()
     Build build = Build::timed;
     std::optional<double> aspect = std::nullopt;  // as for make_plan()
+    TargetSharing sharing = TargetSharing::on;    // off where a truth is told: its targets are read back
   };
   DrawnFrame(Backend& backend, const Library& library, const Scene& scene, const Choice& choice)
       : plan(make_plan(library, scene, choice.aspect)),
@@ -23,7 +24,7 @@ struct DrawnFrame {
         bakes(scene, *library.code, DiskCache("")),
         resources(backend, scene, library, choice.width, choice.height, &bakes),
         graph(make_graph(plan, configuration(plan, choice.variant), scene, shaders, choice.told, choice.parameters)),
-        frame(resources, graph, choice.build) {
+        frame(resources, graph, choice.build, choice.told ? TargetSharing::off : choice.sharing) {
     frame.run_once(Timing::off);
     frame.run(0, Timing::off);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // On random scenes the frame in which only what is called for runs has the picture of the frame in which everything runs, bit
-// for bit, and takes the bytes that the plan says. A few here; LAMINA_RANDOM_SCENES=500 takes more, from LAMINA_RANDOM_SEED on.
+// for bit, and takes the bytes that the plan says; and either has the picture that it has where no targets share memory. A few
+// here; LAMINA_RANDOM_SCENES=500 takes more, from LAMINA_RANDOM_SEED on.
 #include <algorithm>
 #include <cstdlib>
 
@@ -10,6 +11,7 @@
 #include "tests/graph/each_backend.h"
 #include "tests/graph/made_effects.h"
 #include "tests/graph/random_scene.h"
+#include "tests/graph/small_parameters.h"
 
 namespace lamina {
 namespace {
@@ -20,17 +22,6 @@ constexpr size_t usual_scenes = 12;
 uint64_t number_from(const char* name, uint64_t otherwise) {
   const char* text = std::getenv(name);
   return text && *text ? std::strtoull(text, nullptr, 10) : otherwise;
-}
-
-// Maps of a few texels in place of hundreds: what is asked here does not hang on their size.
-Parameters small_parameters(const Library& library) {
-  Parameters small;
-  for (const EffectManifest& effect : library.effects)
-    for (const VariantManifest& variant : effect.variants)
-      for (const ParameterManifest& parameter : variant.parameters)
-        if (parameter.whole && parameter.words.empty() && parameter.value >= 64)
-          small[variant.name + "." + parameter.name] = std::max(parameter.min, 32.0);
-  return small;
 }
 
 class RandomScenes : public EachBackend {
@@ -50,12 +41,12 @@ class RandomScenes : public EachBackend {
 
   struct Drawn {
     std::vector<Image> pictures;
-    uint64_t bytes = 0, told_bytes = 0;
+    uint64_t bytes = 0, told_bytes = 0, memory_bytes = 0, memory_bytes_alone = 0;
   };
-  Drawn drawn(const Scene& scene, const Graph& graph) {
+  Drawn drawn(const Scene& scene, const Graph& graph, TargetSharing sharing) {
     Bakes bakes(scene, *library().code, DiskCache(""));
     SceneResources resources(*backend_, scene, library(), size_px, size_px, &bakes);
-    Frame frame(resources, graph, Build::timed);
+    Frame frame(resources, graph, Build::timed, sharing);
     frame.run_once(Timing::off);
     Drawn drawn;
     for (size_t view = 0; view < scene.views.size(); ++view) {
@@ -63,6 +54,7 @@ class RandomScenes : public EachBackend {
       drawn.pictures.push_back(frame.picture());
     }
     drawn.bytes = frame.target_bytes();
+    drawn.memory_bytes = frame.memory_bytes(), drawn.memory_bytes_alone = frame.memory_bytes_alone();
     for (const TargetUse& use : target_uses(graph, scene, size_px, size_px)) drawn.told_bytes += use.bytes;
     return drawn;
   }
@@ -77,11 +69,15 @@ class RandomScenes : public EachBackend {
     const Graph whole = make_graph_of_everything(all, plan, everything, *shaders_, parameters_);
     ran_ += all.plan.effects.size() - all.cannot.size();
     left_out_ += whole.passes.size() - graph.passes.size();
-    const Drawn culled = drawn(scene, graph), full = drawn(everything, whole);
+    // The frame of everything is the one with most targets to share: it shares them, and the other does and does not.
+    const Drawn culled = drawn(scene, graph, TargetSharing::on), alone = drawn(scene, graph, TargetSharing::off),
+                full = drawn(everything, whole, TargetSharing::on);
+    saved_ += full.memory_bytes_alone - full.memory_bytes;
     for (size_t view = 0; view < scene.views.size(); ++view)
-      if (const BitDifference difference = bit_difference(culled.pictures[view], full.pictures[view]); difference.pixels > 0)
-        return fmt::format("view {}: {} pixels differ, by {} at {}, {}", scene.views[view].name, difference.pixels,
-                           difference.largest, difference.x, difference.y);
+      for (const auto& [other, what] : {std::pair(&alone, "alone"), std::pair(&full, "everything")})
+        if (const auto difference = bit_difference(culled.pictures[view], other->pictures[view]); difference.pixels > 0)
+          return fmt::format("view {}: {} pixels differ from those of {}, by {} at {}, {}", scene.views[view].name,
+                             difference.pixels, what, difference.largest, difference.x, difference.y);
     for (const Drawn* side : {&culled, &full})
       if (side->bytes != side->told_bytes)
         return fmt::format("{} bytes of targets, and the plan says {}", side->bytes, side->told_bytes);
@@ -92,6 +88,7 @@ class RandomScenes : public EachBackend {
   std::optional<ShaderCache> shaders_;
   Parameters parameters_;
   size_t ran_ = 0, left_out_ = 0;
+  uint64_t saved_ = 0;  // bytes, by targets that share memory
 };
 INSTANTIATE_TEST_SUITE_P(Backends, RandomScenes, backend_parameters, backend_test_name);
 
@@ -123,9 +120,11 @@ TEST_P(RandomScenes, WhatIsLeftOutChangesNoPixel) {
   if (count < usual_scenes) return;
   EXPECT_GT(ran_, 6 * count) << "the frame of everything holds more than half of the effects";
   EXPECT_GT(left_out_, 4 * count) << "passes that the plan leaves out";
+  EXPECT_GT(saved_, 0u) << "targets share memory";
   if (count <= usual_scenes) return;
   for (const auto& [why, times] : refused) fmt::print("not drawn, {} times: {}\n", times, why);
-  fmt::print("{} scenes, {} passes left out in them\n", drawn_scenes, left_out_);
+  fmt::print("{} scenes, {} passes left out in them, {} bytes saved by targets that share memory\n", drawn_scenes, left_out_,
+             saved_);
 }
 
 // Nothing shrinks below what fails.

@@ -63,6 +63,9 @@ TEST(PlanDot, IsReadByGraphviz) {
 
 TEST(PlannedFrame, ComesBackFromTheRecordAndNamesNoPassThatIsNotThere) {
   PlanRow plan = two_passes();
+  EXPECT_FALSE(read_back(plan).frame->aliased_bytes) << "a record of before";
+  plan.frame->aliased_bytes = 300, plan.frame->reused_bytes = 320;
+  EXPECT_EQ(read_back(plan).frame->aliased_bytes, 300u);
   EXPECT_EQ(to_json(read_back(plan)), to_json(plan));
   plan.frame->targets[1].readers = {2};
   EXPECT_THROW(read_back(plan), Error) << "there are two passes";

@@ -78,6 +78,26 @@ TEST(Saving, RoundsArePaired) {
   EXPECT_THROW(read_back(row), Error);
 }
 
+TEST(TargetMemoryWords, TellTheBytesAloneAndWithSharing) {
+  std::vector<CellRow> cells = example_cells();
+  for (CellRow& cell : cells) cell.memory_bytes = 3 << 20, cell.memory_bytes_alone = 5 << 20;
+  cells[0].baseline = true;
+  Record record = example_record(cells);
+  record.plans = {{}};
+  EXPECT_EQ(memory_lines(record).size(), 1u) << "a plan of before tells none";
+  PlanRow::Frame frame;
+  frame.targets = {{.target = "a", .bytes = 4096}, {.target = "b", .bytes = 2048}};
+  frame.aliased_bytes = 4096, frame.reused_bytes = 5120;
+  record.plans.front().frame = frame;
+  const std::vector<std::string> lines = memory_lines(record);
+  ASSERT_EQ(lines.size(), 2u) << "a line of the plan, and one a backend";
+  for (const char* part : {"6.00 KiB each alone", "4.00 KiB on Vulkan", "5.00 KiB on OpenGL"})
+    EXPECT_TRUE(has(lines[0], part)) << lines[0];
+  for (const char* part : {"vulkan: ", "light_map", "3.00 MiB", "5.00 MiB if each"})
+    EXPECT_TRUE(has(lines[1], part)) << lines[1];
+  EXPECT_TRUE(has(page_of(record), "<h3>What targets take</h3>"));
+}
+
 TEST(FrameGraph, ShowsWhoWritesAndReadsAndWhatIsLeftOut) {
   Record record = example_record(example_cells());
   EXPECT_EQ(html_frame_graph(record), "") << "a record of before has none";

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "harness/backend/common/choose_device.h"
+#include "harness/backend/common/shared_memory.h"
 #include "harness/backend/opengl/commands.h"
 #include "harness/backend/opengl/debug_log.h"
 #include "harness/backend/opengl/device.h"
@@ -42,6 +43,23 @@ class OpenGlBackend : public Backend {
 
   TextureId create_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels) override {
     return resources_.textures.add(make_texture(desc, levels, info_.max_texture_size));
+  }
+  PlacedTextures create_textures(std::span<const TransientDesc> descs) override {
+    PlacedTextures placed;
+    const std::vector<size_t> which = reused_textures(descs);
+    std::vector<Texture> made;
+    for (size_t i = 0; i < descs.size(); ++i) {
+      const uint64_t bytes = texture_bytes(descs[i].texture);
+      placed.bytes_alone += bytes;
+      if (which[i] != i) continue;
+      made.push_back(make_texture(descs[i].texture, {}, info_.max_texture_size));
+      placed.bytes += bytes;
+    }
+    placed.textures.resize(descs.size());
+    for (size_t i = 0, next = 0; i < descs.size(); ++i)
+      if (which[i] == i) placed.textures[i] = resources_.textures.add(std::move(made[next++]));
+    for (size_t i = 0; i < descs.size(); ++i) placed.textures[i] = placed.textures[which[i]];
+    return placed;
   }
   BufferId create_buffer(std::string name, BufferUse, size_t size_bytes, std::span<const std::byte> data) override {
     return resources_.buffers.add(make_buffer(std::move(name), size_bytes, data));

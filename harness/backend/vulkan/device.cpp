@@ -109,11 +109,16 @@ bool Device::supports(VkFormat format, VkFormatFeatureFlags features) const {
   return (properties.optimalTilingFeatures & features) == features;
 }
 
+VkDeviceSize Device::most_at_once(const VkMemoryRequirements& needed, MemoryUse use) const {
+  const std::optional<uint32_t> type = find_memory_type(memory_, needed.memoryTypeBits, use);
+  if (!type) return 0;
+  return std::min(candidate_.max_allocation_bytes, memory_.memoryHeaps[memory_.memoryTypes[*type].heapIndex].size);
+}
+
 MemoryHandle Device::allocate(const VkMemoryRequirements& needed, MemoryUse use, const std::string& subject) {
   const std::optional<uint32_t> type = find_memory_type(memory_, needed.memoryTypeBits, use);
   if (!type) throw_failed(subject, "the device has no memory of the kind that this needs");
-  const VkDeviceSize heap_bytes = memory_.memoryHeaps[memory_.memoryTypes[*type].heapIndex].size;
-  const VkDeviceSize limit_bytes = std::min(candidate_.max_allocation_bytes, heap_bytes);
+  const VkDeviceSize limit_bytes = most_at_once(needed, use);
   if (needed.size > limit_bytes)
     throw_failed(subject, fmt::format("it takes {} bytes and the device gives at most {} at once; use a smaller size",
                                       needed.size, limit_bytes));

@@ -37,6 +37,8 @@ class Device {
   // True where optimally tiled images of `format` can do all of `features`.
   bool supports(VkFormat format, VkFormatFeatureFlags features) const;
 
+  // The most bytes that one allocation of such memory may have; 0 where there is none.
+  VkDeviceSize most_at_once(const VkMemoryRequirements& needed, MemoryUse use) const;
   // Throws Error(failed) naming `subject` where the memory has no room.
   MemoryHandle allocate(const VkMemoryRequirements& needed, MemoryUse use, const std::string& subject);
 

@@ -38,8 +38,12 @@ VkClearValue clear_value(Format format, const std::array<float, 4>& clear) {
 RunTimes FrameRunner::run(std::span<const Pass> passes, Timing timing) {
   std::vector<PreparedPass> prepared;
   std::vector<const Pipeline*> pipelines;
+  MemoryTurns turns(resources_);
   for (const Pass& pass : passes) {
     prepared.push_back(prepare(pass));
+    std::set<TextureId> used;
+    for (const auto& [id, layouts] : prepared.back().layouts) used.insert(id);
+    prepared.back().come = turns.next(pass, used);
     pipelines.insert(pipelines.end(), prepared.back().pipelines.begin(), prepared.back().pipelines.end());
   }
   descriptors_.start(pipelines);
@@ -48,6 +52,7 @@ RunTimes FrameRunner::run(std::span<const Pass> passes, Timing timing) {
       prepared[i].sets.push_back(
           descriptors_.make_set(*prepared[i].pipelines[draw], passes[i].draws[draw], resources_, prepared[i].layouts));
 
+  turns.commit();
   const bool timed = timing == Timing::bracketed;
   const uint32_t count = static_cast<uint32_t>(passes.size());
   const VkCommandBuffer commands = device_.begin();
@@ -73,6 +78,10 @@ RunTimes FrameRunner::run(std::span<const Pass> passes, Timing timing) {
 
 std::vector<VkImageMemoryBarrier2> FrameRunner::transitions(const Pass& pass, const PreparedPass& prepared) {
   std::vector<VkImageMemoryBarrier2> barriers;
+  for (const TextureId id : prepared.come) {
+    Texture& texture = resources_.at(id, pass.name);
+    std::fill(texture.layouts.begin(), texture.layouts.end(), VK_IMAGE_LAYOUT_UNDEFINED);
+  }
   for (const auto& [id, layouts] : prepared.layouts) {
     Texture& texture = resources_.at(id, pass.name);
     for (uint32_t level = 0; level < layouts.size(); ++level)

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "harness/backend/vulkan/descriptors.h"
+#include "harness/backend/vulkan/memory_turns.h"
 #include "harness/backend/vulkan/sample_counts.h"
 #include "harness/backend/vulkan/timestamps.h"
 
@@ -32,6 +33,7 @@ class FrameRunner {
     Extent extent;
     PassLayouts layouts;
     std::set<TextureId> whole;               // textures that are used as a whole: their levels share a layout
+    std::vector<TextureId> come;             // textures that come into memory that others had
     std::vector<const Pipeline*> pipelines;  // of the draws
     std::vector<VkDescriptorSet> sets;       // of the draws
   };

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 
+#include "harness/backend/common/shared_memory.h"
 #include "harness/backend/vulkan/formats.h"
 
 namespace lamina::vulkan {
@@ -99,13 +101,71 @@ VkImageMemoryBarrier2 transition(Texture& texture, uint32_t level, VkImageLayout
   return transition(texture, level, std::exchange(texture.layouts[level], layout), layout);
 }
 
-TextureId Resources::create_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels) {
+void Resources::check_new(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels, size_t more) const {
   check_texture(desc, levels, device_.info().max_texture_size, device_.limits().maxImageDimension3D);
   check_on_device(device_, desc);
-  check_room(desc.name);
-  Texture texture = make_texture(desc);
+  check_room(desc.name, more);
+}
+
+TextureId Resources::create_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels) {
+  check_new(desc, levels, 0);
+  Texture texture = make_image(desc);
+  give_memory(texture, needed_by(texture));
+  make_views(texture);
   if (!levels.empty()) upload(texture, levels);
   return textures_.add(std::move(texture));
+}
+
+PlacedTextures Resources::create_textures(std::span<const TransientDesc> descs) {
+  std::vector<Texture> textures;
+  std::vector<VkMemoryRequirements> needed;
+  std::map<uint32_t, std::vector<size_t>> transient;  // by the types of memory that they may lie in
+  PlacedTextures placed;
+  for (size_t i = 0; i < descs.size(); ++i) {
+    check_new(descs[i].texture, {}, i);
+    textures.push_back(make_image(descs[i].texture));
+    needed.push_back(needed_by(textures.back()));
+    placed.bytes_alone += needed.back().size;
+    if (descs[i].lifetime) transient[needed.back().memoryTypeBits].push_back(i);
+  }
+  for (const auto& [types, which] : transient)
+    if (which.size() > 1) placed.bytes += share_memory(descs, needed, which, textures);
+  for (size_t i = 0; i < textures.size(); ++i) {
+    if (!textures[i].shared) {
+      give_memory(textures[i], needed[i]);
+      placed.bytes += needed[i].size;
+    }
+    make_views(textures[i]);
+  }
+  for (Texture& texture : textures) placed.textures.push_back(textures_.add(std::move(texture)));
+  return placed;
+}
+
+// Nothing but images with optimal tiling lies in the memory, so bufferImageGranularity, which parts linear from other
+// resources, asks for nothing.
+VkDeviceSize Resources::share_memory(std::span<const TransientDesc> descs, std::span<const VkMemoryRequirements> needed,
+                                     std::span<const size_t> which, std::vector<Texture>& textures) {
+  std::vector<MemoryNeed> needs;
+  VkMemoryRequirements all{0, 1, needed[which.front()].memoryTypeBits};
+  for (const size_t i : which) {
+    needs.push_back({needed[i].size, needed[i].alignment, *descs[i].lifetime});
+    all.alignment = std::max(all.alignment, needed[i].alignment);
+  }
+  const MemoryPlaces places = place_in_memory(needs);
+  all.size = places.bytes;
+  if (all.size > device_.most_at_once(all, MemoryUse::device)) return 0;
+  const auto shared = std::make_shared<SharedMemory>();
+  shared->memory = device_.allocate(all, MemoryUse::device, "targets in turn");
+  for (size_t k = 0; k < which.size(); ++k) {
+    Texture& texture = textures[which[k]];
+    check(vkBindImageMemory(device_.get(), texture.image.get(), shared->memory.get(), places.offsets[k]), texture.desc.name,
+          "vkBindImageMemory");
+    texture.shared = shared;
+    texture.place = k;
+    shared->places.push_back(
+        {places.offsets[k], places.offsets[k] + needs[k].bytes, std::vector<bool>(texture.desc.levels, false)});
+  }
+  return all.size;
 }
 
 BufferId Resources::create_buffer(std::string name, BufferUse use, size_t size_bytes, std::span<const std::byte> data) {
@@ -116,7 +176,7 @@ BufferId Resources::create_buffer(std::string name, BufferUse use, size_t size_b
                                                   : size_bytes;
   if (size_bytes > most)
     throw_failed(name, fmt::format("{} bytes; {} binds at most {}", size_bytes, device_.info().device, most));
-  check_room(name);
+  check_room(name, 0);
   Buffer buffer = make_buffer(name, size_bytes, usage_of(use), use == BufferUse::uniform ? MemoryUse::host : MemoryUse::device);
   buffer.use = use;
   write(buffer, data);
@@ -162,6 +222,9 @@ std::vector<std::byte> Resources::read_buffer(BufferId id) {
 std::vector<std::byte> Resources::read_texture(TextureId id, uint32_t level) {
   Texture& texture = at(id, "read_texture");
   check_level(texture.desc, level);
+  if (texture.shared && !texture.shared->places[texture.place].filled[level])
+    throw_bad_input(texture.desc.name,
+                    fmt::format("level {} is read back and holds nothing: another texture has had its memory since", level));
   const size_t size_bytes = level_bytes(texture.desc, level);
   Buffer& stage = staging(size_bytes);
   const VkCommandBuffer commands = device_.begin();
@@ -176,12 +239,11 @@ std::vector<std::byte> Resources::read_texture(TextureId id, uint32_t level) {
   return bytes;
 }
 
-void Resources::check_room(const std::string& subject) const {
+void Resources::check_room(const std::string& subject, size_t more) const {
   // One allocation each, and one for staging.
-  const size_t most = device_.limits().maxMemoryAllocationCount;
-  if (textures_.size() + buffers_.size() + 2 > most)
-    throw_failed(subject, fmt::format("{} textures and buffers exist, the device allows {}", textures_.size() + buffers_.size(),
-                                      most - 1));
+  const size_t most = device_.limits().maxMemoryAllocationCount, exist = textures_.size() + buffers_.size() + more;
+  if (exist + 2 > most)
+    throw_failed(subject, fmt::format("{} textures and buffers exist, the device allows {}", exist, most - 1));
 }
 
 Buffer Resources::make_buffer(const std::string& name, size_t size_bytes, VkBufferUsageFlags usage, MemoryUse memory) {
@@ -206,7 +268,7 @@ Buffer Resources::make_buffer(const std::string& name, size_t size_bytes, VkBuff
   return buffer;
 }
 
-Texture Resources::make_texture(const TextureDesc& desc) {
+Texture Resources::make_image(const TextureDesc& desc) {
   Texture texture;
   texture.desc = desc;
   texture.layouts.assign(desc.levels, VK_IMAGE_LAYOUT_UNDEFINED);
@@ -222,16 +284,27 @@ Texture Resources::make_texture(const TextureDesc& desc) {
   VkImage image = VK_NULL_HANDLE;
   check(vkCreateImage(device_.get(), &info, nullptr, &image), desc.name, "vkCreateImage");
   texture.image = device_.own<ImageHandle>(image, desc.name);
-  VkMemoryRequirements needed{};
-  vkGetImageMemoryRequirements(device_.get(), image, &needed);
-  texture.memory = device_.allocate(needed, MemoryUse::device, desc.name);
-  check(vkBindImageMemory(device_.get(), image, texture.memory.get(), 0), desc.name, "vkBindImageMemory");
+  return texture;
+}
 
+VkMemoryRequirements Resources::needed_by(const Texture& texture) const {
+  VkMemoryRequirements needed{};
+  vkGetImageMemoryRequirements(device_.get(), texture.image.get(), &needed);
+  return needed;
+}
+
+void Resources::give_memory(Texture& texture, const VkMemoryRequirements& needed) {
+  texture.memory = device_.allocate(needed, MemoryUse::device, texture.desc.name);
+  check(vkBindImageMemory(device_.get(), texture.image.get(), texture.memory.get(), 0), texture.desc.name, "vkBindImageMemory");
+}
+
+void Resources::make_views(Texture& texture) {
+  const TextureDesc& desc = texture.desc;
   const auto view_of = [&](uint32_t level, uint32_t count, const std::string& name) {
     VkImageViewCreateInfo view_info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
-    view_info.image = image;
+    view_info.image = texture.image.get();
     view_info.viewType = is_3d(desc) ? VK_IMAGE_VIEW_TYPE_3D : VK_IMAGE_VIEW_TYPE_2D;
-    view_info.format = info.format;
+    view_info.format = vk_format(desc.format);
     view_info.subresourceRange = {aspect_of(desc.format), level, count, 0, 1};
     VkImageView view = VK_NULL_HANDLE;
     check(vkCreateImageView(device_.get(), &view_info, nullptr, &view), desc.name, "vkCreateImageView");
@@ -240,7 +313,6 @@ Texture Resources::make_texture(const TextureDesc& desc) {
   texture.whole = view_of(0, desc.levels, desc.name);
   for (uint32_t level = 0; level < desc.levels; ++level)
     texture.levels.push_back(view_of(level, 1, fmt::format("{} level {}", desc.name, level)));
-  return texture;
 }
 
 void Resources::upload(Texture& texture, std::span<const std::vector<std::byte>> levels) {

@@ -20,6 +20,7 @@ class VulkanBackend final : public Backend {
   TextureId create_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels) override {
     return resources_.create_texture(desc, levels);
   }
+  PlacedTextures create_textures(std::span<const TransientDesc> descs) override { return resources_.create_textures(descs); }
   BufferId create_buffer(std::string name, BufferUse use, size_t size_bytes, std::span<const std::byte> data) override {
     return resources_.create_buffer(std::move(name), use, size_bytes, data);
   }
