@@ -52,7 +52,7 @@ std::optional<Price> next_price(const ChoiceSearch& known, const ChoiceSpace& sp
     const double gain = worst_error(then, "ssim") - worst_error(now, "ssim");
     if (gain <= least_gain) continue;
     const double ms = 0.01 * (worst_ms(then) - worst_ms(now)) / gain;
-    if (!cheapest || ms < cheapest->ms) cheapest = Price{other[effect], ms};
+    if (!cheapest || ms < cheapest->ms) cheapest = Price{other[effect], ms, gain};
   }
   return cheapest;
 }
