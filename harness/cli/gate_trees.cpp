@@ -4,21 +4,14 @@
 #include <limits>
 #include <set>
 
-#include "harness/cli/gate_process.h"
 #include "harness/cli/common.h"
+#include "harness/cli/gate_process.h"
 #include "harness/core/text.h"
 #include "harness/gate/identity.h"
 #include "harness/gate/verdict.h"
 
 namespace lamina {
 namespace {
-
-const VariantManifest* find_variant(const EffectManifest* effect, const std::string& name) {
-  if (!effect) return nullptr;
-  for (const VariantManifest& variant : effect->variants)
-    if (variant.name == name) return &variant;
-  return nullptr;
-}
 
 std::map<Api, Identity> identities(Tree& tree, const VariantManifest& variant, CodeHashes& hashes) {
   const Scene& scene = *tree.scene;
@@ -144,7 +137,9 @@ TreePair pair_trees(Library library_before, Library library_after, const GateOpt
     all.insert(all.end(), names.begin(), names.end());
     std::vector<VariantPair> pairs;
     for (const std::string& name : names) {
-      VariantPair pair{before, after, find_variant(before, name), find_variant(after, name), false, false, 0, ""};
+      VariantPair pair{.effect_before = before, .effect_after = after};
+      if (before) pair.before = before->variant(name);
+      if (after) pair.after = after->variant(name);
       if (!is_compared(pair.before ? *pair.before : *pair.after, options.compare)) continue;
       look_at_code(pair, trees.before, trees.after, hashes);
       pairs.push_back(std::move(pair));

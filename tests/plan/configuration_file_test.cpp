@@ -42,7 +42,7 @@ class ConfigurationFile : public ::testing::Test {
 TEST_F(ConfigurationFile, ComesBackAsItWasWritten) {
   const EffectManifest& layers = library_.effect("layered_material");
   EXPECT_EQ(configuration_of(plan_, {}).front(), &layers.baseline());
-  const VariantManifest& vertex_normal = *std::ranges::find(layers.variants, "vertex_normal", &VariantManifest::name);
+  const VariantManifest& vertex_normal = *layers.variant("vertex_normal");
   apply_configuration(plan_, file(configuration_text("a \"quoted\" scene.toml", library_, {&vertex_normal})));
   ASSERT_EQ(configuration_of(plan_, {}).size(), 1u);
   EXPECT_EQ(configuration_of(plan_, {}).front()->name, "vertex_normal") << "where another effect is compared";
@@ -51,7 +51,7 @@ TEST_F(ConfigurationFile, ComesBackAsItWasWritten) {
 
 TEST_F(ConfigurationFile, ParametersComeBackToo) {
   const EffectManifest& layers = library_.effect("layered_material");
-  const VariantManifest& declared = *std::ranges::find(layers.variants, "half_map", &VariantManifest::name);
+  const VariantManifest& declared = *layers.variant("half_map");
   const VariantManifest quarter = declared.with_defaults({{"map_scale", 0.25}});
   EXPECT_EQ(configuration_text("heart", library_, {&declared}).find("map_scale"), std::string::npos) << "a default";
   apply_configuration(plan_, file(configuration_text("heart", library_, {&quarter})));
