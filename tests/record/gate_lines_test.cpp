@@ -67,6 +67,16 @@ TEST_F(GateLines, AreReadBackExactly) {
   EXPECT_EQ(to_json(record.verdicts[0]), verdict());
 }
 
+TEST_F(GateLines, HoldWhatACauseNames) {
+  Json doubted = verdict();
+  doubted["cause"] = "arm_differs", doubted["details"] = {"slower"};
+  doubted["operations"] = {{{"operation", "exp"}, {"before", 1.0}, {"after", 2.0}}};
+  doubted["counts_hold"] = true;
+  const Record record = read({run(), doubted, gate()});
+  EXPECT_EQ(record.verdicts.at(0).cause, Cause::arm_differs);
+  EXPECT_EQ(nlohmann::json(to_json(record.verdicts.at(0))), nlohmann::json(doubted));
+}
+
 TEST_F(GateLines, WithoutAnyOneOfTheirFieldsAreRefused) {
   for (const Json& whole : {gate(), aa(), verdict()})
     for (const auto& [name, value] : whole.items()) {
@@ -95,6 +105,9 @@ TEST_F(GateLines, WithAWordOrTypeThatIsNoneOfThoseKnownAreRefused) {
   refused(verdict(), "ratio", 1.5);
   refused(verdict(), "ratio", {{"median", 1}});
   refused(verdict(), "sentence", nullptr);
+  refused(verdict(), "cause", "bad luck");
+  refused(verdict(), "details", {1});
+  refused(verdict(), "operations", {{{"operation", "exp"}, {"before", 1}}});
 }
 
 Json pairs() {
