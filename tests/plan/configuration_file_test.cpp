@@ -4,14 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "harness/core/error.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
 
-class ConfigurationFile : public ::testing::Test {
+class ConfigurationFile : public InFolder<> {
  protected:
   ConfigurationFile() : library_(load_library(LAMINA_SOURCE_DIR, effect_code())) {
     Object object;
@@ -20,11 +20,7 @@ class ConfigurationFile : public ::testing::Test {
     scene_.objects = {object};
     plan_ = make_plan(library_, scene_);
   }
-  std::filesystem::path file(const std::string& text) {
-    const std::filesystem::path path = ::testing::TempDir() + "/configuration.toml";
-    std::ofstream(path) << text;
-    return path;
-  }
+  std::filesystem::path file(const std::string& text) { return write("configuration.toml", text); }
   std::string refusal(const std::string& text) {
     try {
       apply_configuration(plan_, file(text));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines of a gate as the reader takes and refuses them, and the dates of a run.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "harness/core/error.h"
 #include "harness/record/record.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
@@ -29,13 +29,8 @@ Json verdict() {
           {"after", nullptr},  {"ratio", interval()}, {"limit", nullptr}, {"sentence", "slower"}};
 }
 
-class GateLines : public testing::Test {
+class GateLines : public InFolder<> {
  protected:
-  GateLines()
-      : file_(std::filesystem::temp_directory_path() /
-              (std::string("lamina_gate_lines_") + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
-               std::to_string(::getpid()))) {}
-  ~GateLines() override { std::filesystem::remove(file_); }
   Record read(const std::vector<Json>& lines) {
     {
       std::ofstream stream(file_);
@@ -54,7 +49,7 @@ class GateLines : public testing::Test {
     }
     ADD_FAILURE() << "accepted: " << lines.back();
   }
-  std::filesystem::path file_;
+  const std::filesystem::path file_ = folder_ / "record.jsonl";
 };
 
 TEST_F(GateLines, AreReadBackExactly) {

@@ -3,25 +3,19 @@
 #include "harness/record/kept_certificate.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "harness/core/text.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
 
 namespace fs = std::filesystem;
 
-class KeptCertificate : public testing::Test {
+class KeptCertificate : public InFolder<> {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("lamina_certificate_" + std::to_string(::getpid()));
-    fs::remove_all(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   // What is asked for now; counts how often it is measured.
   TimerRow ask(const DeviceInfo& device, bool holds = true) {
     return certified_timer(device, LAMINA_SOURCE_DIR "/shaders", folder_, [&] {
@@ -33,7 +27,6 @@ class KeptCertificate : public testing::Test {
   }
   fs::path file() const { return fs::directory_iterator(folder_)->path(); }
 
-  fs::path folder_;
   int measured_ = 0;
   const DeviceInfo device_{.backend = "vulkan", .device = "a", .driver = "1"};
 };
