@@ -73,11 +73,11 @@ TEST_F(BakeCache, DamagedFileIsMadeAgainWithAWarning) {
 }
 
 TEST_F(BakeCache, FolderThatCannotBeMadeIsAWarning) {
+  std::filesystem::remove(folder_);
   std::ofstream(folder_) << "a file stands here";
   const Result result = bake(scene_);
   EXPECT_EQ(result.apertures.size(), 3u);
   ASSERT_EQ(result.warnings.size(), 1u);
-  std::filesystem::remove(folder_);
 }
 
 TEST_F(BakeCache, ProgressRisesFromNothing) {
