@@ -126,6 +126,7 @@ TEST_P(Atmosphere, CostsNothingWhereThereIsNone) {
 TEST_P(Atmosphere, HazeAndOzoneAreFeaturesOnlyWhereTheyAre) {
   const Scene scene = sky(60, sun_at(40), {{"mie_amount", 0}, {"ozone_amount", 0}});
   const Plan plan = make_plan(library(), scene);
+  EXPECT_EQ(plan.of("atmosphere")->features.size(), 2u);
   for (const FeaturePlan& feature : plan.of("atmosphere")->features) EXPECT_FALSE(feature.on) << feature.define;
   EXPECT_LT(worst(picture(scene, "per_pixel", 8), truth(scene, 8), 1e-3f), 0.005);
 }

@@ -159,6 +159,7 @@ TEST_P(FogThickness, AnalyticHullsAgreeWithClosedForms) {
             {0, 0, 5}, {0, 0, 0}, 1.5);
   cases.add("in a sphere", {sphere_of_fog(1, {0, 0, 0})}, {0, 0, 0.5f}, {0, 0, -1}, 1.5);
   const std::vector<Thickness> found = thickness(cases.scene(), "analytic");
+  ASSERT_EQ(found.size(), cases.cases().size());
   for (size_t i = 0; i < found.size(); ++i)
     EXPECT_NEAR(found[i].middle_m(), cases.cases()[i].most_m, 3e-5) << cases.cases()[i].name << " " << i;
 }
