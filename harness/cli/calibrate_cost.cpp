@@ -157,11 +157,11 @@ Command add_calibrate(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "calibrate", "What each kind of work costs on this device: fitted to measured passes, and kept for predictions");
   command
-      .add_option("RECORD", options->records, "Runs to fit to (folders, or their record.jsonl); without, scenes are measured")
+      .add_option("RECORD", options->records, "Runs to fit to (folders, or their record.jsonl); default: scenes are measured")
       ->type_name(placeholder::record);
   command
       .add_option("--scene", options->scenes,
-                  "Only this scene (may be given again); without, built-in ones that call for every effect, each effect in one")
+                  "Only this scene (may be given again); default: built-in ones that call for every effect, each effect in one")
       ->type_name(placeholder::scene);
   add_out(command, measuring.out, "Folder for the runs, one a scene");
   add_backends(command, measuring);

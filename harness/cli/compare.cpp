@@ -288,9 +288,10 @@ Command add_compare(CLI::App& program) {
   add_backends(command, *options);
   add_variant(command, options->variants);
   add_size(command, *options);
-  command.add_flag("--quick", options->quick,
-                   "Stop sooner, at wider intervals: 5%, or 4 s a backend, unless --precision or --budget say otherwise; where "
-                   "an effect names variants for it, only these, unless --variant does");
+  command.add_flag(
+      "--quick", options->quick,
+      "Stop sooner: at intervals of 5%, or after 4 s a backend (--precision and --budget change that); compare only the "
+      "variants that an effect names for this, where it names any and --variant is not given");
   add_rounds(command, options->rounds, "a backend");
   CLI::Option* no_time = command.add_flag("!--no-time", options->times, "Counts, pictures and errors alone");
   command
@@ -312,7 +313,7 @@ Command add_compare(CLI::App& program) {
                                      "loads itself again; the first backend, "
                                      "no truth unless --truth-rays says so; Ctrl-C ends with the record")
                            ->excludes(against_all);
-  command.add_option("--view", options->views, "View that is watched; the first without (may be given again)")
+  command.add_option("--view", options->views, "View that is watched (may be given again; default: the first)")
       ->type_name(placeholder::view)
       ->needs(watch);
   command.add_flag("--timed", options->timed, "Time what is watched, within 1 s unless --budget says otherwise")

@@ -173,7 +173,7 @@ Command add_gate(CLI::App& program) {
       ->check(CLI::Range(1.0, 86400.0));
   command
       .add_option("--processes", options->processes,
-                  "Processes that measure on each backend; two where the budget is short, more where it lasts")
+                  "Processes that measure on each backend; fewer, but at least two, where the budget is short")
       ->capture_default_str()
       ->check(CLI::Range(2, 100));
   command
