@@ -186,8 +186,8 @@ std::vector<ProbedBackend> usable_backends(const CompareOptions& options) {
 }
 
 // A record with the run's line and the plan's.
-RecordWriter begin(const Compared& compared, const CompareOptions& options, const std::vector<ProbedBackend>& backends,
-                   const nlohmann::ordered_json& limits) {
+RecordWriter begin_run(const Compared& compared, const CompareOptions& options, const std::vector<ProbedBackend>& backends,
+                       const nlohmann::ordered_json& limits) {
   ShaderCache shaders(Api::vulkan, compared.library.shaders);
   const PlanRow planned = plan_row(compared.plan, compared.scene, shaders, options);
   nlohmann::ordered_json run = run_line(options, options.rounds, options.quick, compared.scene, backends);
@@ -235,7 +235,7 @@ int measure_costs(const Compared& compared, const CompareOptions& options) {
   pin_rasterizer_threads();
   WallTimes untold;
   const std::vector<ProbedBackend> backends = usable_backends(options);
-  RecordWriter record = begin(compared, options, backends, limit_settings(options.limits));
+  RecordWriter record = begin_run(compared, options, backends, limit_settings(options.limits));
   const std::unique_ptr<Bakes> bakes = baked(compared, options, record);
   const StopSignals signals(report_on_stop);
   run_backends(compared, Known::costs, backends, *bakes, options, record, untold);
@@ -255,7 +255,7 @@ int run_compare(const CompareOptions& given) {
   check_variant_names("compare", options.variants, variant_names(compared.effects));
   if (options.quick && options.variants.empty()) options.variants = quick_variants(compared.effects);
   const std::vector<ProbedBackend> backends = usable_backends(options);
-  RecordWriter record = begin(compared, options, backends, limits);
+  RecordWriter record = begin_run(compared, options, backends, limits);
   spent.loading = watch.elapsed_s();
   const std::unique_ptr<Bakes> bakes = baked(compared, options, record);
   spent.baking = watch.elapsed_s() - spent.loading;

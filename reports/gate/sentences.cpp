@@ -5,10 +5,10 @@
 
 #include <limits>
 
+#include "reports/gate/reading.h"
+
 namespace lamina {
 namespace {
-
-std::string percent(double ratio) { return fmt::format("{:+.1f}%", (ratio - 1) * 100); }
 
 // A record has null for what is infinite.
 double value_of(const std::optional<double>& figure) { return figure.value_or(std::numeric_limits<double>::infinity()); }
