@@ -316,7 +316,7 @@ PipelineId FrameBuilder::pipeline(const Repetition& repetition, const GraphDraw&
   const GraphPass& pass = repetition.pass;
   PipelineDesc desc;
   desc.name = label_of(pass, draw, true);
-  std::string key = fmt::format("{}|{}|{}", pass.variant->effect, pass.variant->name, pass.pass->where);
+  std::string key = fmt::format("{}|{}|{}", pass.variant->effect, pass.variant->name, pass.pass - pass.variant->passes.data());
   for (const auto& stage : draw.stages) {
     desc.stages.push_back({stage->stage, stage->spirv});
     key += fmt::format("|{}", static_cast<const void*>(stage.get()));

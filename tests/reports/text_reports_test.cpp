@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <sstream>
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "reports/words.h"
+#include "tests/folder.h"
 #include "tests/reports/example_record.h"
 
 namespace lamina {
@@ -297,9 +297,8 @@ TEST(AllReports, AreTheSameBytesTwiceAndSurviveAnEmptyRecord) {
 }
 
 TEST(WriteReports, LeavesThreeFilesBesideTheRecord) {
-  const auto folder = std::filesystem::temp_directory_path() / "lamina_write_reports_test";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  const Folder own;
+  const std::filesystem::path& folder = own.path();
   EXPECT_THROW(write_reports(folder), Error);
   const Record record = example_record(example_cells());
   {
@@ -312,7 +311,6 @@ TEST(WriteReports, LeavesThreeFilesBesideTheRecord) {
   EXPECT_EQ(read_file(folder / "summary.md", "test"), markdown_summary(record));
   EXPECT_EQ(read_file(folder / "cells.csv", "test"), cells_csv(record));
   EXPECT_EQ(read_file(folder / "index.html", "test"), html_report({record}));
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace
