@@ -8,6 +8,15 @@
 
 namespace lamina {
 
+std::optional<double> mean_level(const std::vector<uint64_t>& levels) {
+  double reads = 0, sum = 0;
+  for (size_t level = 0; level < levels.size(); ++level) {
+    reads += static_cast<double>(levels[level]);
+    sum += static_cast<double>(level) * static_cast<double>(levels[level]);
+  }
+  return reads > 0 ? std::optional(sum / reads) : std::nullopt;
+}
+
 CountedTexture counted_texture(std::string sampler, Filter filter, Format format, std::array<uint32_t, 3> size, uint32_t levels,
                                std::optional<uint32_t> level) {
   CountedTexture texture;

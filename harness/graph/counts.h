@@ -28,6 +28,9 @@ struct TextureFetches {
   std::vector<uint64_t> levels = {};
 };
 
+// The mean level of the reads that `levels` counts, as in TextureFetches; absent where there are none.
+std::optional<double> mean_level(const std::vector<uint64_t>& levels);
+
 // What a pass writes by one attachment, or by filling mips or copying.
 struct WrittenTexels {
   std::string format;   // "rgba16_float"
