@@ -268,6 +268,25 @@ TEST(CellsCsv, OperationsOfTheFrameByClass) {
   EXPECT_EQ(std::ranges::count(csv[0], "operations.sin"), 0) << "done once";
 }
 
+TEST(CellsCsv, FetchesOfTheFrameByKindAndLevel) {
+  std::vector<CellRow> cells = example_cells();
+  std::vector<TextureFetches>& textures = cells[0].passes[0].by_texture;
+  textures[0].unfiltered = 300, textures[0].dimensions = 2, textures[0].levels = {1300};
+  textures[1].unfiltered = 0, textures[1].dimensions = 3, textures[1].levels = {0, 0, 200};
+  PassRow once = cells[0].passes[0];
+  once.once = true;
+  cells[0].passes.push_back(once);
+  cells[1].passes[0].by_texture = {textures[0]};
+  cells[1].passes[0].by_texture[0].levels.clear();
+  const auto csv = parse_csv(cells_csv(example_record(cells)));
+  EXPECT_EQ(field(csv, 0, "fetches.unfiltered"), "300") << "without what is done once";
+  EXPECT_EQ(field(csv, 0, "fetches.3d"), "200");
+  EXPECT_NEAR(std::stod(field(csv, 0, "fetches.mean_level")), 400.0 / 1500, 1e-6);
+  EXPECT_EQ(field(csv, 1, "fetches.3d"), "0");
+  EXPECT_EQ(field(csv, 1, "fetches.mean_level"), "") << "not counted";
+  EXPECT_EQ(field(csv, 2, "fetches.unfiltered"), "") << "of a record of before";
+}
+
 TEST(CellsCsv, QuotesCommasQuotesAndNewlines) {
   std::vector<CellRow> cells = example_cells();
   cells[0].failed = true;
