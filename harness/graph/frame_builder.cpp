@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/graph/frame_builder.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 
 #include "harness/backend/common/shared_memory.h"
@@ -73,6 +71,7 @@ void FrameBuilder::build_sequence(PlannedSequence& planned, Frame::Sequence& seq
     for (; next < planned.passes.size() && planned.passes[next].step == step; ++next) {
       PlannedPass& pass = planned.passes[next];
       Pass ready = pass.pass;
+      ready.count_issued_fragments = frame_.build_ == Build::counting && !pass.prepares;
       for (size_t i = 0; i < ready.draws.size(); ++i) finish_draw({pass, into}, *pass.draws[i], pass.pass, ready.draws[i]);
       sequence.passes_by_view[0].push_back(std::move(ready));
       sequence.step_of_pass.push_back(step);
@@ -186,7 +185,7 @@ PipelineId FrameBuilder::pipeline(const Place& place, const GraphDraw& draw, con
   const GraphPass& pass = place.pass();
   PipelineDesc desc;
   desc.name = pass_label(pass, draw, scene_, true);
-  std::string key = fmt::format("{}|{}|{}", pass.variant->effect, pass.variant->name, pass.pass->where);
+  std::string key = fmt::format("{}|{}|{}", pass.variant->effect, pass.variant->name, pass.pass - pass.variant->passes.data());
   for (const auto& stage : draw.stages) {
     desc.stages.push_back({stage->stage, stage->spirv});
     key += fmt::format("|{}", static_cast<const void*>(stage.get()));
@@ -205,10 +204,14 @@ PipelineId FrameBuilder::pipeline(const Place& place, const GraphDraw& draw, con
     for (const BindingSlot& slot : desc.bindings) binding = std::max(binding, slot.binding + 1);
     desc.bindings.push_back({binding, BindingKind::storage_buffer});
     command.buffers.push_back({binding, {}, BindingKind::storage_buffer});
-    // Its counters are built in, and they count by format and filter: draws and repetitions that are alike in these share both.
-    for (size_t read = 0; read < draw.reads.size(); ++read)
-      key += fmt::format("|{}", fmt::join(words_of(draw, command, read), ","));
-    if (!pipelines_.contains(key)) count(place, draw, command, binding, desc);
+    // Its counters are built in, and they count by format, filter, size and level: draws and repetitions that are alike in
+    // these share both.
+    std::map<uint32_t, CountedTexture> textures;
+    for (size_t read = 0; read < draw.reads.size(); ++read) {
+      const CountedTexture& texture = textures[draw.reads[read].binding] = counted_texture(draw, command, read);
+      key += "|" + key_of(texture);
+    }
+    if (!pipelines_.contains(key)) count(place, draw, binding, textures, desc);
   }
   std::sort(desc.bindings.begin(), desc.bindings.end());
   desc.bindings.erase(std::unique(desc.bindings.begin(), desc.bindings.end()), desc.bindings.end());
@@ -219,27 +222,30 @@ PipelineId FrameBuilder::pipeline(const Place& place, const GraphDraw& draw, con
   return id;
 }
 
-std::array<std::string, 3> FrameBuilder::words_of(const GraphDraw& draw, const Draw& command, size_t read) {
-  const Source& source = draw.reads[read].source;
-  const auto image = resources_.image_of(source, draw.object);
-  const Format format = image ? image->format : frame_.made_.targets.at(command.textures[read].texture).format;
-  return {draw.reads[read].sampler, std::string(name_of(format)), std::string(name_of(source.sampler.filter))};
+CountedTexture FrameBuilder::counted_texture(const GraphDraw& draw, const Draw& command, size_t read) {
+  const auto& [binding, sampler, source] = draw.reads[read];
+  const TextureBinding& bound = command.textures[read];
+  const Filter filter = source.sampler.filter;
+  if (const auto image = resources_.image_of(source, draw.object))
+    return lamina::counted_texture(sampler, filter, image->format, {image->width, image->height, image->depth},
+                                   static_cast<uint32_t>(image->levels.size()), bound.level);
+  const TextureDesc& target = frame_.made_.targets.at(bound.texture);
+  return lamina::counted_texture(sampler, filter, target.format, {target.width, target.height, 1}, target.levels, bound.level);
 }
 
-void FrameBuilder::count(const Place& place, const GraphDraw& draw, const Draw& command, uint32_t binding, PipelineDesc& desc) {
+void FrameBuilder::count(const Place& place, const GraphDraw& draw, uint32_t binding,
+                         const std::map<uint32_t, CountedTexture>& textures, PipelineDesc& desc) {
   Frame::Step& step = place.step;
+  CountingLayout layout{.binding = binding};
+  for (const auto& [at, texture] : textures) layout.textures[at] = texture.leveled;
   for (size_t i = 0; i < draw.stages.size(); ++i) {
     const CompiledShader& shader = *draw.stages[i];
-    const uint32_t coverage = shader.stage == Stage::fragment ? step.coverage_word : 0;
-    CountingShader counting = add_counters(shader, backend_.info().api, {binding, next_word_, coverage});
-    Frame::Counted& counted =
-        step.counted.emplace_back(Frame::Counted{shader.stage, next_word_, {}, {}, counting.early_fragment_tests});
+    layout.first_word = next_word_;
+    layout.coverage_word = shader.stage == Stage::fragment ? step.coverage_word : 0;
+    CountingShader counting = add_counters(shader, backend_.info().api, layout);
     next_word_ += counting.words();
-    for (size_t read = 0; read < draw.reads.size(); ++read) {
-      const auto [sampler, format, filter] = words_of(draw, command, read);
-      counted.textures[draw.reads[read].binding] = {sampler, format, filter, 0};
-    }
-    counted.work = std::move(counting.work);
+    step.counted.push_back(
+        {shader.stage, layout.first_word, textures, std::move(counting.work), counting.early_fragment_tests});
     desc.stages[i].spirv = std::move(counting.spirv);
   }
 }

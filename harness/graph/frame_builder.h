@@ -34,9 +34,9 @@ class FrameBuilder {
   void bind_block(const Place& place, const GraphDraw& draw, const ShaderResource& block, Draw& command);
   BufferId buffer(const GraphPass& pass, const GraphDraw& draw, const ResolvedBuffer& buffer);
   PipelineId pipeline(const Place& place, const GraphDraw& draw, const Pass& into, Draw& command);
-  // The draw's sampler, and the format and filter of what it reads there.
-  std::array<std::string, 3> words_of(const GraphDraw& draw, const Draw& command, size_t read);
-  void count(const Place& place, const GraphDraw& draw, const Draw& command, uint32_t binding, PipelineDesc& desc);
+  CountedTexture counted_texture(const GraphDraw& draw, const Draw& command, size_t read);
+  void count(const Place& place, const GraphDraw& draw, uint32_t binding, const std::map<uint32_t, CountedTexture>& textures,
+             PipelineDesc& desc);
   void give_counters(Frame::Step& step, size_t first_pass, Frame::Sequence& sequence);
 
   Frame& frame_;

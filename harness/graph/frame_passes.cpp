@@ -74,9 +74,12 @@ class PassPlanner {
     }
   }
 
-  void push(const Repetition& repetition, Pass pass, std::vector<const GraphDraw*> draws = {}) {
-    repetition.sequence.passes.push_back({std::move(pass), &repetition.pass, std::move(draws),
-                                          repetition.sequence.steps.size() - 1, repetition.index, repetition.count});
+  PlannedPass& push(const Repetition& repetition, Pass pass) {
+    PlannedPass& planned = repetition.sequence.passes.emplace_back();
+    planned.pass = std::move(pass), planned.of = &repetition.pass;
+    planned.step = repetition.sequence.steps.size() - 1;
+    planned.repetition = repetition.index, planned.repetitions = repetition.count;
+    return planned;
   }
 
   // Draws of one backend pass: all objects of a view, or one thing's.
@@ -96,7 +99,7 @@ class PassPlanner {
       drawn.push_back(&draws[i]);
     }
     into.count_samples = manifest.until_empty;
-    push(repetition, std::move(into), std::move(drawn));
+    push(repetition, std::move(into)).draws = std::move(drawn);
     for (FrameTarget* target : turning) target->current = 1 - target->current;
     PlannedSequence::Step& step = repetition.sequence.steps.back();
     step.turns = step.turns || !turning.empty();
@@ -117,7 +120,7 @@ class PassPlanner {
         cleared.depth = Attachment{target.buffers[target.current], 0, Load::clear, {1, 0, 0, 0}};
       else
         cleared.colors.push_back({target.buffers[target.current], 0, Load::clear, {around.r, around.g, around.b, 0}});
-      push(repetition, std::move(cleared));
+      push(repetition, std::move(cleared)).prepares = true;
     }
   }
 
@@ -145,7 +148,7 @@ class PassPlanner {
           before.depth = cleared;
         else
           before.colors.push_back(cleared);
-        push(repetition, std::move(before));
+        push(repetition, std::move(before)).prepares = true;
       }
       target.written = true;
       if (depth || manifest.draw != DrawKind::objects || manifest.clear) continue;
@@ -153,7 +156,7 @@ class PassPlanner {
       copy.name = label;
       copy.kind = PassKind::copy;
       copy.copy_from = now, copy.copy_to = next;
-      push(repetition, std::move(copy));
+      push(repetition, std::move(copy)).prepares = true;
     }
   }
 

@@ -25,6 +25,7 @@ struct PlannedPass {
   std::vector<const GraphDraw*> draws;  // beside pass.draws
   size_t step = 0;
   uint32_t repetition = 0, repetitions = 1;
+  bool prepares = false;  // it clears or copies before the pass itself, and draws nothing
 };
 
 // The passes done once, or those of each frame. A step is one of the graph's.

@@ -7,17 +7,16 @@
 
 #include "tests/builtin_library.h"
 #include "tests/graph/drawn_frame.h"
+#include "tests/open_backend.h"
 
 namespace lamina {
 
 class EachBackend : public testing::TestWithParam<std::string_view> {
  protected:
   void SetUp() override {
-    try {
-      backend_ = open_backend(GetParam(), {"", true});
-    } catch (const Error& error) {
-      GTEST_SKIP() << error.what();
-    }
+    std::string missing;
+    backend_ = open_or_say(GetParam(), missing, {.device = "", .validation = true});
+    if (!backend_) GTEST_SKIP() << missing;
   }
   void TearDown() override {
     if (!backend_) return;
@@ -27,8 +26,11 @@ class EachBackend : public testing::TestWithParam<std::string_view> {
   const Library& library() { return builtin_library(); }
   const VariantManifest& variant(std::string_view name) {
     for (const EffectManifest& effect : library().effects)
-      for (const VariantManifest& candidate : effect.variants)
-        if (candidate.name == name) return candidate;
+      if (const VariantManifest* found = effect.variant(name)) return *found;
+    throw std::runtime_error("no such variant");
+  }
+  static const VariantManifest& named_in(const EffectManifest& effect, std::string_view name) {
+    if (const VariantManifest* found = effect.variant(name)) return *found;
     throw std::runtime_error("no such variant");
   }
   // The picture of view 0 by a variant.

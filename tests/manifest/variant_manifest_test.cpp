@@ -1,46 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // Manifests: what the built-in ones say, and that every mistake in a user's own is one message with file, line and what to do.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "harness/manifest/library.h"
+#include "tests/manifest/user_folder.h"
 
 namespace lamina {
 namespace {
 
 namespace fs = std::filesystem;
 
-class UserVariant : public testing::Test {
+class UserVariant : public UserFolder {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("lamina_manifest_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
   // What loading with this manifest says; "" when it loads.
   std::string refusal(const std::string& text) {
     write("mine.toml", text);
-    try {
-      load_library(LAMINA_SOURCE_DIR, effect_code(), {folder_});
-      return "";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::bad_input);
-      return error.what();
-    }
+    return loading_says();
   }
-  fs::path folder_;
 };
 
 const std::string head = "[variant]\nname = \"mine\"\neffect = \"layered_material\"\n";
 const std::string pass =
     "[[pass]]\nname = \"composite\"\ndraw = \"objects\"\nvertex = \"common/object.vert\"\nfragment = "
     "\"surface/lambert.frag\"\nwrite = [\"frame\"]\n";
-
-#define EXPECT_SAYS(text, words) EXPECT_NE((text).find(words), std::string::npos) << (text)
 
 TEST(BuiltinVariants, BaselineComesFirst) {
   const Library library = load_library(LAMINA_SOURCE_DIR, effect_code());
@@ -50,8 +34,9 @@ TEST(BuiltinVariants, BaselineComesFirst) {
   const auto by_name = [](const VariantManifest& a, const VariantManifest& b) { return a.name < b.name; };
   EXPECT_TRUE(std::is_sorted(effect.variants.begin() + 1, effect.variants.end(), by_name))
       << "the others by their files' names";
-  const auto taps = std::ranges::find(effect.variants, "normal_map_taps", &VariantManifest::name);
-  ASSERT_NE(taps, effect.variants.end());
+  EXPECT_EQ(effect.variant("normal_map_tap"), nullptr);
+  const VariantManifest* taps = effect.variant("normal_map_taps");
+  ASSERT_NE(taps, nullptr);
   EXPECT_EQ(taps->targets.size(), 0u) << "the first optimization has no off-screen target";
 }
 
