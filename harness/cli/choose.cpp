@@ -16,12 +16,11 @@
 #include "harness/cli/drawn_options.h"
 #include "harness/core/text.h"
 #include "harness/plan/configuration_file.h"
-#include "harness/record/kept_certificate.h"
+#include "harness/record/pending_certificate.h"
 #include "harness/sweep/answers.h"
 
 namespace lamina {
 namespace {
-
 
 struct ChooseOptions : CellOptions {
   std::string budget;               // "4ms"

@@ -18,7 +18,7 @@
 #include "harness/core/stop_signals.h"
 #include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
-#include "harness/record/kept_certificate.h"
+#include "harness/record/pending_certificate.h"
 #include "harness/sweep/answers.h"
 #include "reports/frontier.h"
 #include "reports/reports.h"
@@ -76,6 +76,47 @@ void append_rows_so_far(const EffectRun& run, RecordWriter& record) {
   }
 }
 
+// The certificate of a backend's timer. What stays open goes on between the rounds of the first effect that is timed, and is
+// settled after them: whether there are times is known before the effect's rows are written.
+class BackendTimer {
+ public:
+  BackendTimer(Backend& backend, const std::filesystem::path& shaders, const CompareOptions& options, RecordWriter& record,
+               WallTimes& spent)
+      : certificate_(backend, shaders, options.cache, options.rounds.stop), record_(record), spent_(spent) {
+    const Stopwatch watch;
+    certificate_.measure_alone(certificate_alone_s);
+    spent_.certifying += watch.elapsed_s();
+    if (!certificate_.is_open()) write();
+  }
+  bool is_open() const { return !is_written_; }
+  bool may_be_good() const { return is_open() || certificate_.row().ok; }
+  std::function<void()> beside() {
+    if (!is_open()) return {};
+    return [this] {
+      const Stopwatch watch;
+      certificate_.run_round();
+      spent_.certifying += watch.elapsed_s();
+    };
+  }
+  // Returns whether times count.
+  bool settle() {
+    const Stopwatch watch;
+    if (is_open()) certificate_.measure_alone(certificate_most_s), write();
+    spent_.certifying += watch.elapsed_s();
+    return certificate_.row().ok;
+  }
+
+ private:
+  void write() {
+    record_.append(to_json(certificate_.row()));
+    is_written_ = true;
+  }
+  PendingCertificate certificate_;
+  RecordWriter& record_;
+  WallTimes& spent_;
+  bool is_written_ = false;
+};
+
 // One backend: certificate where times are wanted, then each effect, which is taken off `effects` when its rows are in the
 // record. Appends every row as it is finished. Returns how many messages the API's checker had.
 size_t run_backend(const std::string& name, const Scene& scene, const Library& library, const Plan& plan,
@@ -83,29 +124,30 @@ size_t run_backend(const std::string& name, const Scene& scene, const Library& l
                    RecordWriter& record, WallTimes& spent) {
   const std::unique_ptr<Backend> backend = open_backend(name, {options.device, options.validation});
   Progress progress(name);
-  bool timed = options.times;
+  std::optional<BackendTimer> timer;
   if (options.times) {
     progress.show(0, "certifying the timer");
-    const Stopwatch watch;
-    const TimerRow timer = certified_timer(*backend, library.shaders, options.cache);
-    spent.certifying += watch.elapsed_s();
-    record.append(to_json(timer));
-    timed = timer.ok;
+    timer.emplace(*backend, library.shaders, options, record, spent);
   }
   SceneResources resources(*backend, scene, library, options.width_px, options.height_px, &bakes);
   const std::optional<CostModel> cost_model = kept_cost_model(options.cache, name, backend->info().device);
   const SceneOnDevice there{&scene, &plan, &bakes, &resources};
   ShaderCache shaders(backend->info().api, library.shaders);
+  double timed_s = 0;
   while (!effects.empty()) {
     const EffectManifest* effect = effects.front();
     EffectRun run(*backend, *effect, shaders, options, "images", progress.tell_or_stop());
-    run.start(there, {.timed = timed});
+    run.start(there, {.timed = timer && timer->may_be_good()});
+    RoundOptions wanted = options.rounds;
+    if (timer) wanted.beside = timer->beside();
+    wanted.budget_s = std::max(0.0, options.rounds.budget_s - timed_s) / static_cast<double>(effects.size());
     RoundsResult rounds;
     try {
       run.prepare();
       run.count();
       if (!options.only_costs()) run.score();
-      rounds = run.time(options.rounds);
+      rounds = run.time(wanted);
+      if (timer && rounds.rounds > 0 && !timer->settle()) run.forget_times(), rounds = {};
     } catch (const StopRequested&) {
       append_rows_so_far(run, record);
       throw;
@@ -116,12 +158,14 @@ size_t run_backend(const std::string& name, const Scene& scene, const Library& l
     spent.drawing += (run.spent().device - rounds.wall_ms + run.spent().read_back) / 1000;
     spent.errors += run.spent().metrics / 1000;
     spent.timing += rounds.wall_ms / 1000;
+    timed_s += rounds.wall_ms / 1000;
     effects.erase(effects.begin());
     if (!(rounds.device_ms > 0)) continue;
     record.append(to_json(PhaseRow{name, effect->name, rounds.rounds, rounds.wall_ms, rounds.device_ms}));
     fmt::print("{}: {} rounds of {} in {:.1f} s, {:.3f} times the device time measured\n", name, rounds.rounds, effect->name,
                rounds.wall_ms / 1000, rounds.wall_ms / rounds.device_ms);
   }
+  if (timer) timer->settle();  // nothing was timed
   const std::vector<std::string> messages = backend->take_messages();
   for (const std::string& message : messages) fmt::print(stderr, "lamina: {}: {}\n", name, message);
   return messages.size();

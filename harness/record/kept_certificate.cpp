@@ -11,7 +11,6 @@
 
 #include "harness/core/disk_cache.h"
 #include "harness/core/text.h"
-#include "harness/measure/timer_certificate.h"
 #include "harness/record/record.h"
 
 namespace lamina {
@@ -33,28 +32,36 @@ std::string cache_key(const DeviceInfo& info, const std::filesystem::path& shade
 
 }  // namespace
 
-TimerRow certified_timer(const DeviceInfo& device, const std::filesystem::path& shaders, const std::filesystem::path& cache,
-                         const std::function<TimerRow()>& measure) {
-  DiskCache kept(cache);
-  const std::string key = cache_key(device, shaders);
-  if (const std::optional<std::string> bytes = kept.find(key)) {
-    try {
-      const nlohmann::json there = nlohmann::json::parse(*bytes);
-      TimerRow row = row_of<TimerRow>(there.at("timer"), kept.file_of(key).string());
-      row.age_s = now_s() - there.at("measured_at_s").get<double>();
-      if (row.ok && *row.age_s >= 0 && *row.age_s < max_age_s) return row;
-    } catch (const std::exception&) {
-      // of another release: measured again
-    }
+CertificateCache::CertificateCache(const DeviceInfo& device, const std::filesystem::path& shaders, std::filesystem::path cache)
+    : cache_(std::move(cache)), key_(cache_key(device, shaders)) {}
+
+std::optional<TimerRow> CertificateCache::find() const {
+  DiskCache kept(cache_);
+  const std::optional<std::string> bytes = kept.find(key_);
+  if (!bytes) return std::nullopt;
+  try {
+    const nlohmann::json there = nlohmann::json::parse(*bytes);
+    TimerRow row = row_of<TimerRow>(there.at("timer"), kept.file_of(key_).string());
+    row.age_s = now_s() - there.at("measured_at_s").get<double>();
+    if (row.ok && *row.age_s >= 0 && *row.age_s < max_age_s) return row;
+  } catch (const std::exception&) {
+    // of another release: measured again
   }
-  const TimerRow row = measure();
-  if (row.ok) kept.keep(key, nlohmann::ordered_json{{"measured_at_s", now_s()}, {"timer", to_json(row)}}.dump());
-  return row;
+  return std::nullopt;
 }
 
-TimerRow certified_timer(Backend& backend, const std::filesystem::path& shaders, const std::filesystem::path& cache,
-                         double max_s) {
-  return certified_timer(backend.info(), shaders, cache, [&] { return certify_timer(backend, shaders, max_s); });
+void CertificateCache::keep(const TimerRow& row) const {
+  DiskCache kept(cache_);
+  if (row.ok) kept.keep(key_, nlohmann::ordered_json{{"measured_at_s", now_s()}, {"timer", to_json(row)}}.dump());
+}
+
+TimerRow certified_timer(const DeviceInfo& device, const std::filesystem::path& shaders, const std::filesystem::path& cache,
+                         const std::function<TimerRow()>& measure) {
+  const CertificateCache kept(device, shaders, cache);
+  if (const std::optional<TimerRow> row = kept.find()) return *row;
+  const TimerRow row = measure();
+  kept.keep(row);
+  return row;
 }
 
 }  // namespace lamina

@@ -4,19 +4,30 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 #include "harness/backend/backend.h"
 #include "harness/record/timer_row.h"
 
 namespace lamina {
 
-// The certificate that was kept within a day on this machine for this device, driver and number of threads: its age_s says so.
-// Else `measure`'s, which is kept where it holds: one that failed is never kept. `cache`: a folder; empty: nothing is kept.
-// `shaders`: the folder of the built-in shaders.
+// `cache`: a folder; empty: nothing is kept. `shaders`: the folder of the built-in shaders.
+class CertificateCache {
+ public:
+  CertificateCache(const DeviceInfo& device, const std::filesystem::path& shaders, std::filesystem::path cache);
+
+  // The one that was kept within a day on this machine for this device, driver and number of threads: its age_s says so.
+  std::optional<TimerRow> find() const;
+  // Where it holds: one that failed is never kept.
+  void keep(const TimerRow& row) const;
+
+ private:
+  std::filesystem::path cache_;
+  std::string key_;
+};
+
+// The one that is kept, else `measure`'s, which is then kept.
 TimerRow certified_timer(const DeviceInfo& device, const std::filesystem::path& shaders, const std::filesystem::path& cache,
                          const std::function<TimerRow()>& measure);
-// Measured by certify_timer() within `max_s` seconds or a little more.
-TimerRow certified_timer(Backend& backend, const std::filesystem::path& shaders, const std::filesystem::path& cache,
-                         double max_s = 90);
 
 }  // namespace lamina

@@ -112,7 +112,7 @@ TEST(Pairs, EqualFramesThatDifferTakeTheTrustAway) {
   EXPECT_EQ(report.same_arms.front().verdict, Verdict::slower);
   EXPECT_EQ(find(report, "large")->verdict, Verdict::ambiguous);
   EXPECT_NE(find(report, "large")->sentence.find("no time is believed"), std::string::npos);
-  EXPECT_EQ(report.undecided, std::set<std::string>{"vulkan"});
+  EXPECT_EQ(report.undecided, (std::set<TimedCell>{{"vulkan", "layered_material", "light_map"}}));
 }
 
 TEST(Pairs, TimesOfZeroAreRefused) {
