@@ -2,6 +2,7 @@
 // Cells as comma-separated values (Shafranovich, "Common Format and MIME Type for CSV Files", RFC 4180, 2005).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -39,6 +40,30 @@ std::map<std::string, uint64_t> operations_of_frame(const CellRow& cell) {
   return sum;
 }
 
+// Of the fetches of a frame: what `count` takes of each texture's; nothing where some texture does not tell.
+std::string fetches_of_frame(const CellRow& cell, std::optional<uint64_t> (*count)(const TextureFetches&)) {
+  uint64_t sum = 0;
+  for (const PassRow& pass : cell.passes)
+    for (const TextureFetches& texture : pass.by_texture) {
+      if (pass.once) continue;
+      const std::optional<uint64_t> counted = count(texture);
+      if (!counted) return "";
+      sum += *counted;
+    }
+  return cell.fetches ? csv_words(sum) : "";
+}
+std::string mean_level_of_frame(const CellRow& cell) {
+  std::vector<uint64_t> sum;
+  for (const PassRow& pass : cell.passes)
+    for (const TextureFetches& texture : pass.by_texture) {
+      if (pass.once) continue;
+      if (texture.levels.empty() && texture.fetches > 0) return "";
+      sum.resize(std::max(sum.size(), texture.levels.size()));
+      for (size_t level = 0; level < texture.levels.size(); ++level) sum[level] += texture.levels[level];
+    }
+  return csv_words(mean_level(sum));
+}
+
 // Whether a column is a time of the device, which only a good certificate lets out.
 struct CsvColumn {
   const char* name;
@@ -68,6 +93,15 @@ constexpr CsvColumn csv_columns[] = {
     {"ratio_to_baseline.coverage", in_cell<&CellRow::ratio_to_baseline, &Interval::coverage>, true},
     {"fetches", of_cell<&CellRow::fetches>},
     {"fetches_per_pixel", of_cell<&CellRow::fetches_per_pixel>},
+    {"fetches.unfiltered",
+     [](const CellRow& cell) { return fetches_of_frame(cell, [](const TextureFetches& of) { return of.unfiltered; }); }},
+    {"fetches.3d",
+     [](const CellRow& cell) {
+       return fetches_of_frame(cell, [](const TextureFetches& of) {
+         return of.dimensions ? std::optional(*of.dimensions == 3 ? of.fetches : 0) : std::nullopt;
+       });
+     }},
+    {"fetches.mean_level", mean_level_of_frame},
     {"error.baseline.psnr_db", in_cell<&CellRow::error_covered, &ErrorFigures::psnr_db>},
     {"error.baseline.ssim", in_cell<&CellRow::error_covered, &ErrorFigures::ssim>},
     {"error.baseline.flip", in_cell<&CellRow::error_covered, &ErrorFigures::flip>},

@@ -34,7 +34,7 @@ bool within_bounds(const FunctionRow& row) {
   if (!row.bounds || !row.max_over) return true;
   const FunctionBounds& bounds = *row.bounds;
   return *row.max_over <= bounds.over && *row.max_under >= bounds.under &&
-         (!bounds.eps_kappa || *row.most_eps_kappa <= *bounds.eps_kappa);
+         (!bounds.eps_kappa || *row.max_eps_kappa <= *bounds.eps_kappa);
 }
 
 // What no value may be.
@@ -119,8 +119,8 @@ std::vector<std::string> function_set_cells(const FunctionRow& row) {
           words_for_error(row.max_under, 3),
           words_for_error(row.mean_absolute, 2),
           words_for_error(row.rms, 2),
-          words_for_error(row.most_eps, 3),
-          words_for_error(row.most_eps_kappa, 3),
+          words_for_error(row.max_eps, 3),
+          words_for_error(row.max_eps_kappa, 3),
           std::to_string(row.negative),
           std::to_string(row.nonfinite),
           std::to_string(row.not_zero),

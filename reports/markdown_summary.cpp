@@ -5,6 +5,7 @@
 #include "reports/functions.h"
 #include "reports/gate/gate.h"
 #include "reports/gate/reading.h"
+#include "reports/gate/sentences.h"
 #include "reports/markdown.h"
 #include "reports/sweep/sweep_text.h"
 
@@ -81,7 +82,7 @@ std::string gate_section(const Record& record) {
   std::string text = "\n## What the gate found\n\n" + markdown_table(verdicts_table(reading));
   text += "\n";
   for (const GateReading::Rows& rows : {reading.regressed, reading.ambiguous, reading.not_compared})
-    for (const auto* row : rows) text += fmt::format("- {}\n", escaped_markdown(row->sentence));
+    for (const auto* row : rows) text += fmt::format("- {}\n", escaped_markdown(sentence_of(*row)));
   return text;
 }
 

@@ -22,8 +22,16 @@ PassSummary::Share& share_of(PassSummary& pass, const TextureFetches& fetched) {
     return share.texture == fetched.texture && share.format == fetched.format && share.filter == fetched.filter;
   });
   if (known != pass.shares.end()) return *known;
-  return pass.shares.emplace_back(
-      PassSummary::Share{.texture = fetched.texture, .format = fetched.format, .filter = fetched.filter});
+  return pass.shares.emplace_back(PassSummary::Share{
+      .texture = fetched.texture, .format = fetched.format, .filter = fetched.filter, .is_3d = fetched.dimensions == 3});
+}
+
+void add_fetched(PassSummary::Share& share, const TextureFetches& fetched) {
+  const bool known = share.fetches == 0 || !share.levels.empty();  // so far
+  share.fetches += fetched.fetches;
+  if (!known || (fetched.levels.empty() && fetched.fetches > 0)) return share.levels.clear();
+  share.levels.resize(std::max(share.levels.size(), fetched.levels.size()));
+  for (size_t level = 0; level < fetched.levels.size(); ++level) share.levels[level] += fetched.levels[level];
 }
 
 PassSummary::Line& line_of(PassSummary& pass, const LineRow& row) {
@@ -72,7 +80,7 @@ std::vector<PassSummary> summarize_passes(const Record& record) {
       pass.fragments += static_cast<double>(row.fragments.value_or(0));
       sum.fetches += fetches;
       sum.covered_pixels += static_cast<double>(cell.covered_pixels.value_or(0));
-      for (const TextureFetches& fetched : row.by_texture) share_of(pass, fetched).fetches += fetched.fetches;
+      for (const TextureFetches& fetched : row.by_texture) add_fetched(share_of(pass, fetched), fetched);
       for (const auto& [operation, times] : row.operations) pass.operations[operation] += static_cast<double>(times);
       for (const LineRow& line : row.lines) {
         PassSummary::Line& of = line_of(pass, line);
@@ -135,7 +143,9 @@ std::string words_for_fragments(const PassSummary& pass) {
 }
 
 std::string words_for_share(const PassSummary::Share& share) {
-  return fmt::format("{} ({}, {}) {:.1f}/px", share.texture, share.format, share.filter, share.per_pixel);
+  const std::optional<double> level = mean_level(share.levels);
+  return fmt::format("{} ({}, {}{}) {:.1f}/px{}", share.texture, share.format, share.filter, share.is_3d ? ", 3D" : "",
+                     share.per_pixel, level ? fmt::format(", level {:.1f}", *level) : "");
 }
 
 std::string words_for_line(const PassSummary::Line& line) {
@@ -149,7 +159,8 @@ Table passes_table(const std::vector<PassSummary>& passes) {
   Table table = {
       .caption =
           "Means over views; fetches and operations per pixel that the effect covers; ns per fetch: the pass's whole time over "
-          "its fetches; dearest lines: by the sum of their shares of the pass's operations and fetches",
+          "its fetches; level: the mean of the mip levels that fetches read; dearest lines: by the sum of their shares of the "
+          "pass's operations and fetches",
       .columns = {words_column("variant"), words_column("backend"), words_column("pass"), words_column("done"),
                   figures_column("ms"), figures_column("fragments"), figures_column("fetches/px"), figures_column("ns/fetch"),
                   words_column("by texture, format and filter"), figures_column("operations/px"), words_column("by class"),

@@ -76,8 +76,10 @@ std::string costliest_assumption(const CellRow& cell);
 struct PassSummary {
   struct Share {
     std::string texture, format, filter;
-    uint64_t fetches = 0;  // over all views
-    double per_pixel = 0;  // fetches / covered pixels
+    bool is_3d = false;
+    uint64_t fetches = 0;          // over all views
+    double per_pixel = 0;          // fetches / covered pixels
+    std::vector<uint64_t> levels;  // how often each was read, over all views; empty where some view's are not known
   };
   struct Line {
     std::string file;
@@ -100,7 +102,7 @@ struct PassSummary {
 std::vector<PassSummary> summarize_passes(const Record& record);
 Table passes_table(const std::vector<PassSummary>& passes);
 std::string words_for_fragments(const PassSummary& pass);      // "5210", or "5210, hidden ones too"
-std::string words_for_share(const PassSummary::Share& share);  // "light_map (rgba16_float, linear) 13.0/px"
+std::string words_for_share(const PassSummary::Share& share);  // "light_map (rgba16_float, linear) 13.0/px, level 1.5"
 std::string words_for_line(const PassSummary::Line& line);     // "fog/sum.frag:12 8.0 operations/px, 1.0 fetches/px"
 // The kind of work that a class of operations belongs to, as charts group them: "add" is "add, multiply".
 std::string_view operation_group(std::string_view operation);

@@ -46,7 +46,8 @@ struct DeviceInfo {
   bool half_floats = false;                               // they compute with 16-bit floats
   bool doubles = false;                                   // with 64-bit floats
   bool exact_sample_counts = false;                       // `until_empty` needs them
-  uint32_t timestamp_bits = 0;                            // of a timestamp, that count; 0: no pass can be timed
+  bool issued_fragment_counts = false;  // it tells how many fragments it shades, those at triangles' edges too
+  uint32_t timestamp_bits = 0;          // of a timestamp, that count; 0: no pass can be timed
 };
 
 // A device that is there, but lacks what Lamina needs.
@@ -176,19 +177,24 @@ struct Pass {
   // Of a raster pass: count the samples that its draws cover and that pass the depth test, or all that they cover where a
   // pipeline tests none; those that a shader discards do not count.
   bool count_samples = false;
+  // Of a raster pass: count the fragments that the device runs its shaders for, in the blocks in which it runs them: those
+  // beyond a triangle's edge too. What a block is, the device decides.
+  bool count_issued_fragments = false;
   // Of a raster pass: only these pixels are loaded, cleared and drawn; what the others hold stays. Absent: all. It must lie
   // inside the targets.
   std::optional<Area> area;
 };
 
 inline bool counts_samples(const Pass& pass) { return pass.kind == PassKind::raster && pass.count_samples; }
+inline bool counts_issued_fragments(const Pass& pass) { return pass.kind == PassKind::raster && pass.count_issued_fragments; }
 
 enum class Timing : uint8_t { off, bracketed };
 
 struct RunTimes {
-  std::vector<double> pass_ms;    // device time of each pass; empty where timing was off
-  std::vector<uint64_t> samples;  // that each pass has counted, 0 where it did not ask; empty where none asked
-  double wall_ms = 0;             // host clock, from before the first command to the device's idle
+  std::vector<double> pass_ms;             // device time of each pass; empty where timing was off
+  std::vector<uint64_t> samples;           // that each pass has counted, 0 where it did not ask; empty where none asked
+  std::vector<uint64_t> issued_fragments;  // likewise; empty too where the device does not tell
+  double wall_ms = 0;                      // host clock, from before the first command to the device's idle
 };
 
 class Backend {

@@ -43,16 +43,16 @@ ChoiceSearch search_choices(const ChoiceSpace& space, const ChoiceGoal& goal, do
 }
 
 std::optional<Price> next_price(const ChoiceSearch& known, const ChoiceSpace& space, const Choice& choice, size_t effect) {
-  constexpr double least_gain = 1e-5;  // of SSIM: less is rounding
+  constexpr double min_gain = 1e-5;  // of SSIM: less is rounding
   const Outcome now = known.outcome_of(choice);
   std::optional<Price> cheapest;
   Choice other = choice;
   for (other[effect] = 0; other[effect] < space.effects[effect].options.size(); ++other[effect]) {
     const Outcome then = known.outcome_of(other);
     const double gain = worst_error(then, "ssim") - worst_error(now, "ssim");
-    if (gain <= least_gain) continue;
+    if (gain <= min_gain) continue;
     const double ms = 0.01 * (worst_ms(then) - worst_ms(now)) / gain;
-    if (!cheapest || ms < cheapest->ms) cheapest = Price{other[effect], ms};
+    if (!cheapest || ms < cheapest->ms) cheapest = Price{other[effect], ms, gain};
   }
   return cheapest;
 }

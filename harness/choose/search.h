@@ -51,7 +51,8 @@ ChoiceSearch search_choices(const ChoiceSpace& space, const ChoiceGoal& goal, do
 // error in the worst view. None where no option has.
 struct Price {
   size_t option = 0;
-  double ms = 0;  // below 0 where the better option takes less time
+  double ms = 0;    // below 0 where the better option takes less time
+  double gain = 0;  // of SSIM, by that option; the last 0.01 before 1 cannot be bought whole
 };
 std::optional<Price> next_price(const ChoiceSearch& known, const ChoiceSpace& space, const Choice& choice, size_t effect);
 

@@ -10,7 +10,7 @@
 #include "harness/cli/everything_run.h"
 #include "harness/cli/planned.h"
 #include "harness/cli/run_line.h"
-#include "harness/record/pending_certificate.h"
+#include "harness/record/kept_certificate.h"
 #include "reports/reports.h"
 
 namespace lamina {

@@ -20,6 +20,7 @@
 #include "harness/gate/calibration.h"
 #include "harness/gate/slowdown.h"
 #include "harness/record/record.h"
+#include "reports/gate/sentences.h"
 
 namespace lamina {
 namespace {
@@ -200,7 +201,7 @@ double round_seconds(Bench& bench, const std::string& pass) {
   const Stopwatch watch;
   TreePair trees = pair_trees(bench.tree.library, std::move(changed), bench.options);
   const GateMeasurements measured = measure_trees(trees, bench.options, {}, watch);
-  if (!measured.failures.empty()) throw Error(ErrorKind::failed, "gate", "calibration", measured.failures.front().sentence);
+  if (!measured.failures.empty()) throw Error(ErrorKind::failed, "gate", "calibration", sentence_of(measured.failures.front()));
   const double backends = static_cast<double>(bench.options.compare.backends.size());
   const double turns = static_cast<double>(bench.options.processes) * (bench.options.side_by_side ? 1 : backends);
   const double beside = watch.elapsed_s() - measured.spent.rounds / (bench.options.side_by_side ? backends : 1);

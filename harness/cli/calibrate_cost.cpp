@@ -32,42 +32,45 @@ std::string cache_key(const std::string& backend, const std::string& device) {
   return "cost_model_" + hash_hex(backend + "\n" + device);
 }
 
-// What is measured: of each effect with several variants, what the first scene that calls for it tells.
+// Of a scene, what its first view tells of effects that no scene before it calls for.
 struct MeasuredScene {
   std::string name;
-  std::vector<std::string> effects;
+  Scene scene;
+  Plan plan;
+  std::vector<const EffectManifest*> effects;
 };
 
-std::vector<MeasuredScene> measured_scenes(const SceneOptions& options, const std::vector<std::string>& scenes) {
-  const Library library = load_library_for(options);
+// The scenes that tell of every effect with several variants, each effect in one.
+std::vector<MeasuredScene> measured_scenes(const Library& library, const CompareOptions& options,
+                                           const std::vector<std::string>& scenes) {
   std::set<std::string> left;
   for (const EffectManifest& effect : library.effects)
     if (effect.variants.size() > 1) left.insert(effect.name);
   std::vector<MeasuredScene> measured;
   for (const std::string& name : scenes.empty() ? builtin_scenes() : scenes) {
     if (left.empty()) break;
-    SceneOptions one = options;
+    SceneOptions one = options.scene;
     one.scene = name;
-    const Scene scene = load_scene_for(one, library);
-    const Plan plan = make_plan(library, scene);
-    MeasuredScene& of = measured.emplace_back(MeasuredScene{name, {}});
-    for (const EffectManifest* effect : compared_effects(plan))
-      if (left.erase(effect->name) > 0) of.effects.push_back(effect->name);
-    if (of.effects.empty()) measured.pop_back();
+    Scene scene = load_scene_for(one, library);
+    scene.views.resize(1);
+    Plan plan = plan_for(one, library, scene, options.aspect());
+    std::vector<const EffectManifest*> effects = compared_effects(plan);
+    std::erase_if(effects, [&](const EffectManifest* effect) { return left.erase(effect->name) == 0; });
+    if (!effects.empty()) measured.push_back({name, std::move(scene), std::move(plan), std::move(effects)});
   }
   return measured;
 }
 
 // Measures each scene as compare does, and adds its folder. Returns whether all were measured: false after Ctrl-C.
 bool measure(const CalibrateOptions& options, std::vector<std::filesystem::path>& folders) {
-  const std::vector<MeasuredScene> scenes = measured_scenes(options.measuring.scene, options.scenes);
-  for (const auto& [scene, effects] : scenes) {
+  const Library library = load_library_for(options.measuring.scene);
+  const std::vector<MeasuredScene> scenes = measured_scenes(library, options.measuring, options.scenes);
+  for (const auto& [name, scene, plan, effects] : scenes) {
     CompareOptions one = options.measuring;
-    one.scene.scene = scene;
-    one.costs_of = effects;
-    one.out = options.measuring.out / scene;
-    fmt::print("calibrate: {}, {} of {} scenes\n", scene, folders.size() + 1, scenes.size());
-    if (run_compare(one) > 128) return false;
+    one.scene.scene = name;
+    one.out = options.measuring.out / name;
+    fmt::print("calibrate: {}, {} of {} scenes\n", name, folders.size() + 1, scenes.size());
+    if (measure_costs({library, scene, plan, effects}, one) != 0) return false;
     folders.push_back(one.out);
   }
   return true;
@@ -154,11 +157,11 @@ Command add_calibrate(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "calibrate", "What each kind of work costs on this device: fitted to measured passes, and kept for predictions");
   command
-      .add_option("RECORD", options->records, "Runs to fit to (folders, or their record.jsonl); without, scenes are measured")
+      .add_option("RECORD", options->records, "Runs to fit to (folders, or their record.jsonl); default: scenes are measured")
       ->type_name(placeholder::record);
   command
       .add_option("--scene", options->scenes,
-                  "Only this scene (may be given again); without, built-in ones that call for every effect, each effect in one")
+                  "Only this scene (may be given again); default: built-in ones that call for every effect, each effect in one")
       ->type_name(placeholder::scene);
   add_out(command, measuring.out, "Folder for the runs, one a scene");
   add_backends(command, measuring);

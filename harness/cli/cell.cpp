@@ -52,6 +52,11 @@ std::vector<PassRow> count_rows(const Frame& counting, const std::vector<PassCou
       row.operations = counts[i].operations;
       row.issued = counts[i].issued;
       row.lines = dearest_lines(counts[i]);
+      row.vertex_issued = counts[i].vertex_issued;
+      row.runs = counts[i].runs;
+      row.triangles = counts[i].triangles;
+      row.issued_fragments = counts[i].issued_fragments;
+      row.written = counts[i].written;
     }
   };
   add(counting.once_names(), once, true);

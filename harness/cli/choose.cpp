@@ -16,7 +16,7 @@
 #include "harness/cli/drawn_options.h"
 #include "harness/core/text.h"
 #include "harness/plan/configuration_file.h"
-#include "harness/record/pending_certificate.h"
+#include "harness/record/kept_certificate.h"
 #include "harness/sweep/answers.h"
 
 namespace lamina {
@@ -131,9 +131,14 @@ void print_prices(const ChoiceSearch& known, const DrawnOptions& search, const C
   fmt::print("\nwhat the next 0.01 of SSIM costs, predicted:\n");
   for (size_t e = 0; e < choice.size(); ++e) {
     const std::optional<Price> price = next_price(known, search.space, choice, e);
-    fmt::print("  {:<20} {}\n", search.effects[e]->name,
-               price ? fmt::format("{:+.4g} ms, by {}", price->ms, search.space.effects[e].options[price->option].name)
-                     : "nothing here has less error");
+    std::string words = "nothing here has less error";
+    if (price) {
+      const std::string& by = search.space.effects[e].options[price->option].name;
+      words = price->gain >= 0.01
+                  ? fmt::format("{:+.4g} ms, by {}", price->ms, by)
+                  : fmt::format("{:+.4g} ms for {:.4g} more, by {}", price->ms * price->gain / 0.01, price->gain, by);
+    }
+    fmt::print("  {:<20} {}\n", search.effects[e]->name, words);
   }
 }
 
@@ -187,8 +192,9 @@ void print_confirmed(ChoiceRun& run, const ChoiceSearch& known, const DrawnOptio
 
 // Measures all other configurations too, with the fewest rounds, and holds the choice against the best of all.
 void print_exhaustive(ChoiceRun& run, ChoiceSearch known, const DrawnOptions& search, const ChoiceGoal& goal, const Plan& plan,
-                      const Choice& best, RoundOptions rounds, const Tell& tell) {
-  rounds.budget_s = 0;
+                      const Choice& best, const RoundOptions& rounds, const Tell& tell) {
+  RoundOptions fewest = rounds;
+  fewest.budget_s = 0;
   const size_t searched = known.measured().size();
   std::vector<Choice> left;
   for (const Choice& choice : all_choices(search.space, goal.metric))
@@ -198,7 +204,7 @@ void print_exhaustive(ChoiceRun& run, ChoiceSearch known, const DrawnOptions& se
     tell(static_cast<double>(i) / static_cast<double>(left.size()), "measuring all");
     try {
       const Configuration configuration = search.configuration(plan, left[i]);
-      const std::vector<ChoiceRun::Times> times = run.times_of({configuration_of(plan, {}), configuration}, rounds);
+      const std::vector<ChoiceRun::Times> times = run.times_of({configuration_of(plan, {}), configuration}, fewest);
       Outcome outcome = run.errors_of(configuration);
       set_times(outcome, times[1], times[0], search.space.baseline);
       known.tell(left[i], outcome);
@@ -210,8 +216,15 @@ void print_exhaustive(ChoiceRun& run, ChoiceSearch known, const DrawnOptions& se
   const Outcome &chosen = known.measured().at(best), &other = known.measured().at(of_all);
   fmt::print("\nof all {} configurations ({} measured by the search, {} that do not run) the best is {}: {}\n",
              search.space.choices(), searched, failed, words_of(search, of_all), figures_of(other));
-  fmt::print("the choice takes {:.3f} times its time, at {:+.4f} {}\n", worst_ms(chosen) / worst_ms(other),
-             worst_error(chosen, goal.metric) - worst_error(other, goal.metric), goal.metric);
+  if (of_all == best) return;
+  // Their times are from different minutes: beside each other they are measured again, in the view where the best takes
+  // longest.
+  const std::vector<ChoiceRun::Times> times =
+      run.times_of({search.configuration(plan, of_all), search.configuration(plan, best)}, rounds);
+  const auto longest = std::ranges::max_element(times[0], {}, [](const auto& ms) { return median(ms); });
+  const Interval ratio = ratio_interval(times[1][static_cast<size_t>(longest - times[0].begin())], *longest);
+  fmt::print("beside it the choice takes {:.3f} [{:.3f}, {:.3f}] times its time, at {:+.4f} {}\n", ratio.median, ratio.low,
+             ratio.high, worst_error(chosen, goal.metric) - worst_error(other, goal.metric), goal.metric);
 }
 
 int run_choose(const ChooseOptions& options) {

@@ -12,7 +12,9 @@ namespace lamina {
 
 bool is_compared(const VariantManifest& variant, const CellOptions& options) {
   if (variant.baseline || options.variants.empty()) return true;
-  return std::find(options.variants.begin(), options.variants.end(), variant.name) != options.variants.end();
+  return std::ranges::any_of(options.variants, [full = variant.effect + "/" + variant.name, &variant](const std::string& name) {
+    return name == variant.name || name == full;
+  });
 }
 
 Library load_library_for(const SceneOptions& options) {

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 
 #include "harness/cli/against_all.h"
 #include "harness/cli/calibrate_cost.h"
@@ -18,7 +19,7 @@
 #include "harness/core/stop_signals.h"
 #include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
-#include "harness/record/pending_certificate.h"
+#include "harness/record/kept_certificate.h"
 #include "harness/sweep/answers.h"
 #include "reports/frontier.h"
 #include "reports/reports.h"
@@ -28,11 +29,10 @@ namespace {
 
 // Bakes, or reads what was baked before, everything that variants of these effects want. What cannot be baked fails again, with
 // its reason, for the variants that want it.
-void bake(const Plan& plan, const std::vector<const EffectManifest*>& effects, const Scene& scene, const CellOptions& options,
-          Bakes& bakes, RecordWriter& record) {
-  for (const EffectManifest* effect : effects)
+void bake(const Compared& compared, const CellOptions& options, Bakes& bakes, RecordWriter& record) {
+  for (const EffectManifest* effect : compared.effects)
     for (const VariantManifest& variant : effect->variants)
-      for (const size_t object : plan.of(effect->name)->objects) {
+      for (const size_t object : compared.plan.of(effect->name)->objects) {
         if (effect->baker.empty() || !is_compared(variant, options)) continue;
         const size_t known = bakes.stats().size();
         try {
@@ -44,7 +44,7 @@ void bake(const Plan& plan, const std::vector<const EffectManifest*>& effects, c
         if (bakes.stats().size() == known) continue;
         const BakeStats& stats = bakes.stats().back();
         record.append(to_json(BakeRow{.effect = effect->name,
-                                      .object = scene.objects[object].name,
+                                      .object = compared.scene.objects[object].name,
                                       .what = effect->baker,
                                       .points = stats.points,
                                       .rays = stats.points * stats.rays,
@@ -76,13 +76,15 @@ void append_rows_so_far(const EffectRun& run, RecordWriter& record) {
   }
 }
 
+bool stopped_by_signal() { return StopSignals::stopped_by() != 0; }
+
 // The certificate of a backend's timer. What stays open goes on between the rounds of the first effect that is timed, and is
 // settled after them: whether there are times is known before the effect's rows are written.
 class BackendTimer {
  public:
   BackendTimer(Backend& backend, const std::filesystem::path& shaders, const CompareOptions& options, RecordWriter& record,
                WallTimes& spent)
-      : certificate_(backend, shaders, options.cache, options.rounds.stop), record_(record), spent_(spent) {
+      : certificate_(backend, shaders, options.cache, stopped_by_signal), record_(record), spent_(spent) {
     const Stopwatch watch;
     certificate_.measure_alone(certificate_alone_s);
     spent_.certifying += watch.elapsed_s();
@@ -117,36 +119,39 @@ class BackendTimer {
   bool is_written_ = false;
 };
 
-// One backend: certificate where times are wanted, then each effect, which is taken off `effects` when its rows are in the
+// What is known of each cell.
+enum class Known : uint8_t { costs, costs_and_errors };
+
+// One backend: certificate where times are wanted, then each effect, which is taken off `left` when its rows are in the
 // record. Appends every row as it is finished. Returns how many messages the API's checker had.
-size_t run_backend(const std::string& name, const Scene& scene, const Library& library, const Plan& plan,
-                   std::vector<const EffectManifest*>& effects, Bakes& bakes, const CompareOptions& options,
-                   RecordWriter& record, WallTimes& spent) {
+size_t run_backend(const std::string& name, const Compared& compared, Known wanted, std::vector<const EffectManifest*>& left,
+                   Bakes& bakes, const CompareOptions& options, RecordWriter& record, WallTimes& spent) {
   const std::unique_ptr<Backend> backend = open_backend(name, {options.device, options.validation});
   Progress progress(name);
   std::optional<BackendTimer> timer;
   if (options.times) {
     progress.show(0, "certifying the timer");
-    timer.emplace(*backend, library.shaders, options, record, spent);
+    timer.emplace(*backend, compared.library.shaders, options, record, spent);
   }
-  SceneResources resources(*backend, scene, library, options.width_px, options.height_px, &bakes);
+  SceneResources resources(*backend, compared.scene, compared.library, options.width_px, options.height_px, &bakes);
   const std::optional<CostModel> cost_model = kept_cost_model(options.cache, name, backend->info().device);
-  const SceneOnDevice there{&scene, &plan, &bakes, &resources};
-  ShaderCache shaders(backend->info().api, library.shaders);
+  const SceneOnDevice there{&compared.scene, &compared.plan, &bakes, &resources};
+  ShaderCache shaders(backend->info().api, compared.library.shaders);
   double timed_s = 0;
-  while (!effects.empty()) {
-    const EffectManifest* effect = effects.front();
+  while (!left.empty()) {
+    const EffectManifest* effect = left.front();
     EffectRun run(*backend, *effect, shaders, options, "images", progress.tell_or_stop());
     run.start(there, {.timed = timer && timer->may_be_good()});
-    RoundOptions wanted = options.rounds;
-    if (timer) wanted.beside = timer->beside();
-    wanted.budget_s = std::max(0.0, options.rounds.budget_s - timed_s) / static_cast<double>(effects.size());
     RoundsResult rounds;
     try {
       run.prepare();
       run.count();
-      if (!options.only_costs()) run.score();
-      rounds = run.time(wanted);
+      if (wanted == Known::costs_and_errors) run.score();
+      RoundOptions asked = options.rounds;
+      asked.stop = stopped_by_signal;
+      if (timer) asked.beside = timer->beside();
+      asked.budget_s = std::max(0.0, options.rounds.budget_s - timed_s) / static_cast<double>(left.size());
+      rounds = run.time(asked);
       if (timer && rounds.rounds > 0 && !timer->settle()) run.forget_times(), rounds = {};
     } catch (const StopRequested&) {
       append_rows_so_far(run, record);
@@ -159,7 +164,7 @@ size_t run_backend(const std::string& name, const Scene& scene, const Library& l
     spent.errors += run.spent().metrics / 1000;
     spent.timing += rounds.wall_ms / 1000;
     timed_s += rounds.wall_ms / 1000;
-    effects.erase(effects.begin());
+    left.erase(left.begin());
     if (!(rounds.device_ms > 0)) continue;
     record.append(to_json(PhaseRow{name, effect->name, rounds.rounds, rounds.wall_ms, rounds.device_ms}));
     fmt::print("{}: {} rounds of {} in {:.1f} s, {:.3f} times the device time measured\n", name, rounds.rounds, effect->name,
@@ -172,13 +177,13 @@ size_t run_backend(const std::string& name, const Scene& scene, const Library& l
 }
 
 // Failed rows for a backend that cannot run at all.
-std::vector<CellRow> failed_rows(const std::string& backend, const Scene& scene, const Library& library,
-                                 const EffectManifest& effect, const CellOptions& options, const std::string& reason) {
+std::vector<CellRow> failed_rows(const std::string& backend, const Compared& compared, const EffectManifest& effect,
+                                 const CellOptions& options, const std::string& reason) {
   std::vector<CellRow> rows;
   for (const VariantManifest& variant : effect.variants) {
     if (!is_compared(variant, options)) continue;
-    for (const View& view : scene.views)
-      fail(rows.emplace_back(blank_row(backend, "", scene, library, view, variant, options)), reason);
+    for (const View& view : compared.scene.views)
+      fail(rows.emplace_back(blank_row(backend, "", compared.scene, compared.library, view, variant, options)), reason);
   }
   return rows;
 }
@@ -201,14 +206,14 @@ std::vector<std::string> quick_variants(const std::vector<const EffectManifest*>
   std::vector<std::string> names;
   size_t all = 0;
   for (const EffectManifest* effect : effects) {
-    const std::vector<std::string> known = variant_names({effect});
     for (const std::string& name : effect->quick)
-      if (std::ranges::count(known, name) == 0)
-        throw Error(ErrorKind::bad_input, "variants", effect->file.string(), "quick: " + unknown_name("variant", name, known));
+      if (!effect->variant(name))
+        throw Error(ErrorKind::bad_input, "variants", effect->file.string(),
+                    "quick: " + unknown_name("variant", name, variant_names({effect})));
     for (const VariantManifest& variant : effect->variants) {
       const bool is_own = variant.file.parent_path() != effect->file.parent_path();
       if (variant.baseline || is_own || effect->quick.empty() || std::ranges::count(effect->quick, variant.name) > 0)
-        names.push_back(variant.name);
+        names.push_back(effect->name + "/" + variant.name);
       ++all;
     }
   }
@@ -217,52 +222,45 @@ std::vector<std::string> quick_variants(const std::vector<const EffectManifest*>
   return names;
 }
 
-}  // namespace
-
-int run_compare(const CompareOptions& given) {
-  CompareOptions options = given;
-  pin_rasterizer_threads();
-  const Stopwatch watch;
-  WallTimes spent;
-  const nlohmann::ordered_json limits = limit_settings(options.limits);
-  const Library library = load_library_for(options.scene);
-  Scene scene = load_scene_for(options.scene, library);
-  if (options.only_costs()) scene.views.resize(1);
-  const Plan plan = plan_for(options.scene, library, scene, options.aspect());
-  std::vector<const EffectManifest*> effects = compared_effects(plan);
-  if (options.only_costs())
-    std::erase_if(effects, [&](const EffectManifest* effect) { return !std::ranges::count(options.costs_of, effect->name); });
-  check_variant_names("compare", options.variants, variant_names(effects));
-  if (options.quick && options.variants.empty()) options.variants = quick_variants(effects);
-  const std::vector<ProbedBackend> backends = probe_backends(options);
-  const std::vector<DeviceInfo> devices = devices_of(backends);
+// The devices, of which one must open. Throws Error for a frame too large for them.
+std::vector<ProbedBackend> usable_backends(const CompareOptions& options) {
+  std::vector<ProbedBackend> backends = probe_backends(options);
   require_any("compare", backends);
-  check_size("compare", options, devices);
+  check_size("compare", options, devices_of(backends));
+  return backends;
+}
 
-  ShaderCache shaders(Api::vulkan, library.shaders);
-  const PlanRow planned = plan_row(plan, scene, shaders, options);
-
-  nlohmann::ordered_json run = run_line(options, options.rounds, options.quick, scene, backends);
+// A record with the run's line and the plan's.
+RecordWriter begin_run(const Compared& compared, const CompareOptions& options, const std::vector<ProbedBackend>& backends,
+                       const nlohmann::ordered_json& limits) {
+  ShaderCache shaders(Api::vulkan, compared.library.shaders);
+  const PlanRow planned = plan_row(compared.plan, compared.scene, shaders, options);
+  nlohmann::ordered_json run = run_line(options, options.rounds, options.quick, compared.scene, backends);
   run["settings"]["limits"] = limits;
   RecordWriter record = begin_record("compare", options.out, run, planned);
-  for (const std::string& warning : scene.warnings) fmt::print(stderr, "lamina: note: {}\n", warning);
+  for (const std::string& warning : compared.scene.warnings) fmt::print(stderr, "lamina: note: {}\n", warning);
+  return record;
+}
 
-  spent.loading = watch.elapsed_s();
-  Progress baking("baking");
-  Bakes bakes(scene, *library.code, DiskCache(options.cache),
-              [&](double fraction, const std::string& what) { baking.show(fraction, what); });
-  bake(plan, effects, scene, options, bakes, record);
-  spent.baking = watch.elapsed_s() - spent.loading;
+std::unique_ptr<Bakes> baked(const Compared& compared, const CompareOptions& options, RecordWriter& record) {
+  const auto progress = std::make_shared<Progress>("baking");
+  auto bakes =
+      std::make_unique<Bakes>(compared.scene, *compared.library.code, DiskCache(options.cache),
+                              [progress](double fraction, const std::string& what) { progress->show(fraction, what); });
+  bake(compared, options, *bakes, record);
+  return bakes;
+}
 
-  options.rounds.stop = [] { return StopSignals::stopped_by() != 0; };
-  const StopSignals signals(report_on_stop);
+// Every backend in turn, until a signal stops them. Returns how many messages the APIs' checkers had.
+size_t run_backends(const Compared& compared, Known wanted, const std::vector<ProbedBackend>& backends, Bakes& bakes,
+                    const CompareOptions& options, RecordWriter& record, WallTimes& spent) {
   size_t messages = 0;
   for (const ProbedBackend& backend : backends) {
     if (StopSignals::stopped_by() != 0) break;
     std::string failure = backend.failure;
-    std::vector<const EffectManifest*> left = effects;
+    std::vector<const EffectManifest*> left = compared.effects;
     try {
-      if (failure.empty()) messages += run_backend(backend.name, scene, library, plan, left, bakes, options, record, spent);
+      if (failure.empty()) messages += run_backend(backend.name, compared, wanted, left, bakes, options, record, spent);
     } catch (const StopRequested&) {
       break;
     } catch (const Error& error) {
@@ -271,11 +269,45 @@ int run_compare(const CompareOptions& given) {
     }
     if (failure.empty()) continue;
     for (const EffectManifest* effect : left)
-      for (const CellRow& row : failed_rows(backend.name, scene, library, *effect, options, failure))
-        record.append(to_json(row));
+      for (const CellRow& row : failed_rows(backend.name, compared, *effect, options, failure)) record.append(to_json(row));
   }
+  return messages;
+}
 
-  if (options.only_costs()) return StopSignals::stopped_by() != 0 ? 128 + StopSignals::stopped_by() : 0;
+}  // namespace
+
+int measure_costs(const Compared& compared, const CompareOptions& options) {
+  pin_rasterizer_threads();
+  WallTimes untold;
+  const std::vector<ProbedBackend> backends = usable_backends(options);
+  RecordWriter record = begin_run(compared, options, backends, limit_settings(options.limits));
+  const std::unique_ptr<Bakes> bakes = baked(compared, options, record);
+  const StopSignals signals(report_on_stop);
+  run_backends(compared, Known::costs, backends, *bakes, options, record, untold);
+  return StopSignals::stopped_by();
+}
+
+int run_compare(const CompareOptions& given) {
+  CompareOptions options = given;
+  pin_rasterizer_threads();
+  const Stopwatch watch;
+  WallTimes spent;
+  const nlohmann::ordered_json limits = limit_settings(options.limits);
+  const Library library = load_library_for(options.scene);
+  const Scene scene = load_scene_for(options.scene, library);
+  const Plan plan = plan_for(options.scene, library, scene, options.aspect());
+  const Compared compared{library, scene, plan, compared_effects(plan)};
+  check_variant_names("compare", options.variants, variant_names(compared.effects));
+  if (options.quick && options.variants.empty()) options.variants = quick_variants(compared.effects);
+  const std::vector<ProbedBackend> backends = usable_backends(options);
+  RecordWriter record = begin_run(compared, options, backends, limits);
+  spent.loading = watch.elapsed_s();
+  const std::unique_ptr<Bakes> bakes = baked(compared, options, record);
+  spent.baking = watch.elapsed_s() - spent.loading;
+
+  const StopSignals signals(report_on_stop);
+  const size_t messages = run_backends(compared, Known::costs_and_errors, backends, *bakes, options, record, spent);
+
   const double before_report_s = watch.elapsed_s();
   write_reports(options.out);
   const Record written = read_record(options.out / "record.jsonl");
@@ -301,9 +333,10 @@ Command add_compare(CLI::App& program) {
   add_backends(command, *options);
   add_variant(command, options->variants);
   add_size(command, *options);
-  command.add_flag("--quick", options->quick,
-                   "Stop sooner, at wider intervals: 5%, or 4 s a backend, unless --precision or --budget say otherwise; where "
-                   "an effect names variants for it, only these, unless --variant does");
+  command.add_flag(
+      "--quick", options->quick,
+      "Stop sooner: at intervals of 5%, or after 4 s a backend (--precision and --budget change that); compare only the "
+      "variants that an effect names for this, where it names any and --variant is not given");
   add_rounds(command, options->rounds, "a backend");
   CLI::Option* no_time = command.add_flag("!--no-time", options->times, "Counts, pictures and errors alone");
   command
@@ -325,7 +358,7 @@ Command add_compare(CLI::App& program) {
                                      "loads itself again; the first backend, "
                                      "no truth unless --truth-rays says so; Ctrl-C ends with the record")
                            ->excludes(against_all);
-  command.add_option("--view", options->views, "View that is watched; the first without (may be given again)")
+  command.add_option("--view", options->views, "View that is watched (may be given again; default: the first)")
       ->type_name(placeholder::view)
       ->needs(watch);
   command.add_flag("--timed", options->timed, "Time what is watched, within 1 s unless --budget says otherwise")

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/cli/watch.h"
+#include "harness/plan/plan.h"
 
 namespace lamina {
 
@@ -21,12 +22,21 @@ struct CompareOptions : WatchOptions {                // the rounds are of a bac
   bool times = true;
   bool watch = false;
   bool against_all = false;  // the frame of what is called for, against the frame of everything
-  // Counts and times of these effects alone in the first view, in a record: no picture, error, report or table. Empty: all.
-  std::vector<std::string> costs_of;
-  bool only_costs() const { return !costs_of.empty(); }
+};
+
+// What is measured: these effects of a scene's plan.
+struct Compared {
+  const Library& library;
+  const Scene& scene;
+  const Plan& plan;
+  std::vector<const EffectManifest*> effects;
 };
 
 // Measures, and leaves the record and the report in options.out. Returns the exit status.
 int run_compare(const CompareOptions& options);
+
+// Measures counts and times alone and leaves them in a record in options.out: no picture, error, report or table. Returns the
+// signal that stopped it, or 0.
+int measure_costs(const Compared& compared, const CompareOptions& options);
 
 }  // namespace lamina

@@ -17,6 +17,7 @@
 #include "harness/gate/verdict.h"
 #include "harness/record/record.h"
 #include "reports/gate/gate.h"
+#include "reports/gate/sentences.h"
 #include "reports/reports.h"
 #include "reports/words.h"
 
@@ -64,7 +65,7 @@ int run_against(GateOptions options, const Stopwatch& watch) {
   for (const CellRow& cell : measured.cells_after) record.append(to_json(with_picture_before(cell, measured.cells_before)));
   for (const PairsRow& row : measured.pairs) record.append(to_json(row));
   for (const SameArmRow& row : result.times.same_arms) record.append(to_json(row));
-  for (const VerdictRow& row : result.rows) record.append(to_json(row));
+  append_verdicts(record, std::move(result.rows));
   record.append(
       to_json(GateRow{"against", fmt::format("the variants and shaders of {}", options.against.string()), outcome.verdict,
                       outcome.status, measured.processes, result.times.rounds, result.times.comparisons, watch.elapsed_s(),
@@ -105,6 +106,13 @@ bool can_run_side_by_side(const std::vector<DeviceInfo>& devices) {
          std::ranges::all_of(devices, [](const DeviceInfo& device) { return device.software; });
 }
 
+void append_verdicts(RecordWriter& record, std::vector<VerdictRow> rows) {
+  for (VerdictRow& row : rows) {
+    row.sentence = sentence_of(row);
+    record.append(to_json(row));
+  }
+}
+
 std::string GateSpent::words(double all_s, double budget_s, size_t backends) const {
   const auto each = [&](double of_all) { return of_all / static_cast<double>(backends); };
   const double rest = std::max(0.0, all_s - loading - exact - timing - report);
@@ -129,8 +137,7 @@ int finish_gate(const GateOptions& options, GateSpent spent, const Stopwatch& wa
 
 VerdictRow stopped_row() {
   VerdictRow row;
-  row.what = "stopped", row.verdict = Verdict::ambiguous;
-  row.sentence = "stopped before everything was measured, so nothing is judged; the record holds what was measured";
+  row.what = "stopped", row.verdict = Verdict::ambiguous, row.cause = Cause::stopped;
   return row;
 }
 
@@ -182,7 +189,7 @@ Command add_gate(CLI::App& program) {
       ->check(CLI::Range(1.0, 86400.0));
   command
       .add_option("--processes", options->processes,
-                  "Processes that measure on each backend; two where the budget is short, more where it lasts")
+                  "Processes that measure on each backend; fewer, but at least two, where the budget is short")
       ->capture_default_str()
       ->check(CLI::Range(2, 100));
   command

@@ -158,6 +158,9 @@ int run_calibration(GateOptions options);
 int run_self_test(GateOptions options);
 int run_against_record(GateOptions options, const Stopwatch& watch);
 
+// Appends the rows, each with its sentence.
+void append_verdicts(RecordWriter& record, std::vector<VerdictRow> rows);
+
 // Reports from the record in `out`; prints the table, and where the time went since `watch` began. Returns the exit status that
 // the record holds, or the signal's that has stopped the gate.
 int finish_gate(const GateOptions& options, GateSpent spent, const Stopwatch& watch);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "harness/record/pending_certificate.h"
+#include "harness/record/kept_certificate.h"
 #include "harness/record/record.h"
 
 namespace lamina {

@@ -9,7 +9,7 @@
 #include "harness/backend/backend.h"
 #include "harness/cli/effect_run.h"
 #include "harness/cli/gate.h"
-#include "harness/record/pending_certificate.h"
+#include "harness/record/kept_certificate.h"
 
 namespace lamina {
 

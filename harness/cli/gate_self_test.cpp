@@ -11,6 +11,7 @@
 #include "harness/gate/faults.h"
 #include "harness/gate/verdict.h"
 #include "harness/measure/timer_certificate.h"
+#include "reports/gate/sentences.h"
 
 namespace lamina {
 namespace {
@@ -84,7 +85,7 @@ Caught try_fault(const GateOptions& options, const std::string& effect, const Fa
   caught.result = failed ? "caught" : "MISSED";
   for (const VerdictRow& row : answer.rows)
     if (failed && caught.reason.empty() && (row.verdict == Verdict::failed || row.verdict == Verdict::worse))
-      caught.reason = row.sentence;
+      caught.reason = sentence_of(row);
   return caught;
 }
 

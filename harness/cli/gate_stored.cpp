@@ -13,6 +13,7 @@
 #include "harness/gate/time_verdicts.h"
 #include "harness/gate/verdict.h"
 #include "harness/record/record.h"
+#include "reports/gate/sentences.h"
 
 namespace lamina {
 namespace {
@@ -130,7 +131,7 @@ int write_baseline(const std::filesystem::path& file, const std::string& lines, 
                    const Record& present, const GateMeasurements& measured, const GateOptions& options,
                    const LimitsFile& limits) {
   if (present.cells.empty() || !measured.failures.empty() || std::ranges::any_of(present.cells, &CellRow::failed)) {
-    for (const VerdictRow& row : measured.failures) fmt::print(stderr, "lamina: {}\n", row.sentence);
+    for (const VerdictRow& row : measured.failures) fmt::print(stderr, "lamina: {}\n", sentence_of(row));
     throw Error(ErrorKind::failed, "gate", file.string(), "not written: a cell failed, and what failed is no baseline");
   }
   std::vector<VerdictRow> rows;
@@ -144,7 +145,7 @@ int write_baseline(const std::filesystem::path& file, const std::string& lines, 
   write_file_atomically(file, lines);
   size_t changes = 0;
   for (const VerdictRow& row : rows)
-    if (row.verdict != Verdict::same && ++changes) fmt::print("changed: {}\n", row.sentence);
+    if (row.verdict != Verdict::same && ++changes) fmt::print("changed: {}\n", sentence_of(row));
   fmt::print("{}: {} cells written{}\n", file.string(), present.cells.size(),
              !stored        ? ", there was no record before"
              : changes == 0 ? ", nothing changed"
@@ -211,7 +212,7 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
   let_counts_decide(rows, limits);
   const auto comparisons = std::ranges::count_if(rows, [](const VerdictRow& row) { return row.ratio.has_value(); });
   const GateOutcome outcome = outcome_of(rows);
-  for (const VerdictRow& row : rows) record.append(to_json(row));
+  append_verdicts(record, std::move(rows));
   record.append(to_json(GateRow{"baseline", fmt::format("the record {}", file.string()), outcome.verdict, outcome.status,
                                 measured.processes, rounds_in(measured.pairs), static_cast<size_t>(comparisons),
                                 watch.elapsed_s(), limits.of("", "", "").max_drift, 1 - options.family_error}));

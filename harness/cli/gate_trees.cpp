@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two trees of variants and shaders: paired, measured by processes, judged.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -12,13 +13,6 @@
 
 namespace lamina {
 namespace {
-
-const VariantManifest* find_variant(const EffectManifest* effect, const std::string& name) {
-  if (!effect) return nullptr;
-  for (const VariantManifest& variant : effect->variants)
-    if (variant.name == name) return &variant;
-  return nullptr;
-}
 
 std::map<Api, Identity> identities(Tree& tree, const VariantManifest& variant, CodeHashes& hashes) {
   const Scene& scene = *tree.scene;
@@ -112,24 +106,21 @@ void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements
     for (const nlohmann::json& message : line["messages"]) {
       VerdictRow& row = measured.failures.emplace_back();
       row.backend = task.backend, row.what = "api", row.verdict = Verdict::failed;
-      row.sentence = fmt::format("{}: the API's checker says: {}", task.backend, message.get<std::string>());
+      row.cause = Cause::api_message, row.details = {message.get<std::string>()};
     }
   }
   if (child.failure.empty()) return;
   VerdictRow& row = measured.failures.emplace_back();
   row.backend = task.backend, row.what = "cell", row.verdict = Verdict::failed;
-  row.sentence = fmt::format("{}: nothing could be measured: {}", task.backend, child.failure);
+  row.cause = Cause::process_failed, row.details = {child.failure};
 }
 
 VerdictRow judge_timer(const TimerRow& timer) {
   VerdictRow row;
   row.backend = timer.backend, row.what = "timer";
   row.verdict = timer.ok ? Verdict::same : Verdict::ambiguous;
-  row.sentence = timer.ok ? fmt::format("{}: the timer's certificate holds", row.backend)
-                          : fmt::format(
-                                "{}: the timer's certificate failed ({}), so no time is judged; run again on a "
-                                "quieter machine, or with a longer --budget",
-                                row.backend, timer.reason);
+  row.cause = timer.ok ? Cause::certificate_holds : Cause::certificate_failed;
+  if (!timer.ok) row.details = {timer.reason};
   return row;
 }
 
@@ -159,7 +150,9 @@ TreePair pair_trees(Library library_before, Library library_after, const GateOpt
     all.insert(all.end(), names.begin(), names.end());
     std::vector<VariantPair> pairs;
     for (const std::string& name : names) {
-      VariantPair pair{before, after, find_variant(before, name), find_variant(after, name), false, false, 0, ""};
+      VariantPair pair{.effect_before = before, .effect_after = after};
+      if (before) pair.before = before->variant(name);
+      if (after) pair.after = after->variant(name);
       if (!is_compared(pair.before ? *pair.before : *pair.after, options.compare)) continue;
       look_at_code(pair, trees.before, trees.after, hashes);
       pairs.push_back(std::move(pair));
@@ -229,25 +222,21 @@ CellPair cells_of(const VariantPair& pair, const std::string& backend, const Gat
   return cells;
 }
 
-VerdictRow row_about(const std::string& backend, const VariantPair& pair, std::string what, Verdict verdict,
-                     std::string sentence) {
+VerdictRow row_about(const std::string& backend, const VariantPair& pair, std::string what, Verdict verdict, Cause cause,
+                     std::vector<std::string> details = {}) {
   const VariantManifest& manifest = pair.after ? *pair.after : *pair.before;
   VerdictRow row;
   row.backend = backend, row.effect = manifest.effect, row.variant = manifest.name;
-  row.what = std::move(what), row.verdict = verdict, row.sentence = std::move(sentence);
+  row.what = std::move(what), row.verdict = verdict, row.cause = cause, row.details = std::move(details);
   return row;
 }
 
 // What is known without any cell.
 std::optional<VerdictRow> judge_code(const VariantPair& pair, const std::string& backend) {
-  const std::string name = fmt::format("{} on {}", pair.after ? pair.after->name : pair.before->name, backend);
-  if (!pair.after) return row_about(backend, pair, "cell", Verdict::failed, name + " is gone: it was there before");
-  if (!pair.failure.empty())
-    return row_about(backend, pair, "cell", Verdict::failed, fmt::format("{} cannot be run: {}", name, pair.failure));
+  if (!pair.after) return row_about(backend, pair, "cell", Verdict::failed, Cause::gone);
+  if (!pair.failure.empty()) return row_about(backend, pair, "cell", Verdict::failed, Cause::cannot_be_run, {pair.failure});
   if (pair.same_code)
-    return row_about(backend, pair, "code", Verdict::same,
-                     fmt::format("{}: executes the same as before, so {} can differ", name,
-                                 pair.same_errors ? "nothing" : "only its errors, to what has changed,"));
+    return row_about(backend, pair, "code", Verdict::same, pair.same_errors ? Cause::same_code : Cause::same_code_new_errors);
   return std::nullopt;
 }
 
@@ -269,8 +258,7 @@ GateResult judge_trees(const TreePair& trees, const GateMeasurements& measured, 
         return std::ranges::none_of(side, [](const std::optional<CellRow>& cell) { return cell.has_value(); });
       };
       if (missing(cells.after) && missing(cells.before)) {
-        result.rows.push_back(
-            row_about(backend, pair, "cell", Verdict::failed, fmt::format("{} on {} was not measured", variant.name, backend)));
+        result.rows.push_back(row_about(backend, pair, "cell", Verdict::failed, Cause::not_measured));
         continue;
       }
       for (VerdictRow& row : judge_cells(cells, allowed)) result.rows.push_back(std::move(row));
@@ -283,15 +271,13 @@ GateResult judge_trees(const TreePair& trees, const GateMeasurements& measured, 
     for (const VariantPair& pair : trees.variants)
       if (pair.before && pair.after && pair.failure.empty() && !pair.same_code)
         result.rows.push_back(
-            row_about(backend, pair, "time", Verdict::ambiguous,
-                      fmt::format("{} on {}: no time was measured, since counts and pictures took the budget of {:.0f} s; two "
-                                  "processes that time take about {:.0f} s more",
-                                  pair.after->name, backend, options.budget_s, 2 * (measured.ready_s + 1))));
+            row_about(backend, pair, "time", Verdict::ambiguous, Cause::out_of_time,
+                      {fmt::format("{:.0f}", options.budget_s), fmt::format("{:.0f}", std::ceil(2 * (measured.ready_s + 1)))}));
   let_counts_decide(result.rows, limits);
   if (measured.processes == 0 && outcome_of(result.rows).verdict == Verdict::failed) {
     VerdictRow& row = result.rows.emplace_back();
     row.what = "time", row.verdict = Verdict::not_compared;
-    row.sentence = "times were not measured, since counts or pictures fail the gate";
+    row.cause = Cause::exact_failed;
   }
   return result;
 }

@@ -26,6 +26,7 @@ void print_device(const DeviceInfo& device, size_t place) {
   tell(device.half_floats, "fp16 in shaders");
   tell(device.doubles, "fp64 in shaders");
   tell(device.exact_sample_counts, "exact counts of samples");
+  tell(device.issued_fragment_counts, "counts of issued fragments");
   if (device.timestamp_bits > 0)
     can.push_back(fmt::format("timestamps of {} bits", device.timestamp_bits));
   else

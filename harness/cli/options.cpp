@@ -43,7 +43,7 @@ void add_scene(CLI::App& command, SceneOptions& options) {
 void add_configuration(CLI::App& command, SceneOptions& options) {
   command
       .add_option("--configuration", options.configuration,
-                  "File of lamina choose: at which variant each effect stands while another is compared; baselines without")
+                  "File of lamina choose: at which variant each effect stands while another is compared (default: baselines)")
       ->type_name(placeholder::file);
 }
 

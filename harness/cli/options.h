@@ -41,7 +41,7 @@ struct DeviceOptions {
 struct CellOptions : DeviceOptions, FrameSize {
   SceneOptions scene;
   std::filesystem::path out = "lamina-out";
-  std::vector<std::string> variants;                     // by name; empty: all. The baseline is always there.
+  std::vector<std::string> variants;                     // NAME or EFFECT/NAME; empty: all. Baselines are always there.
   size_t truth_rays = 256;                               // a pixel and light; 0: no truth
   std::filesystem::path cache = default_cache_folder();  // of bakes and truths; empty: none
   bool alpha = false;                                    // alpha counts, even where no later effect reads it

@@ -15,7 +15,7 @@
 #include "harness/core/text.h"
 #include "harness/manifest/effect_code.h"
 #include "harness/record/function_rows.h"
-#include "harness/record/pending_certificate.h"
+#include "harness/record/kept_certificate.h"
 #include "harness/stress/pictures.h"
 #include "harness/stress/point_sets.h"
 #include "reports/reports.h"
@@ -63,8 +63,8 @@ FunctionRow row_of(const FunctionSubject& subject, const Family& family, const P
                   .max_under = e.max_under,
                   .mean_absolute = e.mean_absolute,
                   .rms = e.rms,
-                  .most_eps = e.most_eps,
-                  .most_eps_kappa = e.most_eps_kappa,
+                  .max_eps = e.max_eps,
+                  .max_eps_kappa = e.max_eps_kappa,
                   .negative = e.negative,
                   .nonfinite = e.nonfinite,
                   .not_zero = e.not_zero,
@@ -85,8 +85,8 @@ void write_csv(const std::filesystem::path& file, const FamilyRun& run) {
     const FunctionSubject& subject = row.subject;
     text +=
         fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", subject.backend, subject.variant, row.set, row.points,
-                    *row.max_over, *row.max_under, *row.mean_absolute, *row.rms, *row.most_eps, *row.most_eps_kappa,
-                    row.negative, row.nonfinite, row.not_zero, fmt::join(row.worst_over, ","), fmt::join(row.worst_under, ","));
+                    *row.max_over, *row.max_under, *row.mean_absolute, *row.rms, *row.max_eps, *row.max_eps_kappa, row.negative,
+                    row.nonfinite, row.not_zero, fmt::join(row.worst_over, ","), fmt::join(row.worst_under, ","));
     const auto time = std::ranges::find_if(run.times, [&](const FunctionTimeRow& t) {
       return t.subject.backend == subject.backend && t.subject.variant == subject.variant;
     });
@@ -104,8 +104,8 @@ void print_set(const PointSet& set, const FamilyRun& run) {
   for (const FunctionRow& row : run.errors) {
     if (row.set != set.name) continue;
     fmt::print("{:<16} {:<8} {:>9.3g} {:>9.3g} {:>9.2g} {:>9.2g} {:>10.3g} {:>10.3g} {:>9} {:>10}  {}\n", row.subject.variant,
-               row.subject.backend, *row.max_over, *row.max_under, *row.mean_absolute, *row.rms, *row.most_eps,
-               *row.most_eps_kappa, row.negative, row.nonfinite,
+               row.subject.backend, *row.max_over, *row.max_under, *row.mean_absolute, *row.rms, *row.max_eps,
+               *row.max_eps_kappa, row.negative, row.nonfinite,
                fmt::join(*row.max_over > -*row.max_under ? row.worst_over : row.worst_under, " "));
   }
 }

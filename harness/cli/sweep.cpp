@@ -17,7 +17,7 @@
 #include "harness/core/stop_signals.h"
 #include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
-#include "harness/record/pending_certificate.h"
+#include "harness/record/kept_certificate.h"
 #include "harness/scene/digest.h"
 #include "harness/sweep/answers.h"
 #include "harness/sweep/sweep_record.h"

@@ -15,7 +15,7 @@
 #include "harness/core/stop_signals.h"
 #include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
-#include "harness/record/pending_certificate.h"
+#include "harness/record/kept_certificate.h"
 #include "reports/html/watch_page.h"
 #include "reports/reports.h"
 

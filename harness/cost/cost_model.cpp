@@ -42,23 +42,55 @@ double told(const Weights& weights, const TimedFrame& frame, CountedWork counted
   return ms;
 }
 
-// `times[i]`: how often frame i counts. A frame's errors are relative, so that short frames are told as well as long ones.
-Weights fit(std::span<const TimedFrame> frames, CountedWork counted, std::span<const size_t> times) {
-  const std::vector<std::string> kinds = kinds_of(frames, counted);
-  std::vector<std::vector<double>> rows;
-  for (size_t i = 0; i < frames.size(); ++i) {
-    const double ms = frames[i].ms();
-    if (times[i] == 0 || !(ms > 0)) continue;
-    std::vector<double> row(kinds.size(), 0);
-    for (const TimedPass& pass : frames[i].passes)
-      for (const auto& [kind, amount] : pass.of(counted))
-        row[static_cast<size_t>(std::ranges::lower_bound(kinds, kind) - kinds.begin())] += amount / ms;
-    rows.insert(rows.end(), times[i], row);
+// What is fitted to: a row for each frame and one for each of its passes, divided by what they should give. A pass's row counts
+// by the square root of its share of the frame, so that a short pass is told too, but no error of it outweighs the frame's.
+class FitRows {
+ public:
+  // `times[i]`: how often frame i counts.
+  FitRows(std::span<const TimedFrame> frames, CountedWork counted, std::span<const size_t> times)
+      : kinds_(kinds_of(frames, counted)) {
+    for (size_t i = 0; i < frames.size(); ++i) {
+      const double frame_ms = frames[i].ms();
+      if (times[i] == 0 || !(frame_ms > 0)) continue;
+      std::vector<double> whole(kinds_.size(), 0);
+      for (const TimedPass& pass : frames[i].passes) {
+        std::vector<double> row = row_of(pass.of(counted));
+        for (size_t k = 0; k < row.size(); ++k) whole[k] += row[k];
+        if (pass.ms > 0) add(std::move(row), pass_weight / std::sqrt(pass.ms * frame_ms), pass.ms, times[i]);
+      }
+      add(std::move(whole), 1 / frame_ms, frame_ms, times[i]);
+    }
   }
-  const std::vector<double> fitted = fit_nonnegative(rows);
-  Weights weights;
-  for (size_t k = 0; k < kinds.size(); ++k) weights[kinds[k]] = fitted[k];
-  return weights;
+
+  Weights fit() const {
+    const std::vector<double> fitted = fit_least_absolute(rows_, targets_, small_error);
+    Weights weights;
+    for (size_t k = 0; k < kinds_.size(); ++k) weights[kinds_[k]] = fitted[k];
+    return weights;
+  }
+
+ private:
+  static constexpr double pass_weight = 0.5, small_error = 0.03;
+
+  std::vector<double> row_of(const PassWork& work) const {
+    std::vector<double> row(kinds_.size(), 0);
+    for (const auto& [kind, amount] : work)
+      row[static_cast<size_t>(std::ranges::lower_bound(kinds_, kind) - kinds_.begin())] = amount;
+    return row;
+  }
+  void add(std::vector<double> row, double weight, double ms, size_t times) {
+    for (double& amount : row) amount *= weight;
+    rows_.insert(rows_.end(), times, row);
+    targets_.insert(targets_.end(), times, ms * weight);
+  }
+
+  std::vector<std::string> kinds_;
+  std::vector<std::vector<double>> rows_;
+  std::vector<double> targets_;
+};
+
+Weights fit(std::span<const TimedFrame> frames, CountedWork counted, std::span<const size_t> times) {
+  return FitRows(frames, counted, times).fit();
 }
 
 std::vector<double> ranks_of(std::span<const double> values) {
@@ -77,18 +109,6 @@ std::vector<double> ranks_of(std::span<const double> values) {
 
 double TimedFrame::ms() const {
   return std::accumulate(passes.begin(), passes.end(), 0.0, [](double sum, const TimedPass& pass) { return sum + pass.ms; });
-}
-
-PassWork work_of(const PassRow& pass, CountedWork counted) {
-  PassWork work = {{"pass", 1},
-                   {"fragments", static_cast<double>(pass.fragments.value_or(0))},
-                   {"vertices", static_cast<double>(pass.vertices.value_or(0))}};
-  for (const auto& [kind, count] : counted == CountedWork::issued ? pass.issued : pass.operations)
-    work[kind] += static_cast<double>(count);
-  for (const TextureFetches& texture : pass.by_texture)
-    work["fetch " + texture.format + " " + texture.filter] +=
-        static_cast<double>(counted == CountedWork::issued ? texture.issued : texture.fetches);
-  return work;
 }
 
 std::vector<TimedFrame> timed_frames(std::span<const CellRow> cells) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a frame will take, told from what it executes: a weight for each kind of work, fitted to measured passes of one device.
 //
-// A pass takes 1 "pass", its fragments and vertices, its operations by class, and its fetches by format and filter, each times
-// its weight. Weights are at least 0, so that no work makes a frame faster. Two models are tried, of what is executed and of
-// what is issued (shader/block_work.h); the device decides which of them holds.
+// A pass takes what it does (pass_work.h), each kind of work times its weight. Weights are at least 0, so that no work makes a
+// frame faster. They make the sum of absolute relative errors least, of frames and of their passes: a frame's time says how its
+// passes add up, a pass's time which work it was. Two models are tried, of what is executed and of what is issued
+// (shader/block_work.h); the device decides which of them holds.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "harness/record/cell_rows.h"
+#include "harness/cost/pass_work.h"
 
 namespace lamina {
-
-enum class CountedWork : uint8_t { executed, issued };
-
-// Amounts by kind: "pass", "fragments", "vertices", "multiply", "fetch rgba8_unorm linear".
-using PassWork = std::map<std::string, double>;
-PassWork work_of(const PassRow& pass, CountedWork counted);
 
 // A pass of a frame that was timed.
 struct TimedPass {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Least squares with weights of at least 0.
+// Least squares and least absolute errors with weights of at least 0.
 #pragma once
 
 #include <span>
@@ -7,10 +7,16 @@
 
 namespace lamina {
 
-// The x >= 0 that makes the sum of (rows[i] . x - 1)^2 least: each row is divided by what it should give, so that errors are
-// relative. All rows have as many columns; a column of zeros gets 0. One coordinate after another is set to its best value
-// until none moves by more than 1e-10 of the largest: V. Franc, V. Hlavac, M. Navara, "Sequential Coordinate-Wise Algorithm for
-// the Non-negative Least Squares Problem", CAIP 2005. Throws Error(failed) where there are no rows, or a number is not finite.
-std::vector<double> fit_nonnegative(std::span<const std::vector<double>> rows);
+// The x >= 0 that makes the sum of (rows[i] . x - targets[i])^2 least. All rows have as many columns; a column of zeros gets 0.
+// Throws Error(failed) where there are no rows, or a number is not finite.
+// Source: R. Bro, S. de Jong, "A Fast Non-negativity-constrained Least Squares Algorithm", Journal of Chemometrics 11 (1997),
+// after C. Lawson, R. Hanson, "Solving Least Squares Problems", 1974, chapter 23.
+std::vector<double> fit_nonnegative(std::span<const std::vector<double>> rows, std::span<const double> targets);
+
+// Likewise of the sum of |rows[i] . x - targets[i]|, by least squares whose weights are made again from the errors: errors
+// below `small` count as their squares. Source: E. Schlossmacher, "An Iterative Technique for Absolute Deviations Curve
+// Fitting", JASA 68 (1973).
+std::vector<double> fit_least_absolute(std::span<const std::vector<double>> rows, std::span<const double> targets,
+                                       double small);
 
 }  // namespace lamina

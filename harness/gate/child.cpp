@@ -49,7 +49,7 @@ void* map_untouched(size_t bytes) {
 void lay_out_anew() {
   std::random_device random;
   const auto page = static_cast<size_t>(::sysconf(_SC_PAGESIZE));
-  constexpr size_t max_pages = 1 << 16;
+  constexpr size_t max_pages = 1 << 20;  // 4 GiB of addresses: large mappings begin at huge pages, so of 2048 places
   const size_t pages = 1 + random() % max_pages, heap_bytes = 16 * (1 + random() % 4096);
   [[maybe_unused]] static void* volatile kept;  // or a compiler leaves the allocation out
   kept = std::malloc(heap_bytes);

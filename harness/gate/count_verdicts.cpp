@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/gate/count_verdicts.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -54,40 +54,31 @@ void judge_operations(const VerdictSubject& subject, const CellRow& before, cons
   OperationCounts old_counts = operations_in(before), new_counts = operations_in(after);
   if (counts_operations(before) != counts_operations(after)) {
     changed.insert("operations");
-    subject.add("operations", Verdict::not_compared,
-                fmt::format("{}: the {} counted no operations, so they are not compared", subject.name(after.view),
-                            old_counts.empty() ? "state before" : "newer state"),
-                after.view);
+    subject.add("operations", Verdict::not_compared, Cause::counted_once, after.view,
+                {old_counts.empty() ? "before" : "after"});
     return;
   }
   std::set<std::string> passes;
   for (const OperationCounts* counts : {&old_counts, &new_counts})
     for (const auto& [pass, of_pass] : *counts) passes.insert(pass);
   for (const std::string& pass : passes) {
-    std::vector<std::string> words;
+    std::vector<OperationChange> changes;
     bool more = false, fewer = false, too_many = false;
     for (const auto& [operation, both] : side_by_side(old_counts[pass], new_counts[pass])) {
       const auto [old_count, new_count] = both;
       if (old_count == new_count) continue;
-      words.push_back(fmt::format("{} {:.0f}, was {:.0f}", operation, new_count, old_count));
+      changes.push_back({operation, old_count, new_count});
       (new_count > old_count ? more : fewer) = true;
       too_many = too_many || new_count > old_count * (1 + subject.limits.max_extra_operations);
     }
-    if (words.empty()) continue;
+    if (changes.empty()) continue;
     changed.insert("operations");
     const Verdict verdict = too_many && fewer ? Verdict::not_compared
                             : too_many        ? Verdict::worse
                             : more            ? Verdict::same
                                               : Verdict::better;
-    VerdictRow& row = subject.add(
-        "operations", verdict,
-        fmt::format("{}: pass {} executes {} operations: {}{}", subject.name(after.view), pass,
-                    more && fewer ? "other"
-                    : more        ? "more"
-                                  : "fewer",
-                    fmt::join(words, "; "), too_many && fewer ? "; which of them cost more is for times to say" : ""),
-        after.view);
-    row.pass = pass;
+    VerdictRow& row = subject.add("operations", verdict, Cause::figures, after.view);
+    row.pass = pass, row.operations = std::move(changes);
     row.before = sum_of(old_counts[pass]), row.after = sum_of(new_counts[pass]);
     if (too_many && !fewer) row.limit = *row.before * (1 + subject.limits.max_extra_operations);
   }
@@ -102,12 +93,7 @@ void judge_counts(const VerdictSubject& subject, const CellRow& before, const Ce
     changed.insert(count.what);
     const double allowed = old_count * (1 + subject.limits.max_extra_fetches);
     const Verdict verdict = new_count > allowed ? Verdict::worse : new_count > old_count ? Verdict::same : Verdict::better;
-    VerdictRow& row =
-        subject.add(count.what, verdict,
-                    fmt::format("{}: pass {} makes {:.0f} {}{} where it made {:.0f}", subject.name(after.view), count.pass,
-                                new_count, count.what == "fetches" ? "fetches" : "invocations of its " + count.what,
-                                count.texture.empty() ? "" : " of " + count.texture, old_count),
-                    after.view);
+    VerdictRow& row = subject.add(count.what, verdict, Cause::figures, after.view);
     row.pass = count.pass, row.texture = count.texture;
     row.before = old_count, row.after = new_count, row.limit = allowed;
   }
@@ -123,23 +109,17 @@ void judge_work_bounds(const VerdictSubject& subject, const CellRow& cell) {
   for (const PassRow& pass : cell.passes)
     if (!pass.once)
       for (const auto& [operation, count] : pass.operations) operations += static_cast<double>(count);
-  const auto check = [&](const char* what, const std::optional<double>& bound, std::optional<double> value, const char* words) {
+  const auto check = [&](const char* what, const std::optional<double>& bound, std::optional<double> value) {
     if (!bound || (value && *value <= *bound)) return;
-    VerdictRow& row = subject.add(
-        what, Verdict::failed,
-        value ? fmt::format("{}: the frame {} {:.0f} {}, the gate file allows {:.0f}", subject.name(cell.view),
-                            std::string_view(what) == "target_bytes" ? "takes" : "makes", *value, words, *bound)
-              : fmt::format("{}: its {} were not counted, and the gate file bounds them", subject.name(cell.view), words),
-        cell.view);
+    VerdictRow& row = subject.add(what, Verdict::failed, value ? Cause::beyond_bound : Cause::not_counted, cell.view);
     row.after = value, row.limit = *bound;
   };
   const auto as_double = [](const std::optional<uint64_t>& value) {
     return value ? std::optional(static_cast<double>(*value)) : std::nullopt;
   };
-  check("fetches", subject.limits.max_frame_fetches, as_double(cell.fetches), "fetches");
-  check("operations", subject.limits.max_frame_operations, operations > 0 ? std::optional(operations) : std::nullopt,
-        "operations");
-  check("target_bytes", subject.limits.max_target_bytes, as_double(cell.target_bytes), "bytes of targets and buffers");
+  check("fetches", subject.limits.max_frame_fetches, as_double(cell.fetches));
+  check("operations", subject.limits.max_frame_operations, operations > 0 ? std::optional(operations) : std::nullopt);
+  check("target_bytes", subject.limits.max_target_bytes, as_double(cell.target_bytes));
 }
 
 }  // namespace lamina

@@ -50,33 +50,27 @@ void judge_errors(const VerdictSubject& subject, const CellRow* before, const Ce
   if (!new_error) {
     if (!old_error) return;
     changed.insert("errors");
-    subject.add(
-        fmt::format("error to {}", against.name), Verdict::failed,
-        fmt::format("{}: its error to the {} could be measured before, now it cannot", subject.name(view), against.name), view);
+    subject.add(fmt::format("error to {}", against.name), Verdict::failed, Cause::error_lost, view, {against.name});
     return;
   }
   for (const Figure& figure : figures) {
     const std::string what = std::string(figure.name) + (against.error == to_truth.error ? " to truth" : "");
     const double now = (*new_error).*figure.value, sign = figure.more_is_better ? 1 : -1;
-    const auto report = [&](Verdict verdict, std::optional<double> old_value, std::optional<double> limit,
-                            std::string sentence) {
+    const auto report = [&](Verdict verdict, Cause cause, std::optional<double> old_value, std::optional<double> limit) {
       changed.insert("errors");
       (verdict == Verdict::better ? found.better : found.worse) = true;
-      VerdictRow& row = subject.add(what, verdict, std::move(sentence), view);
+      VerdictRow& row = subject.add(what, verdict, cause, view);
       row.before = old_value, row.after = now, row.limit = limit;
     };
     if (const std::optional<double>& bound = bounds.*figure.bound; bound && sign * now < sign * *bound) {
-      report(Verdict::failed, old_error ? std::optional((*old_error).*figure.value) : std::nullopt, bound,
-             fmt::format("{}: {} is {:.6g}, the gate file asks for {} {:.6g}", subject.name(view), what, now,
-                         figure.more_is_better ? "at least" : "at most", *bound));
+      report(Verdict::failed, Cause::beyond_bound, old_error ? std::optional((*old_error).*figure.value) : std::nullopt, bound);
       continue;
     }
     if (!old_error) continue;
     const double was = (*old_error).*figure.value, tolerance = subject.limits.tolerance.*figure.tolerance;
     if (now == was || std::abs(now - was) <= tolerance) continue;
     const bool worse = sign * now < sign * was;
-    report(worse ? Verdict::worse : Verdict::better, was, was - sign * tolerance,
-           fmt::format("{}: {} went from {:.6g} to {:.6g}", subject.name(view), what, was, now));
+    report(worse ? Verdict::worse : Verdict::better, Cause::figures, was, was - sign * tolerance);
   }
 }
 
@@ -88,22 +82,17 @@ void judge_content(const VerdictSubject& subject, const CellRow* before, const C
   const uint64_t nonfinite = after.nonfinite_pixels.value_or(0), covered = after.covered_pixels.value_or(0);
   if (nonfinite > subject.limits.max_nonfinite_pixels) {
     changed.insert("nonfinite");
-    VerdictRow& row =
-        subject.add("nonfinite", Verdict::failed,
-                    fmt::format("{}: {} pixels are infinite or not a number", subject.name(view), nonfinite), view);
+    VerdictRow& row = subject.add("nonfinite", Verdict::failed, Cause::not_finite, view);
     row.after = static_cast<double>(nonfinite), row.limit = static_cast<double>(subject.limits.max_nonfinite_pixels);
   }
   if (!before) return;
   const uint64_t covered_before = before->covered_pixels.value_or(0);
   if (covered == 0 && covered_before > 0) {
     changed.insert("blank");
-    subject.add("blank", Verdict::failed,
-                fmt::format("{}: the effect covers no pixel; before, it covered {}", subject.name(view), covered_before), view);
+    subject.add("blank", Verdict::failed, Cause::covers_nothing, view, {std::to_string(covered_before)});
   } else if (shows_something(*before) && !shows_something(after) && nonfinite == 0) {
     changed.insert("blank");
-    subject.add(
-        "blank", Verdict::failed,
-        fmt::format("{}: the picture is blank: all pixels that the effect covers are of one colour", subject.name(view)), view);
+    subject.add("blank", Verdict::failed, Cause::one_colour, view);
   }
 }
 
@@ -115,29 +104,25 @@ void judge_change(const VerdictSubject& subject, const CellRow& before, const Ce
   const bool same_hash = before.image_hash == after.image_hash;
   if (subject.limits.same_image && !same_hash) {
     changed.insert("image_hash");
-    subject.add("image_hash", Verdict::failed,
-                fmt::format("{}: the picture's hash changed, and the gate file asks for the same picture", subject.name(view)),
-                view);
+    subject.add("image_hash", Verdict::failed, Cause::another_hash, view);
   }
   const double most = subject.limits.max_picture_change;
   if (same_hash || after.nonfinite_pixels.value_or(0) > 0 || (change ? *change <= most : !hashes_tell)) return;
   if (errors.better && !errors.worse) return;
   changed.insert("picture");
-  const std::string by = change ? fmt::format(" by up to {:.4g} in linear light", *change) : ", as its hash did";
-  const char* why = after.baseline ? "it is what other variants are held to" : "no error got better by it";
-  VerdictRow& row = subject.add("picture", Verdict::worse,
-                                fmt::format("{}: the picture changed{}, and {}", subject.name(view), by, why), view);
+  VerdictRow& row =
+      subject.add("picture", Verdict::worse, after.baseline ? Cause::baseline_changed : Cause::changed_for_nothing, view);
   row.after = change;
   if (change) row.limit = most;
 }
 
 // A variant that was not there before.
 void judge_presence(const VerdictSubject& subject, const CellPair& pair) {
-  subject.add("cell", Verdict::not_compared, subject.name() + " is new: there is nothing to compare it with");
+  subject.add("cell", Verdict::not_compared, Cause::new_variant);
   const auto drawn = [](const std::optional<CellRow>& cell) { return cell && !cell->failed; };
   const auto covers = [&](const std::optional<CellRow>& cell) { return drawn(cell) && cell->covered_pixels.value_or(0) > 0; };
   if (std::ranges::any_of(pair.after, drawn) && std::ranges::none_of(pair.after, covers))
-    subject.add("blank", Verdict::failed, subject.name() + ": the effect covers no pixel in any view");
+    subject.add("blank", Verdict::failed, Cause::covers_nothing_anywhere);
 }
 
 // Views that gave different pictures and now give one: a frame that is not drawn again.
@@ -149,10 +134,7 @@ void judge_staleness(const VerdictSubject& subject, const CellPair& pair, std::s
       if (a->image_hash != b->image_hash || a->image_hash.empty()) continue;
       if (pair.before[i]->image_hash == pair.before[j]->image_hash) continue;
       changed.insert("blank");
-      subject.add(
-          "stale", Verdict::failed,
-          fmt::format("{}: views {} and {} show the same picture, which they did not before: a frame is not drawn again",
-                      subject.name(), a->view, b->view));
+      subject.add("stale", Verdict::failed, Cause::one_picture, "", {a->view, b->view});
     }
 }
 
@@ -181,21 +163,16 @@ std::vector<VerdictRow> judge_cells(const CellPair& pair, const Limits& limits) 
   for (size_t i = 0; i < pair.after.size(); ++i) {
     const std::optional<CellRow>&before = pair.before[i], &after = pair.after[i];
     if (!after) {
-      subject.add("cell", Verdict::failed, fmt::format("{} is gone: it was there before", subject.name(before->view)),
-                  before->view);
+      subject.add("cell", Verdict::failed, Cause::gone, before->view);
     } else if (after->failed) {
-      subject.add("cell", Verdict::failed, fmt::format("{} cannot be measured: {}", subject.name(after->view), after->reason),
-                  after->view);
+      subject.add("cell", Verdict::failed, Cause::cannot_be_measured, after->view, {after->reason});
     } else {
       const CellRow* was = before && !before->failed ? &*before : nullptr;
       if (was) {
         ++compared;
         judge_counts(subject, *was, *after, changed);
       } else if (!all_new) {
-        subject.add("cell", Verdict::not_compared,
-                    fmt::format("{} {}, so there is nothing to compare it with", subject.name(after->view),
-                                before ? "could not be measured before" : "is new"),
-                    after->view);
+        subject.add("cell", Verdict::not_compared, before ? Cause::failed_before : Cause::new_view, after->view);
       }
       ErrorsFound errors;
       judge_errors(subject, was, *after, to_baseline, limits.baseline, changed, errors);
@@ -213,8 +190,7 @@ std::vector<VerdictRow> judge_cells(const CellPair& pair, const Limits& limits) 
     kinds.push_back("operations");
   if (compared > 0)
     for (const char* what : kinds)
-      if (!changed.contains(what))
-        subject.add(what, Verdict::same, fmt::format("{}: {} as before in {} views", subject.name(), what, compared));
+      if (!changed.contains(what)) subject.add(what, Verdict::same, Cause::as_before, "", {std::to_string(compared)});
   return rows;
 }
 

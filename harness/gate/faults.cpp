@@ -82,7 +82,7 @@ std::string leave_out_mips(const FaultSite& site) {
 
 std::string put_twice(const FaultSite& site) {
   PassManifest again = site.pass;
-  again.name += "_again", again.where += " again";  // a pass is told by where it stands
+  again.name += "_again";
   const auto at = std::ranges::find(site.variant.passes, site.pass.name, &PassManifest::name);
   site.variant.passes.insert(at + 1, again);
   give_file(site, "twice");

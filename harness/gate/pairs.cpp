@@ -60,18 +60,6 @@ TimeEstimate time_alone(const PairedPass& pass, size_t frame) {
   return {ms, ms * estimate_ratio(rounds).error};
 }
 
-std::string percent(double ratio) { return fmt::format("{:+.1f}%", (ratio - 1) * 100); }
-
-std::string sentence_of(const VerdictRow& row) {
-  const std::string of = row.pass.empty() ? "the frame" : "pass " + row.pass;
-  const char* words = row.verdict == Verdict::slower   ? "is slower"
-                      : row.verdict == Verdict::faster ? "is faster"
-                      : row.verdict == Verdict::same   ? "takes as long as before"
-                                                       : "may or may not take as long as before";
-  return fmt::format("{} on {}: {} {}: {} [{}, {}], margin {:.1f}%", row.variant, row.backend, of, words,
-                     percent(row.ratio->median), percent(row.ratio->low), percent(row.ratio->high), *row.limit * 100);
-}
-
 // A row for each frame that takes longer than its bound.
 void judge_frame_ms(std::vector<VerdictRow>& rows, const std::map<ViewKey, std::vector<const PairsRow*>>& by_cell,
                     const LimitsFile& limits) {
@@ -187,10 +175,10 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
     VerdictRow& row = report.rows[i];
     row.verdict = verdicts[i].verdict, row.ratio = verdicts[i].ratio;
     row.after = *row.before * row.ratio->median;
-    row.sentence = sentence_of(row);
+    row.cause = Cause::figures;
     if (!believable && row.verdict != Verdict::same) {
+      row.cause = Cause::arm_differs, row.details = {std::string(name_of(row.verdict))};
       row.verdict = Verdict::ambiguous;
-      row.sentence += "; but the A/A arm differs from itself in this run, so no time is believed";
     }
     if (row.verdict == Verdict::ambiguous) report.undecided.insert({row.backend, row.effect, row.variant});
   }

@@ -78,8 +78,9 @@ struct Judge {
   double confidence;  // of each of the two intervals
   std::vector<VerdictRow>& rows;
 
-  VerdictRow& add(const CellRow& cell, const char* what, const std::string& pass) {
+  VerdictRow& add(const CellRow& cell, const char* what, const std::string& pass, Cause cause) {
     VerdictRow& row = rows.emplace_back();
+    row.cause = cause;
     const VariantKey key = key_of(cell);
     row.backend = key.backend, row.effect = key.effect, row.variant = key.variant;
     row.view = cell.view, row.what = what, row.pass = pass;
@@ -89,11 +90,8 @@ struct Judge {
   void compare(const CellRow& cell, const char* what, const std::string& pass, const Interval& now, const Interval& then,
                double margin) {
     const auto [ratio, verdict] = quotient(now, then, margin);
-    VerdictRow& row = add(cell, what, pass);
+    VerdictRow& row = add(cell, what, pass, Cause::against_record);
     row.verdict = verdict, row.ratio = ratio, row.before = then.median, row.after = now.median, row.limit = margin;
-    row.sentence = fmt::format("{} on {}: {} {} against the record: {:+.1f}% [{:+.1f}%, {:+.1f}%], margin {:.1f}%", row.variant,
-                               row.backend, pass.empty() ? std::string(what) : "time of pass " + pass, name_of(verdict),
-                               (ratio.median - 1) * 100, (ratio.low - 1) * 100, (ratio.high - 1) * 100, margin * 100);
   }
 
   // Samples that are not positive are refused: neither a record nor a run may pass by having measured nothing. Too few samples,
@@ -102,17 +100,15 @@ struct Judge {
                                       const std::vector<double>& ms) {
     const bool are_times = !ms.empty() && std::all_of(ms.begin(), ms.end(), [](double each) { return each > 0; });
     if (are_times && ms.size() >= min_rounds_for_95) return widest_interval(ms, confidence);
-    VerdictRow& row = add(cell, "time", pass);
+    VerdictRow& row = add(cell, "time", pass, Cause::too_few_samples);
     row.verdict = are_times ? Verdict::ambiguous : Verdict::failed;
-    row.sentence =
-        fmt::format("{} on {}: {} {} has no times to compare ({} samples; {} are needed, and none may be 0)", row.variant,
-                    row.backend, whose, pass.empty() ? "frame" : "pass " + pass, ms.size(), min_rounds_for_95);
+    row.details = {whose, std::to_string(ms.size()), std::to_string(min_rounds_for_95)};
     return std::nullopt;
   }
 
   void times(const CellRow& before, const CellRow& after, double margin) {
-    const auto then = interval_in(before, "the record's", "", frame_samples_ms(before.passes));
-    const auto now = interval_in(after, "this run's", "", frame_samples_ms(after.passes));
+    const auto then = interval_in(before, "before", "", frame_samples_ms(before.passes));
+    const auto now = interval_in(after, "after", "", frame_samples_ms(after.passes));
     if (then && now) compare(after, "time", "", *now, *then, margin);
   }
 
@@ -120,16 +116,14 @@ struct Judge {
     if (!max_ms) return;
     const double ms = median(frame_samples_ms(cell.passes));
     if (ms <= *max_ms) return;
-    fail_frame_ms(add(cell, "frame_ms", ""), ms, *max_ms);
+    fail_frame_ms(add(cell, "frame_ms", "", Cause::beyond_bound), ms, *max_ms);
   }
 
   void ratio(const CellRow& before, const CellRow& after, double margin) {
     const std::optional<Interval>&then = before.ratio_to_baseline, &now = after.ratio_to_baseline;
     if (!then || !now) return;
     if (!(then->low > 0) || !(now->low > 0)) {
-      VerdictRow& row = add(after, "ratio", "");
-      row.verdict = Verdict::failed;
-      row.sentence = fmt::format("{} on {}: a ratio to the baseline is 0, which is no measurement", row.variant, row.backend);
+      add(after, "ratio", "", Cause::ratio_of_zero).verdict = Verdict::failed;
       return;
     }
     compare(after, "ratio", "", *now, *then, margin);
@@ -186,10 +180,7 @@ std::vector<VerdictRow> judge_stored(const Record& stored, const Record& run, co
       if (!words.empty()) {
         VerdictRow& row = rows.emplace_back();
         row.backend = key.backend, row.what = "time", row.verdict = Verdict::not_compared;
-        row.sentence = fmt::format(
-            "{}: times are compared as ratios to the baseline variant alone, since the record is from "
-            "another machine: {}",
-            key.backend, words);
+        row.cause = Cause::another_machine, row.details = {words};
       }
     }
     const bool same_machine = differences[key.backend].empty();
@@ -202,10 +193,9 @@ std::vector<VerdictRow> judge_stored(const Record& stored, const Record& run, co
       const bool was_timed = has_times(*before), is_timed = has_times(*after);
       if (!was_timed && !is_timed) continue;
       if (was_timed != is_timed) {
-        VerdictRow& row = judge.add(*after, "time", "");
+        VerdictRow& row = judge.add(*after, "time", "", Cause::timed_once);
         row.verdict = was_timed && !after->timed ? Verdict::ambiguous : Verdict::not_compared;
-        row.sentence = fmt::format("{} on {}: only {} has times of view {}", row.variant, row.backend,
-                                   was_timed ? "the record" : "this run", row.view);
+        row.details = {was_timed ? "before" : "after"};
         continue;
       }
       judge.ratio(*before, *after, cell_limits.max_ratio_drift);

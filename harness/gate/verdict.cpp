@@ -54,18 +54,14 @@ void let_counts_decide(std::vector<VerdictRow>& rows, const LimitsFile& limits) 
         return backend != row.backend || (entry.second.decides() && !limits.of(effect, variant, backend).times_must_decide);
       });
       if (!all_decide) continue;
-      row.verdict = Verdict::time_open;
-      row.sentence += "; every count is equal or fewer and the pictures hold, so times stay open";
+      row.verdict = Verdict::time_open, row.counts_hold = true;
     }
     if (row.what != "time" && row.what != "ratio") continue;
     if (const auto counted = by_variant.find({row.backend, row.effect, row.variant});
         counted == by_variant.end() || !counted->second.decides())
       continue;
-    if (row.verdict == Verdict::slower)
-      row.sentence += "; every count is equal or fewer, so access to memory, a format or the code's layout costs it";
-    if (row.verdict != Verdict::ambiguous || !may_stay_open(row)) continue;
-    row.verdict = Verdict::time_open;
-    row.sentence += "; every count is equal or fewer and the pictures hold, so the time stays open";
+    row.counts_hold = true;
+    if (row.verdict == Verdict::ambiguous && may_stay_open(row)) row.verdict = Verdict::time_open;
   }
 }
 

@@ -13,9 +13,8 @@ namespace lamina {
 
 // A row that names its cell becomes that of a frame that takes longer than its bound.
 inline void fail_frame_ms(VerdictRow& row, double ms, double bound) {
-  row.what = "frame_ms", row.verdict = Verdict::failed, row.after = ms, row.limit = bound;
-  row.sentence =
-      fmt::format("{} on {}: the frame takes {:.4g} ms, the gate file allows {:.4g}", row.variant, row.backend, ms, bound);
+  row.what = "frame_ms", row.verdict = Verdict::failed, row.cause = Cause::beyond_bound, row.after = ms, row.limit = bound;
+  row.details.clear(), row.counts_hold.reset();
 }
 
 struct VerdictSubject {
@@ -23,18 +22,12 @@ struct VerdictSubject {
   VerdictRow blank;  // names the variant and backend
   std::vector<VerdictRow>& rows;
 
-  VerdictRow& add(std::string_view what, Verdict verdict, std::string sentence, std::string view = "") const {
+  VerdictRow& add(std::string_view what, Verdict verdict, Cause cause, std::string view = "",
+                  std::vector<std::string> details = {}) const {
     VerdictRow& row = rows.emplace_back(blank);
-    row.what = what;
-    row.verdict = verdict;
-    row.sentence = std::move(sentence);
-    row.view = std::move(view);
+    row.what = what, row.verdict = verdict, row.cause = cause;
+    row.view = std::move(view), row.details = std::move(details);
     return row;
-  }
-
-  // "light_map on vulkan, view front": how sentences begin.
-  std::string name(const std::string& view = "") const {
-    return fmt::format("{} on {}{}", blank.variant, blank.backend, view.empty() ? "" : ", view " + view);
   }
 };
 

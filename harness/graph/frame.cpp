@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "harness/graph/frame_builder.h"
+#include "harness/graph/pass_makeup.h"
 
 namespace lamina {
 
@@ -59,6 +60,7 @@ const std::vector<size_t>& Frame::running(Sequence& sequence, size_t view) {
 
 FrameTimes Frame::run_sequence(Sequence& sequence, size_t view, Timing timing) {
   std::vector<size_t> which = running(sequence, view);
+  sequence.ran = which, sequence.ran_view = view;
   // What depends on meshes and lights alone is the same in all views: where nothing is timed, it is drawn and counted once.
   const bool is_there = timing == Timing::off && sequence.complete_at == resources_.updates();
   const auto is_left = [&](const Step& step) { return is_there && step.pass->pass->when == Frequency::mesh_or_lights_move; };
@@ -71,12 +73,20 @@ FrameTimes Frame::run_sequence(Sequence& sequence, size_t view, Timing timing) {
     for (const size_t i : which) fewer.push_back(all[i]);
   const RunTimes times = backend_.run(which.size() < all.size() ? fewer : all, timing);
   sequence.complete_at = resources_.updates();
+  take_issued(sequence, which, times);
   FrameTimes sums;
   sums.wall_ms = times.wall_ms;
   if (timing == Timing::off) return sums;
   sums.pass_ms.assign(sequence.steps.size(), 0);
   for (size_t i = 0; i < times.pass_ms.size(); ++i) sums.pass_ms[sequence.step_of_pass[which[i]]] += times.pass_ms[i];
   return sums;
+}
+
+void Frame::take_issued(Sequence& sequence, const std::vector<size_t>& which, const RunTimes& times) {
+  if (times.issued_fragments.empty()) return;
+  for (const size_t i : which) sequence.steps[sequence.step_of_pass[i]].issued_fragments = 0;
+  for (size_t i = 0; i < which.size(); ++i)
+    *sequence.steps[sequence.step_of_pass[which[i]]].issued_fragments += times.issued_fragments[i];
 }
 
 std::vector<const GraphPass*> Frame::unfinished(size_t view) const {
@@ -132,7 +142,7 @@ std::vector<Frame::Slice> Frame::slices(size_t view, std::span<const uint32_t> p
       slices.push_back({step, passes[i]});
       continue;
     }
-    const Area whole = made_.whole.at(passes[i].colors.front().texture);
+    const TextureDesc& whole = made_.targets.at(passes[i].colors.front().texture);
     const uint32_t count = std::clamp(parts[step], 1u, whole.height);
     for (uint32_t strip = 0; strip < count; ++strip) {
       const auto row = [&](uint32_t edge) { return static_cast<uint32_t>(uint64_t{whole.height} * edge / count); };
@@ -172,45 +182,48 @@ std::vector<PassCounts> Frame::counts(Sequence& sequence) {
   std::vector<PassCounts> all;
   for (const Step& step : sequence.steps) {
     PassCounts& pass = all.emplace_back();
-    if (!step.counters) continue;
-    const std::vector<std::byte> bytes = backend_.read_buffer(step.counters);
-    const auto counter = [&](uint32_t word) {
-      uint64_t value = 0;  // low word first, as the host's order is
-      std::memcpy(&value, bytes.data() + size_t{word} * 4, 8);
-      return value;
-    };
-    ShaderWork work;  // of all stages
-    Operations all_issued;
-    for (const Counted& counted : step.counted) {
-      const uint64_t invocations = counter(counted.first_word);
-      (counted.stage == Stage::vertex ? pass.vertices : pass.fragments) += invocations;
-      pass.early_tests = pass.early_tests && (counted.stage != Stage::fragment || counted.early_tests);
-      std::vector<uint64_t> counts(counted.work.counted_labels().size());
-      for (size_t i = 0; i < counts.size(); ++i) counts[i] = counter(counted.first_word + 2 + static_cast<uint32_t>(2 * i));
-      const ShaderWork done = counted.work.executed(invocations, counts), issued = counted.work.issued(invocations, counts);
-      for (const auto& [binding, fetches] : done.fetches) {
-        const auto texture = counted.textures.find(binding);
-        if (texture == counted.textures.end()) continue;
-        const auto same = std::ranges::find_if(pass.by_texture, [&](const TextureFetches& row) {
-          const TextureFetches& one = texture->second;
-          return row.texture == one.texture && row.format == one.format && row.filter == one.filter;
-        });
-        TextureFetches& row = same == pass.by_texture.end() ? pass.by_texture.emplace_back(texture->second) : *same;
-        row.fetches += fetches;
-        row.issued += issued.fetches.at(binding);
-      }
-      work.add(done, 1);
-      all_issued.add(issued.operations);
-    }
-    pass.operations = work.operations.by_name();
-    pass.issued = all_issued.by_name();
-    for (const auto& [line, done] : work.lines) {
-      const std::filesystem::path file = std::filesystem::path(line.file).lexically_relative(resources_.library().shaders);
-      const bool within = !file.empty() && *file.begin() != "..";
-      pass.lines[{within ? file.generic_string() : line.file, line.line}].add(done);
-    }
+    pass.issued_fragments = step.issued_fragments;
+    if (step.counters) add_counted(pass, step);
+  }
+  const std::vector<Pass>& passes = sequence.passes_by_view.at(sequence.ran_view);
+  for (const size_t i : sequence.ran) {
+    const size_t step = sequence.step_of_pass[i];
+    add_makeup(all[step], passes[i], *sequence.steps[step].pass->pass, made_.targets);
   }
   return all;
+}
+
+void Frame::add_counted(PassCounts& pass, const Step& step) {
+  const std::vector<std::byte> bytes = backend_.read_buffer(step.counters);
+  const auto counter = [&](uint32_t word) {
+    uint64_t value = 0;  // low word first, as the host's order is
+    std::memcpy(&value, bytes.data() + size_t{word} * 4, 8);
+    return value;
+  };
+  ShaderWork work;  // of all stages
+  Operations all_issued, vertex_issued;
+  FetchesByTexture fetches(pass.by_texture);
+  for (const Counted& counted : step.counted) {
+    const uint64_t invocations = counter(counted.first_word);
+    (counted.stage == Stage::vertex ? pass.vertices : pass.fragments) += invocations;
+    pass.early_tests = pass.early_tests && (counted.stage != Stage::fragment || counted.early_tests);
+    std::vector<uint64_t> counts(counted.work.counters());
+    for (size_t i = 0; i < counts.size(); ++i) counts[i] = counter(counted.first_word + 2 + static_cast<uint32_t>(2 * i));
+    const ShaderWork done = counted.work.executed(invocations, counts), issued = counted.work.issued(invocations, counts);
+    for (const auto& [binding, texture] : counted.textures)
+      if (done.fetches.contains(binding)) fetches.add(texture, binding, done, issued);
+    work.add(done, 1);
+    all_issued.add(issued.operations);
+    if (counted.stage == Stage::vertex) vertex_issued.add(issued.operations);
+  }
+  pass.operations = work.operations.by_name();
+  pass.issued = all_issued.by_name();
+  pass.vertex_issued = vertex_issued.by_name();
+  for (const auto& [line, done] : work.lines) {
+    const std::filesystem::path file = std::filesystem::path(line.file).lexically_relative(resources_.library().shaders);
+    const bool within = !file.empty() && *file.begin() != "..";
+    pass.lines[{within ? file.generic_string() : line.file, line.line}].add(done);
+  }
 }
 
 Mask Frame::coverage(std::string_view effect) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/graph/counted_texture.h"
 #include "harness/graph/counts.h"
 #include "harness/graph/graph.h"
 #include "harness/graph/scene_resources.h"
@@ -78,7 +79,7 @@ class Frame {
   struct Counted {
     Stage stage;
     uint32_t first_word;
-    std::map<uint32_t, TextureFetches> textures;  // by binding, without a count
+    std::map<uint32_t, CountedTexture> textures;  // by binding
     BlockWork work;
     bool early_tests;
   };
@@ -89,6 +90,7 @@ class Frame {
     bool turns = false;             // each repetition reads what the one before wrote
     std::vector<uint32_t> cleared;  // what the counters hold before a run
     std::vector<Counted> counted;
+    std::optional<uint64_t> issued_fragments;  // of the last run, where the device tells
   };
   // A list of logical passes; each is one or more backend passes (per object, per repetition).
   struct Sequence {
@@ -104,6 +106,8 @@ class Frame {
       std::vector<size_t> unfinished;  // steps that drew to the last repetition
     };
     std::vector<Running> running;
+    std::vector<size_t> ran;  // the passes of a frame as last run, those too that an earlier view's run stands for; by index
+    size_t ran_view = 0;
     bool stops_early = false;
     std::optional<uint64_t> complete_at;  // the state of the scene that all of its passes have run for
   };
@@ -112,7 +116,9 @@ class Frame {
   void release();
   const std::vector<size_t>& running(Sequence& sequence, size_t view);
   FrameTimes run_sequence(Sequence& sequence, size_t view, Timing timing);
+  static void take_issued(Sequence& sequence, const std::vector<size_t>& which, const RunTimes& times);
   std::vector<PassCounts> counts(Sequence& sequence);
+  void add_counted(PassCounts& pass, const Step& step);
 
   SceneResources& resources_;
   Backend& backend_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "harness/graph/frame_builder.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <bit>
 
@@ -140,6 +138,7 @@ void FrameBuilder::build_pass(const Repetition& repetition, std::span<const Grap
   for (size_t i = 0; i < draws.size() && manifest.draw != DrawKind::mips; ++i)
     if (!draws[i].stages.empty()) into.draws.push_back(make_draw(repetition, draws[i], into));
   into.count_samples = manifest.until_empty;
+  into.count_issued_fragments = frame_.build_ == Build::counting;
   repetition.passes.push_back(std::move(into));
   for (FrameTarget* target : turning) target->current = 1 - target->current;
   repetition.step.turns = repetition.step.turns || !turning.empty();
@@ -268,6 +267,16 @@ Draw FrameBuilder::make_draw(const Repetition& repetition, const GraphDraw& draw
   return command;
 }
 
+std::optional<uint32_t> FrameBuilder::level_read(const Repetition& repetition, const GraphDraw& draw,
+                                                 const ResolvedRead& read) {
+  const PassManifest& manifest = *repetition.pass.pass;
+  const bool walks = manifest.levels != LevelWalk::none && read.source.kind == Source::Kind::target &&
+                     std::find(manifest.writes.begin(), manifest.writes.end(), read.source.name) != manifest.writes.end();
+  if (!walks) return std::nullopt;
+  return lamina::read_level(manifest.levels, repetition.index,
+                            targets_.source_target(repetition.pass, draw, read.source).levels);
+}
+
 void FrameBuilder::bind(const Repetition& repetition, const GraphDraw& draw, Draw& command) {
   const GraphPass& pass = repetition.pass;
   for (const ResolvedRead& read : draw.reads) {
@@ -278,10 +287,7 @@ void FrameBuilder::bind(const Repetition& repetition, const GraphDraw& draw, Dra
     } else {
       const FrameTarget& target = targets_.source_target(pass, draw, read.source);
       binding.texture = target.buffers[target.current];
-      const auto& writes = pass.pass->writes;
-      if (pass.pass->levels != LevelWalk::none && read.source.kind == Source::Kind::target &&
-          std::find(writes.begin(), writes.end(), read.source.name) != writes.end())
-        binding.level = read_level(pass.pass->levels, repetition.index, target.levels);
+      binding.level = level_read(repetition, draw, read);
     }
     command.textures.push_back(binding);
   }
@@ -316,7 +322,7 @@ PipelineId FrameBuilder::pipeline(const Repetition& repetition, const GraphDraw&
   const GraphPass& pass = repetition.pass;
   PipelineDesc desc;
   desc.name = label_of(pass, draw, true);
-  std::string key = fmt::format("{}|{}|{}", pass.variant->effect, pass.variant->name, pass.pass->where);
+  std::string key = fmt::format("{}|{}|{}", pass.variant->effect, pass.variant->name, pass.pass - pass.variant->passes.data());
   for (const auto& stage : draw.stages) {
     desc.stages.push_back({stage->stage, stage->spirv});
     key += fmt::format("|{}", static_cast<const void*>(stage.get()));
@@ -336,10 +342,14 @@ PipelineId FrameBuilder::pipeline(const Repetition& repetition, const GraphDraw&
     for (const BindingSlot& slot : desc.bindings) binding = std::max(binding, slot.binding + 1);
     desc.bindings.push_back({binding, BindingKind::storage_buffer});
     command.buffers.push_back({binding, {}, BindingKind::storage_buffer});
-    // Its counters are built in, and they count by format and filter: draws and repetitions that are alike in these share both.
-    for (const ResolvedRead& read : draw.reads)
-      key += fmt::format("|{}", fmt::join(words_of(repetition.pass, draw, read), ","));
-    if (!pipelines_.contains(key)) count(repetition, draw, binding, desc);
+    // Its counters are built in, and they count by format, filter, size and level: draws and repetitions that are alike in
+    // these share both.
+    std::map<uint32_t, CountedTexture> textures;
+    for (const ResolvedRead& read : draw.reads) {
+      const CountedTexture& texture = textures[read.binding] = counted_texture(repetition, draw, read);
+      key += "|" + key_of(texture);
+    }
+    if (!pipelines_.contains(key)) count(repetition, draw, binding, textures, desc);
   }
   std::sort(desc.bindings.begin(), desc.bindings.end());
   desc.bindings.erase(std::unique(desc.bindings.begin(), desc.bindings.end()), desc.bindings.end());
@@ -350,25 +360,29 @@ PipelineId FrameBuilder::pipeline(const Repetition& repetition, const GraphDraw&
   return id;
 }
 
-std::array<std::string, 3> FrameBuilder::words_of(const GraphPass& pass, const GraphDraw& draw, const ResolvedRead& read) {
-  return {read.sampler, std::string(name_of(format_of(pass, draw, read.source))),
-          std::string(name_of(read.source.sampler.filter))};
+CountedTexture FrameBuilder::counted_texture(const Repetition& repetition, const GraphDraw& draw, const ResolvedRead& read) {
+  const std::optional<uint32_t> level = level_read(repetition, draw, read);
+  const Filter filter = read.source.sampler.filter;
+  if (const auto image = resources_.image_of(read.source, draw.object))
+    return lamina::counted_texture(read.sampler, filter, image->format, {image->width, image->height, image->depth},
+                                   static_cast<uint32_t>(image->levels.size()), level);
+  const FrameTarget& target = targets_.source_target(repetition.pass, draw, read.source);
+  return lamina::counted_texture(read.sampler, filter, target.format, {target.width, target.height, 1}, target.levels, level);
 }
 
-void FrameBuilder::count(const Repetition& repetition, const GraphDraw& draw, uint32_t binding, PipelineDesc& desc) {
+void FrameBuilder::count(const Repetition& repetition, const GraphDraw& draw, uint32_t binding,
+                         const std::map<uint32_t, CountedTexture>& textures, PipelineDesc& desc) {
   Frame::Step& step = repetition.step;
+  CountingLayout layout{.binding = binding};
+  for (const auto& [at, texture] : textures) layout.textures[at] = texture.leveled;
   for (size_t i = 0; i < draw.stages.size(); ++i) {
     const CompiledShader& shader = *draw.stages[i];
-    const uint32_t coverage = shader.stage == Stage::fragment ? step.coverage_word : 0;
-    CountingShader counting = add_counters(shader, backend_.info().api, {binding, next_word_, coverage});
-    Frame::Counted& counted =
-        step.counted.emplace_back(Frame::Counted{shader.stage, next_word_, {}, {}, counting.early_fragment_tests});
+    layout.first_word = next_word_;
+    layout.coverage_word = shader.stage == Stage::fragment ? step.coverage_word : 0;
+    CountingShader counting = add_counters(shader, backend_.info().api, layout);
     next_word_ += counting.words();
-    for (const ResolvedRead& read : draw.reads) {
-      const auto [sampler, format, filter] = words_of(repetition.pass, draw, read);
-      counted.textures[read.binding] = {sampler, format, filter, 0};
-    }
-    counted.work = std::move(counting.work);
+    step.counted.push_back(
+        {shader.stage, layout.first_word, textures, std::move(counting.work), counting.early_fragment_tests});
     desc.stages[i].spirv = std::move(counting.spirv);
   }
 }
@@ -378,11 +392,6 @@ std::string FrameBuilder::label_of(const GraphPass& pass, const GraphDraw& draw,
   if (with_object && draw.object) label += "." + scene_.objects[*draw.object].name;
   if (draw.light) label += "." + scene_.lights[*draw.light].name;
   return label;
-}
-
-Format FrameBuilder::format_of(const GraphPass& pass, const GraphDraw& draw, const Source& source) {
-  if (const auto image = resources_.image_of(source, draw.object)) return image->format;
-  return targets_.source_target(pass, draw, source).format;
 }
 
 }  // namespace lamina

@@ -45,13 +45,14 @@ class FrameBuilder {
   void bind(const Repetition& repetition, const GraphDraw& draw, Draw& command);
   void bind_block(const Repetition& repetition, const GraphDraw& draw, const ShaderResource& block, Draw& command);
   PipelineId pipeline(const Repetition& repetition, const GraphDraw& draw, const Pass& into, Draw& command);
-  // The draw's sampler, and the format and filter of what it reads there.
-  std::array<std::string, 3> words_of(const GraphPass& pass, const GraphDraw& draw, const ResolvedRead& read);
-  void count(const Repetition& repetition, const GraphDraw& draw, uint32_t binding, PipelineDesc& desc);
+  // The one level of a target that a pass reads which walks along its levels.
+  std::optional<uint32_t> level_read(const Repetition& repetition, const GraphDraw& draw, const ResolvedRead& read);
+  CountedTexture counted_texture(const Repetition& repetition, const GraphDraw& draw, const ResolvedRead& read);
+  void count(const Repetition& repetition, const GraphDraw& draw, uint32_t binding,
+             const std::map<uint32_t, CountedTexture>& textures, PipelineDesc& desc);
   uint32_t repetitions(const GraphPass& pass);
   void give_counters(Frame::Step& step, size_t first_pass, Frame::Sequence& sequence);
   std::string label_of(const GraphPass& pass, const GraphDraw& draw, bool with_object) const;
-  Format format_of(const GraphPass& pass, const GraphDraw& draw, const Source& source);
 
   Frame& frame_;
   SceneResources& resources_;

@@ -82,7 +82,7 @@ FrameTarget Targets::make(const std::string& label, uint32_t width, uint32_t hei
     desc.target = true, desc.storage = storage;
     made.buffers[i] = resources_.backend().create_texture(desc);
     made_.textures.push_back(made.buffers[i]);
-    made_.whole[made.buffers[i]] = {0, 0, width, height};
+    made_.targets[made.buffers[i]] = desc;
     made_.bytes += texel_bytes(width, height, mips, format);
   }
   return made;

@@ -24,8 +24,8 @@ struct FrameTarget {
 struct MadeResources {
   std::vector<TextureId> textures;
   std::vector<BufferId> buffers;
-  std::map<TextureId, Area> whole;  // of every target, its level 0
-  uint64_t bytes = 0;               // of all of them, as their formats say
+  std::map<TextureId, TextureDesc> targets;  // every target
+  uint64_t bytes = 0;                        // of all of them, as their formats say
   // Targets as large as the frame, by variant and name.
   std::map<std::pair<const VariantManifest*, std::string>, std::pair<TextureId, Format>> frame_sized;
 };

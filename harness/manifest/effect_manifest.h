@@ -127,6 +127,7 @@ struct EffectManifest {
   std::vector<VariantManifest> variants;  // the baseline first, then by file name
 
   const VariantManifest& baseline() const { return variants.front(); }
+  const VariantManifest* variant(std::string_view name) const;  // null where there is none
   // Whether objects can call for it; else the scene does, by a table [effects.NAME].
   bool of_objects() const { return !key.empty() || otherwise; }
 };

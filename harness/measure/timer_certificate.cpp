@@ -26,7 +26,7 @@ struct Effort {
   double one_ms;
   size_t max_rounds;
 };
-constexpr std::array<Effort, 3> efforts = {{{12, 9}, {40, 24}, {120, 60}}};
+constexpr std::array<Effort, 3> efforts = {{{12, 30}, {40, 80}, {120, 60}}};
 // Greatest share of the 1x pass that is a fixed cost: waking threads takes half a millisecond, up to three on a busy machine. A
 // timer that gives every pass the same time has a share of 1.
 constexpr double max_fixed_share = 0.25;
@@ -93,23 +93,24 @@ double nearest_fixed_cost(const std::array<Interval, kinds>& shares, Range range
 enum class Certainty : uint8_t { holds, open, fails };
 
 Certainty adds_up(const Interval& sum_over_wall) {
-  constexpr double low = 1 - additivity_tolerance, high = 1 + additivity_tolerance;
-  if (sum_over_wall.high < low || sum_over_wall.low > high) return Certainty::fails;
-  return sum_over_wall.low >= low && sum_over_wall.high <= high ? Certainty::holds : Certainty::open;
+  if (sum_over_wall.high < 1 - additivity_tolerance || sum_over_wall.low > 1 + additivity_tolerance) return Certainty::fails;
+  const bool certain = sum_over_wall.low >= 1 - certain_tolerance && sum_over_wall.high <= 1 + certain_tolerance;
+  return certain ? Certainty::holds : Certainty::open;
 }
 
 Certainty is_linear(const std::array<Interval, kinds>& shares, const Range& possible) {
-  Range touching = possible, holding = possible;
+  Range touching = possible;
   bool told = shares[0].coverage >= confidence;  // of as many rounds as all other intervals
-  for (size_t k = 1; k < kinds; ++k) {
-    const Interval& share = shares[k];
-    touching.keep(fixed_costs_for(k, {share.low / (1 + linearity_tolerance), share.high / (1 - linearity_tolerance)}));
-    // An interval wider than the bounds gives an upside-down range: nothing lies in it.
-    const Range within = {share.high / (1 + linearity_tolerance), share.low / (1 - linearity_tolerance)};
-    told = told && !within.empty();
-    if (told) holding.keep(fixed_costs_for(k, within));
-  }
+  for (size_t k = 1; k < kinds; ++k)
+    touching.keep(fixed_costs_for(k, {shares[k].low / (1 + linearity_tolerance), shares[k].high / (1 - linearity_tolerance)}));
   if (touching.empty()) return Certainty::fails;
+  Range holding = touching;
+  for (size_t k = 1; k < kinds; ++k) {
+    // An interval wider than the bounds gives an upside-down range: nothing lies in it.
+    const Range certain = {shares[k].high / (1 + certain_tolerance), shares[k].low / (1 - certain_tolerance)};
+    told = told && !certain.empty();
+    if (told) holding.keep(fixed_costs_for(k, certain));
+  }
   return told && !holding.empty() ? Certainty::holds : Certainty::open;
 }
 

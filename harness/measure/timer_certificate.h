@@ -24,14 +24,16 @@ inline constexpr std::array<int, 5> timer_passes = {1, 4, 2, 1, 1};
 // 3% too great.
 inline constexpr double linearity_tolerance = 0.03;
 inline constexpr double additivity_tolerance = 0.05;
+// And what must be certain: on a busy machine intervals are wide, and timers that lied did so by factors.
+inline constexpr double certain_tolerance = 0.1;
 
 // The certificate of measured rounds. times_ms[round] are the times of all passes of each kind, as many as timer_passes says;
 // wall_ms[round] is the frame's wall time. All figures are medians over rounds of ratios within a round, so a machine whose
-// speed drifts from round to round is not taken for a bad timer. Their 95% intervals must lie within the tolerances of a line
-// through the work: a fixed cost of a pass, and its share of all work. That cost is about what a pass without work takes; on a
-// busy machine a pass waits for a core besides, which counts into it. The certificate holds where one such line lies within all
-// intervals' bounds, and fails where every line lies wholly beyond one; between, the machine is too busy to tell, which more
-// rounds may mend. Throws Error(failed) where there are no rounds.
+// speed drifts from round to round is not taken for a bad timer. The times of passes must lie on a line: a fixed cost of a
+// pass, and its share of all work. That cost is about what a pass without work takes; on a busy machine a pass waits for a core
+// besides, which counts into it. The certificate holds where, of some such line, all 95% intervals reach within the tolerance
+// and lie within certain_tolerance. It fails where they do not reach within the tolerance of any. Between, the machine is too
+// busy to tell, which more rounds may mend. Throws Error(failed) where there are no rounds.
 TimerRow judge_timer(const std::vector<std::vector<double>>& times_ms, const std::vector<double>& wall_ms);
 
 // Passes of known relative work, each through the timer that is to be certified.

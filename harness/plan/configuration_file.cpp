@@ -14,11 +14,6 @@
 namespace lamina {
 namespace {
 
-const VariantManifest* variant_named(const EffectManifest& effect, std::string_view name) {
-  const auto found = std::ranges::find(effect.variants, name, &VariantManifest::name);
-  return found == effect.variants.end() ? nullptr : &*found;
-}
-
 double value_in(const TomlTable& table, const std::string& path, const ParameterManifest& parameter) {
   return parameter.words.empty() ? checked_number(parameter, table.optional_number(path).value_or(std::nan("")), table, path)
                                  : checked_word(parameter, table.string(path), table, path);
@@ -73,7 +68,7 @@ void apply_configuration(Plan& plan, const std::filesystem::path& file) {
     const std::string wanted = variants.string(name);
     std::vector<std::string> known;
     for (const VariantManifest& variant : entry->effect->variants) known.push_back(variant.name);
-    const VariantManifest* found = variant_named(*entry->effect, wanted);
+    const VariantManifest* found = entry->effect->variant(wanted);
     if (!found)
       throw variants.error(name, unknown_name("variant", wanted, known) + "; choose again, or give it with --variants-dir");
     plan.chosen[name] = found;
@@ -85,7 +80,7 @@ std::string configuration_text(const std::string& scene, const Library& library,
   toml::table variants, parameters;
   for (const VariantManifest* variant : configuration) {
     variants.insert(variant->effect, variant->name);
-    const VariantManifest& declared = *variant_named(library.effect(variant->effect), variant->name);
+    const VariantManifest& declared = *library.effect(variant->effect).variant(variant->name);
     for (const ParameterManifest& parameter : variant->parameters) {
       if (parameter.value == declared.parameter(parameter.name)->value) continue;
       const std::string path = variant->name + "." + parameter.name;

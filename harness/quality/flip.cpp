@@ -37,14 +37,13 @@ const cv::Vec3d white = xyz_from_linear * cv::Vec3d(1, 1, 1);
 const cv::Matx33d to_relative = cv::Matx33d::diag({1 / white[0], 1 / white[1], 1 / white[2]}) * xyz_from_linear;
 const cv::Matx33f relative_from_linear(to_relative), linear_from_relative(to_relative.inv());
 
-Opponent opponent_from(const DisplayImage& picture) {
+Opponent opponent_from(const cv::Mat3b& picture) {
   std::array<float, 256> linear;
   for (int code = 0; code < 256; ++code) linear[code] = srgb_decode(static_cast<float>(code) / 255);
-  Opponent planes{Plane(picture.height, picture.width), Plane(picture.height, picture.width),
-                  Plane(picture.height, picture.width)};
-  tbb::parallel_for(0, picture.height, [&](int y) {
-    const uint8_t* rgb = &picture.rgb[3 * static_cast<size_t>(y) * static_cast<size_t>(picture.width)];
-    for (int x = 0; x < picture.width; ++x, rgb += 3) {
+  Opponent planes{Plane(picture.size()), Plane(picture.size()), Plane(picture.size())};
+  tbb::parallel_for(0, picture.rows, [&](int y) {
+    for (int x = 0; x < picture.cols; ++x) {
+      const cv::Vec3b& rgb = picture(y, x);
       const cv::Vec3f xyz = relative_from_linear * cv::Vec3f(linear[rgb[0]], linear[rgb[1]], linear[rgb[2]]);
       planes.luminance(y, x) = xyz[1];
       planes.red_green(y, x) = xyz[0] - xyz[1];
@@ -82,6 +81,8 @@ class ContrastFilter {
                     narrow / (wide + narrow), 0, out.blue_yellow);
     return out;
   }
+  // Three standard deviations of the widest term, the same for all: b = 2 pi^2 sigma^2.
+  int radius() const { return static_cast<int>(std::ceil(3 * pixels_per_degree_ * std::sqrt(widest_b / (2 * pi * pi)))); }
 
  private:
   static constexpr double widest_b = 0.04;
@@ -90,9 +91,7 @@ class ContrastFilter {
   };
 
   Kernel gaussian(const Term& term) const {
-    // Three standard deviations of the widest term, the same radius for all: b = 2 pi^2 sigma^2.
-    const int radius = static_cast<int>(std::ceil(3 * pixels_per_degree_ * std::sqrt(widest_b / (2 * pi * pi))));
-    return sampled(radius, [&](double x_px) {
+    return sampled(radius(), [&](double x_px) {
       const double x = x_px / pixels_per_degree_;
       return std::exp(-pi * pi * x * x / term.b);
     });
@@ -147,9 +146,12 @@ float colour_error(const cv::Vec3f& test, const cv::Vec3f& reference) {
 struct Features {
   Plane edge, point;
 };
+// Half a feature's width, which the paper sets to 0.082 degrees.
+double feature_sigma(double pixels_per_degree) { return 0.5 * 0.082 * pixels_per_degree; }
+int feature_radius(double pixels_per_degree) { return static_cast<int>(std::ceil(3 * feature_sigma(pixels_per_degree))); }
 Features features_of(const Plane& luminance, double pixels_per_degree) {
-  const double sigma = 0.5 * 0.082 * pixels_per_degree;  // half a feature's width, which the paper sets to 0.082 degrees
-  const int radius = static_cast<int>(std::ceil(3 * sigma));
+  const double sigma = feature_sigma(pixels_per_degree);
+  const int radius = feature_radius(pixels_per_degree);
   const auto g = [&](double x) { return std::exp(-x * x / (2 * sigma * sigma)); };
   Kernel smooth = sampled(radius, g);
   smooth /= cv::sum(smooth)[0];
@@ -173,7 +175,7 @@ struct Seen {
   Opponent colours;
   Features features;
 };
-Seen seen(const DisplayImage& picture, double pixels_per_degree) {
+Seen seen(const cv::Mat3b& picture, double pixels_per_degree) {
   const Opponent planes = opponent_from(picture);
   return {ContrastFilter(pixels_per_degree)(planes), features_of(planes.luminance, pixels_per_degree)};
 }
@@ -195,14 +197,17 @@ std::vector<float> flip_map(const DisplayImage& test, const DisplayImage& refere
     throw Error(ErrorKind::failed, "quality", "FLIP",
                 fmt::format("{} pixels per degree is outside 1 to 1000", pixels_per_degree));
 
+  std::vector<float> map(test.rgb.size() / 3);  // 0: of equal surroundings
+  const int radius = std::max(ContrastFilter(pixels_per_degree).radius(), feature_radius(pixels_per_degree));
+  const DifferingPart part = differing_part(test, reference, radius);
+  if (part.changed.empty()) return map;
   Seen test_seen, reference_seen;
-  tbb::parallel_invoke([&] { test_seen = seen(test, pixels_per_degree); },
-                       [&] { reference_seen = seen(reference, pixels_per_degree); });
-  std::vector<float> map(test.rgb.size() / 3);
-  tbb::parallel_for(0, test.height, [&](int y) {
-    for (int x = 0; x < test.width; ++x)
+  tbb::parallel_invoke([&] { test_seen = seen(as_mat(test)(part.read), pixels_per_degree); },
+                       [&] { reference_seen = seen(as_mat(reference)(part.read), pixels_per_degree); });
+  tbb::parallel_for(part.changed.y, part.changed.br().y, [&](int y) {
+    for (int x = part.changed.x; x < part.changed.br().x; ++x)
       map[static_cast<size_t>(y) * static_cast<size_t>(test.width) + static_cast<size_t>(x)] =
-          pixel_error(test_seen, reference_seen, y, x);
+          pixel_error(test_seen, reference_seen, y - part.read.y, x - part.read.x);
   });
   return map;
 }

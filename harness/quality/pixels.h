@@ -32,6 +32,13 @@ void check_finite(std::string_view subject, const Image& image, std::string_view
 // The same memory as an OpenCV matrix of three 8-bit channels, r first: read only, and no longer than the picture lives.
 cv::Mat as_mat(const DisplayImage& picture);
 
+// A map is that of equal pictures beyond `radius` pixels of where two pictures differ, if each of its pixels looks that far.
+struct DifferingPart {
+  cv::Rect changed;  // where the map has to be made; empty: the pictures are equal
+  cv::Rect read;     // what it is made from: what the pixels of `changed` look at
+};
+DifferingPart differing_part(const DisplayImage& test, const DisplayImage& reference, int radius);
+
 // SSIM of every pixel and channel (three doubles, r first), and its mean: apart, so that one map serves several masks.
 cv::Mat3d ssim_map(const DisplayImage& test, const DisplayImage& reference);
 double ssim_mean(const cv::Mat3d& map, const Mask* mask);

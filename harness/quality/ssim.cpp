@@ -10,16 +10,25 @@
 #include "harness/quality/pixels.h"
 
 namespace lamina {
+namespace {
+
+constexpr int window_radius = 5;  // of 11x11 pixels
+
+}  // namespace
 
 cv::Mat3d ssim_map(const DisplayImage& test, const DisplayImage& reference) {
   check_pair("SSIM", test, reference);
+  cv::Mat3d map(test.height, test.width, cv::Vec3d::all(1));  // of equal windows
+  const DifferingPart part = differing_part(test, reference, window_radius);
+  if (part.changed.empty()) return map;
   cv::ocl::setUseOpenCL(false);  // QualitySSIM would run on a GPU where it finds one, with other rounding there
   // QualitySSIM works in float on 8-bit pictures and in double on float ones; its variances are differences of large numbers.
   cv::Mat test_float, reference_float;
-  as_mat(test).convertTo(test_float, CV_32F);
-  as_mat(reference).convertTo(reference_float, CV_32F);
-  cv::Mat3d map;
-  cv::quality::QualitySSIM::compute(reference_float, test_float, map);
+  as_mat(test)(part.read).convertTo(test_float, CV_32F);
+  as_mat(reference)(part.read).convertTo(reference_float, CV_32F);
+  cv::Mat3d made;
+  cv::quality::QualitySSIM::compute(reference_float, test_float, made);
+  made(part.changed - part.read.tl()).copyTo(map(part.changed));
   return map;
 }
 

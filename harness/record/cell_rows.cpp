@@ -57,7 +57,14 @@ std::optional<double> once_ms(const std::vector<PassRow>& passes) {
 constexpr auto fields(const TextureFetches*) {
   using Row = TextureFetches;
   return std::tuple(field("texture", &Row::texture), field("format", &Row::format), field("filter", &Row::filter),
-                    field("fetches", &Row::fetches), may_lack("issued", &Row::issued));
+                    field("fetches", &Row::fetches), may_lack("issued", &Row::issued), left_out("unfiltered", &Row::unfiltered),
+                    left_out("dimensions", &Row::dimensions), left_out("size", &Row::size), left_out("levels", &Row::levels));
+}
+
+constexpr auto fields(const WrittenTexels*) {
+  using Row = WrittenTexels;
+  return std::tuple(field("format", &Row::format), field("load", &Row::load), field("combine", &Row::combine),
+                    field("texels", &Row::texels));
 }
 
 constexpr auto fields(const LineRow*) {
@@ -68,11 +75,13 @@ constexpr auto fields(const LineRow*) {
 
 constexpr auto fields(const PassRow*) {
   using Row = PassRow;
-  return std::tuple(field("name", &Row::name), field("once", &Row::once), field("ms", &Row::ms),
-                    field("median_ms", &Row::median_ms), field("fragments", &Row::fragments), field("vertices", &Row::vertices),
-                    field("fetches", &Row::fetches), field("early_tests", &Row::early_tests),
-                    field("by_texture", &Row::by_texture), left_out("operations", &Row::operations),
-                    left_out("issued", &Row::issued), left_out("lines", &Row::lines));
+  return std::tuple(
+      field("name", &Row::name), field("once", &Row::once), field("ms", &Row::ms), field("median_ms", &Row::median_ms),
+      field("fragments", &Row::fragments), field("vertices", &Row::vertices), field("fetches", &Row::fetches),
+      field("early_tests", &Row::early_tests), field("by_texture", &Row::by_texture), left_out("operations", &Row::operations),
+      left_out("issued", &Row::issued), left_out("lines", &Row::lines), left_out("vertex_issued", &Row::vertex_issued),
+      left_out("runs", &Row::runs), left_out("triangles", &Row::triangles),
+      left_out("issued_fragments", &Row::issued_fragments), left_out("written", &Row::written));
 }
 
 constexpr auto fields(const ErrorFigures*) {

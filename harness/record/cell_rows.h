@@ -35,6 +35,10 @@ struct PassRow {
   std::map<std::string, uint64_t> operations;  // by class (shader/operations.h); empty: a record of before has none
   std::map<std::string, uint64_t> issued;      // likewise, the untaken sides of branches too (shader/block_work.h)
   std::vector<LineRow> lines;                  // the dearest, by the sum of their shares of the pass's fetches and operations
+  // As in PassCounts. Records of before have none of these.
+  std::map<std::string, uint64_t> vertex_issued = {};
+  std::optional<uint64_t> runs = {}, triangles = {}, issued_fragments = {};
+  std::vector<WrittenTexels> written = {};
 };
 
 // The frame's time of each round in ms: the sum over the passes that are not done once. Empty where nothing was timed. Throws

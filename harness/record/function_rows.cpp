@@ -20,10 +20,12 @@ std::string name_of(const FunctionSubject& subject) {
   return fmt::format("{} as {} on {}", subject.function, subject.variant, subject.backend);
 }
 
-constexpr std::array errors_of_functions = {
-    std::pair("max_over", &FunctionRow::max_over),           std::pair("max_under", &FunctionRow::max_under),
-    std::pair("mean_absolute", &FunctionRow::mean_absolute), std::pair("rms", &FunctionRow::rms),
-    std::pair("most_eps", &FunctionRow::most_eps),           std::pair("most_eps_kappa", &FunctionRow::most_eps_kappa)};
+constexpr std::array errors_of_functions = {std::pair("max_over", &FunctionRow::max_over),
+                                            std::pair("max_under", &FunctionRow::max_under),
+                                            std::pair("mean_absolute", &FunctionRow::mean_absolute),
+                                            std::pair("rms", &FunctionRow::rms),
+                                            std::pair("most_eps", &FunctionRow::max_eps),
+                                            std::pair("most_eps_kappa", &FunctionRow::max_eps_kappa)};
 
 }  // namespace
 
@@ -42,8 +44,8 @@ constexpr auto fields(const FunctionRow*) {
   using Row = FunctionRow;
   return std::tuple(part(&Row::subject), field("scale", &Row::scale), field("set", &Row::set), field("what", &Row::what),
                     field("points", &Row::points), field("max_over", &Row::max_over), field("max_under", &Row::max_under),
-                    field("mean_absolute", &Row::mean_absolute), field("rms", &Row::rms), field("most_eps", &Row::most_eps),
-                    field("most_eps_kappa", &Row::most_eps_kappa), field("negative", &Row::negative),
+                    field("mean_absolute", &Row::mean_absolute), field("rms", &Row::rms), field("most_eps", &Row::max_eps),
+                    field("most_eps_kappa", &Row::max_eps_kappa), field("negative", &Row::negative),
                     field("nonfinite", &Row::nonfinite), field("not_zero", &Row::not_zero),
                     field<Point>("worst_over", &Row::worst_over), field<Point>("worst_under", &Row::worst_under),
                     left_out<Point>("first_fault", &Row::first_fault), left_out("bounds", &Row::bounds));

@@ -22,7 +22,7 @@ struct FunctionSubject {
 // What a variant claims of its errors on a set of inputs, in the figures of a FunctionRow.
 struct FunctionBounds {
   double over = 0, under = 0;       // max_over at most, max_under at least
-  std::optional<double> eps_kappa;  // most_eps_kappa at most
+  std::optional<double> eps_kappa;  // max_eps_kappa at most
 };
 
 // One set of inputs. Errors are (value - truth) / scale.
@@ -34,8 +34,8 @@ struct FunctionRow {
   // Over the values that are finite; absent where none is.
   std::optional<double> max_over, max_under;  // greatest and least error, so 0 or more and 0 or less
   std::optional<double> mean_absolute, rms;
-  std::optional<double> most_eps;        // greatest |error| in units of 2^-23
-  std::optional<double> most_eps_kappa;  // greatest |value - truth| / truth in units of 2^-23 max(1, condition number)
+  std::optional<double> max_eps;         // greatest |error| in units of 2^-23
+  std::optional<double> max_eps_kappa;   // greatest |value - truth| / truth in units of 2^-23 max(1, condition number)
   uint64_t negative = 0, nonfinite = 0;  // of the points; negative where the truth is not
   uint64_t not_zero = 0;                 // points whose truth is 0, but whose value is not
   // The inputs of max_over and max_under, in the function's order; empty where no value errs that way.

@@ -3,6 +3,7 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -15,6 +16,42 @@ using namespace lines;
 
 constexpr std::array<std::string_view, 9> verdict_names = {"same",      "faster", "better", "not_compared", "time_open",
                                                            "ambiguous", "slower", "worse",  "failed"};
+constexpr std::array<std::string_view, 35> cause_names = {"figures",
+                                                          "against_record",
+                                                          "as_before",
+                                                          "same_code",
+                                                          "same_code_new_errors",
+                                                          "new_variant",
+                                                          "new_view",
+                                                          "failed_before",
+                                                          "gone",
+                                                          "cannot_be_measured",
+                                                          "cannot_be_run",
+                                                          "not_measured",
+                                                          "process_failed",
+                                                          "api_message",
+                                                          "certificate_holds",
+                                                          "certificate_failed",
+                                                          "error_lost",
+                                                          "beyond_bound",
+                                                          "not_counted",
+                                                          "counted_once",
+                                                          "not_finite",
+                                                          "covers_nothing",
+                                                          "covers_nothing_anywhere",
+                                                          "one_colour",
+                                                          "another_hash",
+                                                          "baseline_changed",
+                                                          "changed_for_nothing",
+                                                          "one_picture",
+                                                          "too_few_samples",
+                                                          "ratio_of_zero",
+                                                          "timed_once",
+                                                          "another_machine",
+                                                          "exact_failed",
+                                                          "out_of_time",
+                                                          "stopped",
+                                                          "arm_differs"};
 constexpr std::array verdicts_on_times = {Verdict::same, Verdict::faster, Verdict::slower, Verdict::ambiguous};
 constexpr std::array verdicts_of_gates = {Verdict::same, Verdict::faster, Verdict::slower, Verdict::ambiguous, Verdict::failed};
 constexpr std::array verdicts_on_figures = {Verdict::same,   Verdict::faster,       Verdict::slower,
@@ -57,6 +94,24 @@ struct FiniteOrNull : Kind<std::optional<double>> {
 
 }  // namespace
 
+template <>
+struct lines::Kind<Cause> {
+  static std::string words() { return "a string"; }
+  static bool fits(const Json& value) { return value.is_string(); }
+  static Line schema() { return {{"enum", cause_names}}; }
+  static Line write(Cause cause, const At&) { return cause_names[static_cast<size_t>(cause)]; }
+  static Cause read(const Json& value, const At& at) {
+    const auto found = std::ranges::find(cause_names, value.get<std::string>());
+    if (found == cause_names.end()) refuse_word(at, value, {cause_names.begin(), cause_names.end()});
+    return static_cast<Cause>(found - cause_names.begin());
+  }
+};
+
+constexpr auto fields(const OperationChange*) {
+  using Row = OperationChange;
+  return std::tuple(field("operation", &Row::operation), field("before", &Row::before), field("after", &Row::after));
+}
+
 // [before, after, whether after came first], ms.
 template <>
 struct lines::Kind<StripPair> {
@@ -76,7 +131,10 @@ constexpr auto fields(const VerdictRow*) {
                     field("view", &Row::view), field("what", &Row::what), field("pass", &Row::pass),
                     field("texture", &Row::texture), field<OneOf<verdicts_on_figures>>("verdict", &Row::verdict),
                     field<FiniteOrNull>("before", &Row::before), field<FiniteOrNull>("after", &Row::after),
-                    field("ratio", &Row::ratio), field<FiniteOrNull>("limit", &Row::limit), field("sentence", &Row::sentence));
+                    field("ratio", &Row::ratio), field<FiniteOrNull>("limit", &Row::limit),
+                    lines::left_out("cause", &Row::cause), lines::left_out("details", &Row::details),
+                    lines::left_out("operations", &Row::operations), lines::left_out("counts_hold", &Row::counts_hold),
+                    field("sentence", &Row::sentence));
 }
 
 constexpr auto fields(const SameArmRow*) {

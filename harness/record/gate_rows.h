@@ -28,6 +28,52 @@ enum class Verdict : uint8_t {
 };
 std::string_view name_of(Verdict verdict);
 
+// Why a verdict is what it is. What each puts into `details` stands behind it.
+enum class Cause : uint8_t {
+  figures,         // before, after and limit, or the ratio and its margin
+  against_record,  // the same of times of another day
+  as_before,       // the number of views
+  same_code,
+  same_code_new_errors,  // what errors are against has changed
+  new_variant,
+  new_view,
+  failed_before,
+  gone,
+  cannot_be_measured,  // why
+  cannot_be_run,       // why
+  not_measured,
+  process_failed,  // why
+  api_message,     // the API's checker's
+  certificate_holds,
+  certificate_failed,  // why
+  error_lost,          // "baseline" or "truth"
+  beyond_bound,        // of the gate file
+  not_counted,         // what the gate file bounds
+  counted_once,        // which state counted no operations: "before" or "after"
+  not_finite,
+  covers_nothing,  // the pixels that it covered before
+  covers_nothing_anywhere,
+  one_colour,
+  another_hash,
+  baseline_changed,
+  changed_for_nothing,  // no error got better
+  one_picture,          // two views
+  too_few_samples,      // whose: "before" or "after"; how many; how many are needed
+  ratio_of_zero,
+  timed_once,       // which has times: "before" or "after"
+  another_machine,  // what differs
+  exact_failed,     // so nothing was timed
+  out_of_time,      // the budget, s; how long two processes that time would take, s
+  stopped,
+  arm_differs,  // the verdict on the figures: the A/A arm differs from itself, so no time is believed
+};
+
+// Executions of one class of operations, of a pass.
+struct OperationChange {
+  std::string operation;
+  double before = 0, after = 0;
+};
+
 struct VerdictRow {
   std::string backend, effect, variant, view;  // view: "" for all of them
   std::string what;                            // "time", "fetches", "ssim", ...
@@ -35,7 +81,11 @@ struct VerdictRow {
   Verdict verdict = Verdict::same;
   std::optional<double> before, after, limit;  // what is infinite, as the PSNR of equal pictures, becomes null in the record
   std::optional<Interval> ratio;               // after over before
-  std::string sentence;
+  std::optional<Cause> cause;                  // none in records of before there were causes
+  std::vector<std::string> details;            // see Cause
+  std::vector<OperationChange> operations;     // those that changed, where `what` is operations of a pass
+  std::optional<bool> counts_hold;             // true of a time whose variant has every count equal or fewer, and its pictures
+  std::string sentence;                        // of a record, for its readers: made of the rest by reports/gate/sentences.h
 };
 
 // An A/A arm: the old tree timed against itself, which should show no difference.

@@ -58,6 +58,7 @@ constexpr auto fields(const DeviceInfo*) {
                     may_lack("max_texture_size", &Row::max_texture_size), may_lack("vertex_storage", &Row::vertex_storage),
                     may_lack("fragment_storage", &Row::fragment_storage), may_lack("half_floats", &Row::half_floats),
                     may_lack("doubles", &Row::doubles), may_lack("exact_sample_counts", &Row::exact_sample_counts),
+                    may_lack("issued_fragment_counts", &Row::issued_fragment_counts),
                     may_lack("timestamp_bits", &Row::timestamp_bits));
 }
 

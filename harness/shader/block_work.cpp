@@ -9,43 +9,6 @@
 namespace lamina {
 namespace {
 
-[[noreturn]] void refuse_to_count(std::string message) {
-  throw Error(ErrorKind::failed, "shader", "counting build", std::move(message));
-}
-
-bool is_texture_operation(spv::Op op) {
-  return (op >= spv::OpImageSampleImplicitLod && op <= spv::OpImageDrefGather) ||
-         (op >= spv::OpImageSparseSampleImplicitLod && op <= spv::OpImageSparseDrefGather);
-}
-
-// The binding of the texture that `operation` reads.
-uint32_t texture_binding(const SpirvModule& module, const SpirvInstruction& operation) {
-  constexpr size_t image_word = 3;  // of the operation, and of each instruction that it may reach its variable through
-  uint32_t id = operation.words[image_word];
-  for (;;) {
-    const SpirvInstruction& source = module.definition(id);
-    switch (source.op()) {
-      case spv::OpVariable: {
-        const auto binding = module.decoration(id, spv::DecorationBinding);
-        if (!binding) refuse_to_count(fmt::format("texture '{}' has no binding", module.name(id)));
-        return *binding;
-      }
-      case spv::OpLoad:
-      case spv::OpAccessChain:
-      case spv::OpInBoundsAccessChain:
-      case spv::OpCopyObject:
-      case spv::OpImage:
-      case spv::OpSampledImage:
-        id = source.words[image_word];
-        break;
-      default:
-        refuse_to_count(
-            fmt::format("cannot tell which texture '{}' is, in a function that cannot be inlined; sample it in the caller",
-                        module.name(id)));
-    }
-  }
-}
-
 // Labels that may follow a block that ends so.
 std::vector<uint32_t> labels_behind(const SpirvInstruction& end) {
   switch (end.op()) {
@@ -67,6 +30,12 @@ std::vector<uint32_t> labels_behind(const SpirvInstruction& end) {
 
 void ShaderWork::add(const ShaderWork& other, uint64_t times) {
   for (const auto& [binding, count] : other.fetches) fetches[binding] += times * count;
+  for (const auto& [binding, count] : other.unfiltered) unfiltered[binding] += times * count;
+  for (const auto& [binding, reads] : other.levels) {
+    std::vector<uint64_t>& sums = levels[binding];
+    sums.resize(std::max(sums.size(), reads.size()));
+    for (size_t level = 0; level < reads.size(); ++level) sums[level] += times * reads[level];
+  }
   operations.add(other.operations, times);
   if (times > 0)
     for (const auto& [line, work] : other.lines) lines[line].add(work, times);
@@ -80,7 +49,7 @@ BlockWork::Issue BlockWork::issue_of(uint32_t block, std::span<const Construct> 
   return {branch == open.end() ? block : branch->header, innermost->before};
 }
 
-BlockWork::BlockWork(const SpirvModule& module, Stage stage) {
+BlockWork::BlockWork(const SpirvModule& module, Stage stage, const LeveledTextures& textures) {
   std::map<uint32_t, uint32_t> block_of;  // by label
   for (const SpirvInstruction& i : module.instructions())
     if (i.op() == spv::OpLabel) block_of.emplace(i.result, static_cast<uint32_t>(block_of.size())), labels_.push_back(i.result);
@@ -113,8 +82,8 @@ BlockWork::BlockWork(const SpirvModule& module, Stage stage) {
     }
     for (const uint32_t next : labels_behind(i)) blocks[block].next.push_back(block_of.at(next));
     LineWork done;
-    if (is_texture_operation(i.op())) {
-      ++work_[block].fetches[texture_binding(module, i)];
+    if (is_texture_operation(i)) {
+      add_fetch(work_[block], module, i, stage, textures);
       done.fetches = 1;
     } else {
       const Operations operations = operations_of(module, i, stage);
@@ -129,6 +98,28 @@ BlockWork::BlockWork(const SpirvModule& module, Stage stage) {
   if (calls)
     for (block = 0; block < blocks.size(); ++block) blocks[block].next = {block}, issues_[block] = {block, block};
   flow_ = BlockFlow(blocks);
+}
+
+void BlockWork::add_fetch(ShaderWork& of_block, const SpirvModule& module, const SpirvInstruction& operation, Stage stage,
+                          const LeveledTextures& textures) {
+  const uint32_t binding = texture_binding(module, operation);
+  ++of_block.fetches[binding];
+  if (is_texel_fetch(operation)) ++of_block.unfiltered[binding];
+  const auto texture = textures.find(binding);
+  const LevelReads reads = texture == textures.end() ? LevelReads{} : level_reads(module, operation, stage, texture->second);
+  if (reads.told == LevelReads::Told::never) without_levels_.insert(binding);
+  if (reads.told == LevelReads::Told::by_running) counted_levels_[binding] = texture->second.levels;
+  for (const uint32_t level : reads.levels) {
+    std::vector<uint64_t>& known = of_block.levels[binding];
+    known.resize(std::max(known.size(), size_t{level} + 1));
+    ++known[level];
+  }
+}
+
+size_t BlockWork::counters() const {
+  size_t sum = flow_.counted().size();
+  for (const auto& [binding, levels] : counted_levels_) sum += levels;
+  return sum;
 }
 
 std::vector<uint32_t> BlockWork::counted_labels() const {
@@ -157,6 +148,13 @@ ShaderWork BlockWork::executed(uint64_t invocations, std::span<const uint64_t> c
   ShaderWork sum;
   const std::vector<uint64_t> times = flow_.times(invocations, counts);
   for (size_t block = 0; block < work_.size(); ++block) sum.add(work_[block], times[block]);
+  size_t counter = flow_.counted().size();
+  for (const auto& [binding, levels] : counted_levels_) {
+    std::vector<uint64_t>& reads = sum.levels[binding];
+    reads.resize(std::max(reads.size(), size_t{levels}));
+    for (uint32_t level = 0; level < levels; ++level) reads[level] += counts[counter++];
+  }
+  for (const uint32_t binding : without_levels_) sum.levels.erase(binding);
   return sum;
 }
 

@@ -5,15 +5,16 @@
 // In: a module of compile_shader(). Out: the same module, all functions inlined into main. Each invocation counts in variables
 // of its own how often it runs some of the basic blocks, as few as tell about all (block_flow.h). Where it ends (returns or is
 // discarded) it adds these to the counters. The invocation itself is counted at main's beginning. The host multiplies by what
-// a block does (block_work.h), which is exact through loops and branches. What is counted is what the source says: an
-// operation whose result nothing uses still counts, though a driver leaves it out of the timed build.
+// a block does (block_work.h), which is exact through loops and branches. Levels of textures that only running tells are
+// counted too (level_counting.h). What is counted is what the source says: an operation whose result nothing uses still counts,
+// though a driver leaves it out of the timed build.
 #include <algorithm>
-#include <initializer_list>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "harness/shader/early_tests.h"
+#include "harness/shader/level_counting.h"
 #include "harness/shader/shader.h"
 #include "harness/shader/spirv_module.h"
 #include "harness/shader/spirv_passes.h"
@@ -25,11 +26,6 @@ using Words = std::vector<uint32_t>;
 
 constexpr size_t bound_word = 3;  // of a module's header
 
-void emit(Words& out, spv::Op op, std::initializer_list<uint32_t> operands) {
-  out.push_back(static_cast<uint32_t>(operands.size() + 1) << spv::WordCountShift | static_cast<uint32_t>(op));
-  out.insert(out.end(), operands);
-}
-
 // A texture that is passed to a function is a variable at the call, so the calls must go.
 Words inlined(const Words& spirv, Api api) {
   spvtools::Optimizer optimizer = optimizer_for(api);
@@ -40,7 +36,12 @@ Words inlined(const Words& spirv, Api api) {
 class Instrumenter {
  public:
   Instrumenter(std::span<const uint32_t> spirv, Stage stage, const CountingLayout& layout)
-      : header_(spirv.first(spirv_header_words)), module_(spirv), stage_(stage), layout_(layout), bound_(spirv[bound_word]) {}
+      : header_(spirv.first(spirv_header_words)),
+        module_(spirv),
+        stage_(stage),
+        layout_(layout),
+        code_(module_, spirv[bound_word]),
+        levels_(code_, stage, layout.textures) {}
 
   CountingShader instrument() {
     read();
@@ -65,7 +66,7 @@ class Instrumenter {
       if (i.op() == spv::OpDecorate && i.words[2] == spv::DecorationBuiltIn && i.words[3] == spv::BuiltInFragCoord)
         frag_coord_ = i.words[1];
     }
-    work_ = BlockWork(module_, stage_);
+    work_ = BlockWork(module_, stage_, layout_.textures);
     for (const uint32_t label : work_.counted_labels()) counter_of_.emplace(label, static_cast<uint32_t>(counter_of_.size()));
     early_ = stage_ == Stage::fragment && (demands_early_tests(module_) || allows_early_tests(module_));
     maps_coverage_ = stage_ == Stage::fragment && layout_.coverage_word != 0;
@@ -73,16 +74,18 @@ class Instrumenter {
 
   // The counter buffer, and the types and constants that counting needs.
   void declare() {
-    uint_ = type(spv::OpTypeInt, {32, 0});
-    bool_ = type(spv::OpTypeBool, {});
-    uint_pointer_ = type(spv::OpTypePointer, {spv::StorageClassUniform, uint_});
+    uint_ = code_.type(spv::OpTypeInt, {32, 0});
+    bool_ = code_.type(spv::OpTypeBool, {});
+    float_ = code_.type(spv::OpTypeFloat, {32});
+    uint_pointer_ = code_.type(spv::OpTypePointer, {spv::StorageClassUniform, uint_});
     declare_sums();
-    const uint32_t array = new_id(), block = new_id(), pointer = new_id();
-    counters_ = new_id();
-    emit(globals_, spv::OpTypeRuntimeArray, {array, uint_});
-    emit(globals_, spv::OpTypeStruct, {block, array});
-    emit(globals_, spv::OpTypePointer, {pointer, spv::StorageClassUniform, block});
-    emit(globals_, spv::OpVariable, {pointer, counters_, spv::StorageClassUniform});
+    levels_.declare(work_.counted_levels());
+    const uint32_t array = code_.new_id(), block = code_.new_id(), pointer = code_.new_id();
+    counters_ = code_.new_id();
+    emit(code_.globals, spv::OpTypeRuntimeArray, {array, uint_});
+    emit(code_.globals, spv::OpTypeStruct, {block, array});
+    emit(code_.globals, spv::OpTypePointer, {pointer, spv::StorageClassUniform, block});
+    emit(code_.globals, spv::OpVariable, {pointer, counters_, spv::StorageClassUniform});
     emit(decorations_, spv::OpDecorate, {array, spv::DecorationArrayStride, sizeof(uint32_t)});
     emit(decorations_, spv::OpMemberDecorate, {block, 0, spv::DecorationOffset, 0});
     emit(decorations_, spv::OpDecorate, {block, spv::DecorationBufferBlock});  // a storage buffer, as SPIR-V 1.0 says it
@@ -90,92 +93,73 @@ class Instrumenter {
     emit(decorations_, spv::OpDecorate, {counters_, spv::DecorationBinding, layout_.binding});
 
     if (!maps_coverage_) return;
-    float_ = type(spv::OpTypeFloat, {32});
-    float4_ = type(spv::OpTypeVector, {float_, 4});
+    float4_ = code_.type(spv::OpTypeVector, {float_, 4});
     if (frag_coord_ != 0) return;
-    frag_coord_ = new_id();
-    const uint32_t input = type(spv::OpTypePointer, {spv::StorageClassInput, float4_});
-    emit(globals_, spv::OpVariable, {input, frag_coord_, spv::StorageClassInput});
+    frag_coord_ = code_.new_id();
+    const uint32_t input = code_.type(spv::OpTypePointer, {spv::StorageClassInput, float4_});
+    emit(code_.globals, spv::OpVariable, {input, frag_coord_, spv::StorageClassInput});
     emit(decorations_, spv::OpDecorate, {frag_coord_, spv::DecorationBuiltIn, spv::BuiltInFragCoord});
   }
 
   // A private variable for every block that is counted: how often this invocation has run it so far.
   void declare_sums() {
     if (counter_of_.empty()) return;
-    const uint32_t pointer = type(spv::OpTypePointer, {spv::StorageClassPrivate, uint_});
+    const uint32_t pointer = code_.type(spv::OpTypePointer, {spv::StorageClassPrivate, uint_});
     while (sums_.size() < counter_of_.size()) {
-      sums_.push_back(new_id());
-      emit(globals_, spv::OpVariable, {pointer, sums_.back(), spv::StorageClassPrivate, constant(0)});
+      sums_.push_back(code_.new_id());
+      emit(code_.globals, spv::OpVariable, {pointer, sums_.back(), spv::StorageClassPrivate, code_.constant(0)});
     }
   }
 
-  // The id of the type of these operands. Two ids may not name the same type, so one that is there is taken.
-  uint32_t type(spv::Op op, std::initializer_list<uint32_t> operands) {
-    for (const SpirvInstruction& i : module_.instructions())
-      if (i.op() == op && std::ranges::equal(i.words.subspan(2), operands)) return i.result;
-    const uint32_t id = new_id();
-    globals_.push_back(static_cast<uint32_t>(operands.size() + 2) << spv::WordCountShift | static_cast<uint32_t>(op));
-    globals_.push_back(id);
-    globals_.insert(globals_.end(), operands);
-    return id;
+  uint32_t word_pointer(uint32_t index) {
+    return code_.value(spv::OpAccessChain, uint_pointer_, {counters_, code_.constant(0), index});
   }
-
-  uint32_t constant(uint32_t value) {
-    const auto [known, fresh] = constants_.emplace(value, 0);
-    if (fresh) emit(globals_, spv::OpConstant, {uint_, known->second = new_id(), value});
-    return known->second;
-  }
-
-  uint32_t new_id() { return bound_++; }
-
-  // Writes an instruction that makes a value of `result_type`; returns the value's id.
-  uint32_t value(spv::Op op, uint32_t result_type, std::initializer_list<uint32_t> operands) {
-    const uint32_t id = new_id();
-    body_.push_back(static_cast<uint32_t>(operands.size() + 3) << spv::WordCountShift | static_cast<uint32_t>(op));
-    body_.push_back(result_type);
-    body_.push_back(id);
-    body_.insert(body_.end(), operands);
-    return id;
-  }
-
-  uint32_t word_pointer(uint32_t index) { return value(spv::OpAccessChain, uint_pointer_, {counters_, constant(0), index}); }
 
   // Adds `amount` to the word at `index`; returns what it was before. Order does not matter to a sum: relaxed semantics.
   uint32_t atomic_add(uint32_t index, uint32_t amount) {
     const uint32_t pointer = word_pointer(index);
-    return value(spv::OpAtomicIAdd, uint_,
-                 {pointer, constant(spv::ScopeDevice), constant(spv::MemorySemanticsMaskNone), amount});
+    return code_.value(spv::OpAtomicIAdd, uint_,
+                       {pointer, code_.constant(spv::ScopeDevice), code_.constant(spv::MemorySemanticsMaskNone), amount});
   }
 
   // Adds to the 64-bit counter at `word`: the one addition that makes the low word wrap carries. There is no branch, so the
   // shader's blocks, and with them its phis and merges, stay as they are.
   void count(uint32_t word, uint32_t amount) {
-    const uint32_t before = atomic_add(constant(word), amount);
-    const uint32_t after = value(spv::OpIAdd, uint_, {before, amount});
-    const uint32_t wraps = value(spv::OpULessThan, bool_, {after, before});
-    const uint32_t carry = value(spv::OpSelect, uint_, {wraps, constant(1), constant(0)});
-    atomic_add(constant(word + 1), carry);
+    const uint32_t before = atomic_add(code_.constant(word), amount);
+    const uint32_t after = code_.value(spv::OpIAdd, uint_, {before, amount});
+    const uint32_t wraps = code_.value(spv::OpULessThan, bool_, {after, before});
+    const uint32_t carry = code_.value(spv::OpSelect, uint_, {wraps, code_.constant(1), code_.constant(0)});
+    atomic_add(code_.constant(word + 1), carry);
   }
 
   void add_to_sum(uint32_t counter) {
-    const uint32_t sum = value(spv::OpIAdd, uint_, {value(spv::OpLoad, uint_, {sums_[counter]}), constant(1)});
-    emit(body_, spv::OpStore, {sums_[counter], sum});
+    const uint32_t sum =
+        code_.value(spv::OpIAdd, uint_, {code_.value(spv::OpLoad, uint_, {sums_[counter]}), code_.constant(1)});
+    emit(code_.body, spv::OpStore, {sums_[counter], sum});
   }
 
   // What an invocation has run, into the counters; before it ends.
   void count_sums() {
-    for (uint32_t counter = 0; counter < sums_.size(); ++counter)
-      count(layout_.first_word + 2 + 2 * counter, value(spv::OpLoad, uint_, {sums_[counter]}));
+    uint32_t word = layout_.first_word + 2;
+    for (const uint32_t sum : sums_) {
+      count(word, code_.value(spv::OpLoad, uint_, {sum}));
+      word += 2;
+    }
+    for (const auto& [binding, levels] : work_.counted_levels())
+      for (uint32_t level = 0; level < levels; ++level) {
+        count(word, levels_.sum(binding, level));
+        word += 2;
+      }
   }
 
   void map_coverage() {
-    const uint32_t position = value(spv::OpLoad, float4_, {frag_coord_});
-    const uint32_t x = value(spv::OpConvertFToU, uint_, {value(spv::OpCompositeExtract, float_, {position, 0})});
-    const uint32_t y = value(spv::OpConvertFToU, uint_, {value(spv::OpCompositeExtract, float_, {position, 1})});
-    const uint32_t width = value(spv::OpLoad, uint_, {word_pointer(constant(0))});
-    const uint32_t rows = value(spv::OpIMul, uint_, {y, width});
-    const uint32_t pixel = value(spv::OpIAdd, uint_, {rows, x});
-    atomic_add(value(spv::OpIAdd, uint_, {pixel, constant(layout_.coverage_word)}), constant(1));
+    const uint32_t position = code_.value(spv::OpLoad, float4_, {frag_coord_});
+    const uint32_t x = code_.value(spv::OpConvertFToU, uint_, {code_.value(spv::OpCompositeExtract, float_, {position, 0})});
+    const uint32_t y = code_.value(spv::OpConvertFToU, uint_, {code_.value(spv::OpCompositeExtract, float_, {position, 1})});
+    const uint32_t width = code_.value(spv::OpLoad, uint_, {word_pointer(code_.constant(0))});
+    const uint32_t rows = code_.value(spv::OpIMul, uint_, {y, width});
+    const uint32_t pixel = code_.value(spv::OpIAdd, uint_, {rows, x});
+    atomic_add(code_.value(spv::OpIAdd, uint_, {pixel, code_.constant(layout_.coverage_word)}), code_.constant(1));
   }
 
   // Copies the module. The functions are written first, for they say which constants the sections before them must hold.
@@ -185,10 +169,10 @@ class Instrumenter {
     write_functions({functions, all.end()});
 
     out_.assign(header_.begin(), header_.end());
-    out_[bound_word] = bound_;
+    out_[bound_word] = code_.bound();
     write_preamble({all.begin(), functions});
-    append(out_, globals_);
-    append(out_, body_);
+    append(out_, code_.globals);
+    append(out_, code_.body);
   }
 
   void write_functions(std::span<const SpirvInstruction> instructions) {
@@ -202,20 +186,23 @@ class Instrumenter {
         if (const auto found = counter_of_.find(i.result); found != counter_of_.end()) entered = found->second;
       } else if (op != spv::OpPhi && op != spv::OpVariable && op != spv::OpFunction && op != spv::OpFunctionParameter) {
         if (std::exchange(begins, false)) {
-          count(layout_.first_word, constant(1));
+          count(layout_.first_word, code_.constant(1));
           if (maps_coverage_) map_coverage();
         }
         if (entered) add_to_sum(*std::exchange(entered, std::nullopt));
       }
+      if (is_texture_operation(i)) levels_.count(i);
       if (op == spv::OpKill || (in_main && op == spv::OpReturn)) count_sums();
-      append(body_, i.words);
+      append(code_.body, i.words);
     }
   }
 
   // Capabilities to global variables. Decorations close the section before the types.
   void write_preamble(std::span<const SpirvInstruction> instructions) {
     bool decorated = false;
+    if (levels_.needs_query()) emit(out_, spv::OpCapability, {spv::CapabilityImageQuery});
     for (const SpirvInstruction& i : instructions) {
+      if (i.op() == spv::OpMemoryModel) code_.import_glsl(out_);
       if (says_a_place(i.op())) continue;
       if (!decorated && i.result != 0 && i.op() != spv::OpExtInstImport && i.op() != spv::OpDecorationGroup) {
         append(out_, decorations_);
@@ -249,15 +236,15 @@ class Instrumenter {
   const SpirvModule module_;
   const Stage stage_;
   const CountingLayout& layout_;
-  uint32_t bound_;
+  SpirvWriter code_;
+  LevelCounting levels_;
   uint32_t main_ = 0, frag_coord_ = 0;
   BlockWork work_;
   std::map<uint32_t, uint32_t> counter_of_;  // label -> counter
   std::vector<uint32_t> sums_;               // beside the counters: the variable
   bool early_ = false, maps_coverage_ = false;
   uint32_t uint_ = 0, bool_ = 0, float_ = 0, float4_ = 0, uint_pointer_ = 0, counters_ = 0;
-  std::map<uint32_t, uint32_t> constants_;  // value -> id
-  Words decorations_, globals_, body_, out_;
+  Words decorations_, out_;
 };
 
 }  // namespace

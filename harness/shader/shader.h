@@ -95,12 +95,14 @@ Reflection reflect(const std::vector<uint32_t>& spirv);
 // Where the counts go: one storage buffer of 32-bit words at a binding of its own. Counters are 64 bits, low word first.
 //   word 0: width of the coverage map in pixels (written by the host), word 1: 0
 //   words 2,3: invocations of the stage's shader (helper invocations excluded)
-//   words 4+2k, 5+2k: how often they ran the block that has counter k
+//   words 4+2k, 5+2k: how often they ran the block that has counter k; then how often they read each level of the textures
+//                     whose levels are counted (BlockWork::counted_levels)
 //   from `coverage_word` on, where it is not 0: one word a pixel, times the fragment shader ran there
 struct CountingLayout {
-  uint32_t binding = 0;        // of the counter buffer
-  uint32_t first_word = 2;     // of this stage's counters, so that two stages may share a buffer
-  uint32_t coverage_word = 0;  // fragment stage only
+  uint32_t binding = 0;           // of the counter buffer
+  uint32_t first_word = 2;        // of this stage's counters, so that two stages may share a buffer
+  uint32_t coverage_word = 0;     // fragment stage only
+  LeveledTextures textures = {};  // by binding; of others no levels are told
 };
 struct CountingShader {
   std::vector<uint32_t> spirv;
@@ -110,14 +112,14 @@ struct CountingShader {
   // too.
   bool early_fragment_tests = false;
 
-  uint32_t counters() const { return static_cast<uint32_t>(work.counted_labels().size()); }
+  uint32_t counters() const { return static_cast<uint32_t>(work.counters()); }
   uint32_t words() const { return 2 + 2 * counters(); }  // from first_word on
 };
 // What the source says is counted, loops, branches and function calls included, whether or not a driver would leave it out:
-// texture operations (every sample, fetch and gather; size and level queries are none), and operations by class, both by line
-// too. Functions are inlined first (SPIRV-Tools). Throws Error(failed) for a module it cannot rewrite, or when the layout's
-// binding is taken. The device needs stores and atomics in the stage; the module made says no lines. An invocation may run a
-// block up to 2^32 - 1 times.
+// texture operations (every sample, fetch and gather; size and level queries are none) and the levels that they read
+// (level_reads.h), and operations by class; fetches and operations by line too. Functions are inlined first (SPIRV-Tools).
+// Throws Error(failed) for a module it cannot rewrite, or when the layout's binding is taken. The device needs stores and
+// atomics in the stage; the module made says no lines. An invocation may run a block up to 2^32 - 1 times.
 CountingShader add_counters(const CompiledShader& shader, Api api, const CountingLayout& layout);
 
 }  // namespace lamina

@@ -64,6 +64,10 @@ std::string SpirvModule::name(uint32_t id) const {
   return {};
 }
 
+std::string SpirvModule::string(const SpirvInstruction& instruction, size_t word) {
+  return literal_string(instruction.words.subspan(word));
+}
+
 std::string SpirvModule::text(uint32_t id) const { return literal_string(definition(id).words.subspan(2)); }
 
 void validate_spirv(std::span<const uint32_t> words, Api api, ErrorKind kind, std::string_view subject) {

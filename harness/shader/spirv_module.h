@@ -40,6 +40,8 @@ class SpirvModule {
   std::string name(uint32_t id) const;
   // What the OpString that makes `id` says: a file's name. Throws Error(failed) where none makes it.
   std::string text(uint32_t id) const;
+  // The string literal from this word of an instruction on.
+  static std::string string(const SpirvInstruction& instruction, size_t word);
 
  private:
   std::vector<SpirvInstruction> instructions_;

@@ -46,10 +46,10 @@ FunctionErrors judge(const Points& points, std::span<const float> values, const 
     if (error < errors.max_under) errors.max_under = error, errors.worst_under = point();
     errors.mean_absolute += std::abs(error);
     errors.rms += error * error;
-    errors.most_eps = std::max(errors.most_eps, std::abs(error) / eps);
+    errors.max_eps = std::max(errors.max_eps, std::abs(error) / eps);
     if (right != 0)
-      errors.most_eps_kappa =
-          std::max(errors.most_eps_kappa, std::abs(difference) / std::abs(right) / (eps * std::max(1.0, truth.conditions[i])));
+      errors.max_eps_kappa =
+          std::max(errors.max_eps_kappa, std::abs(difference) / std::abs(right) / (eps * std::max(1.0, truth.conditions[i])));
   }
   if (finite > 0) {
     errors.mean_absolute /= static_cast<double>(finite);

@@ -22,10 +22,9 @@ struct FunctionErrors {
   double max_over = 0, max_under = 0;  // greatest and least, so 0 or more and 0 or less
   double mean_absolute = 0, rms = 0;
   std::vector<double> worst_over, worst_under;
-  double most_eps = 0;  // greatest |error| in units of 2^-23
-  double most_eps_kappa =
-      0;                // greatest |(value - truth) / truth| in units of 2^-23 max(1, condition), where the truth is not 0
-  size_t negative = 0;  // where the truth is not
+  double max_eps = 0;        // greatest |error| in units of 2^-23
+  double max_eps_kappa = 0;  // greatest |(value - truth) / truth| in units of 2^-23 max(1, condition), where the truth is not 0
+  size_t negative = 0;       // where the truth is not
   size_t nonfinite = 0;
   size_t not_zero = 0;                             // where the truth is 0
   std::optional<std::vector<double>> first_fault;  // the first point of these three

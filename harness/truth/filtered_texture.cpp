@@ -2,13 +2,16 @@
 #include "harness/truth/filtered_texture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lamina {
 namespace {
 
 int wrapped(int at, uint32_t size, Wrap wrap) {
-  const int count = static_cast<int>(size), period = wrap == Wrap::mirror ? 2 * count : count;
+  const int count = static_cast<int>(size);
+  if (at >= 0 && at < count) return at;
+  const int period = wrap == Wrap::mirror ? 2 * count : count;
   if (wrap == Wrap::clamp) return std::clamp(at, 0, count - 1);
   const int repeated = ((at % period) + period) % period;
   return repeated < count ? repeated : period - 1 - repeated;
@@ -23,10 +26,13 @@ FilteredTexture::FilteredTexture(const TextureImage& texture) {
 glm::dvec4 FilteredTexture::bilinear(const Texels& level, glm::dvec2 uv) {
   const double x = uv.x * level.width - 0.5, y = uv.y * level.height - 0.5, left = std::floor(x), top = std::floor(y);
   const TextureWraps wraps = level.wraps.value_or(TextureWraps{});
+  const auto two = [](double first, uint32_t size, Wrap wrap) {
+    return std::array{size_t(wrapped(static_cast<int>(first), size, wrap)),
+                      size_t(wrapped(static_cast<int>(first) + 1, size, wrap))};
+  };
+  const std::array<size_t, 2> columns = two(left, level.width, wraps.u), rows = two(top, level.height, wraps.v);
   const auto texel = [&](int dx, int dy) {
-    const int column = wrapped(static_cast<int>(left) + dx, level.width, wraps.u),
-              row = wrapped(static_cast<int>(top) + dy, level.height, wraps.v);
-    return glm::dvec4(level.rgba[size_t(row) * level.width + size_t(column)]);
+    return glm::dvec4(level.rgba[rows[size_t(dy)] * level.width + columns[size_t(dx)]]);
   };
   return glm::mix(glm::mix(texel(0, 0), texel(1, 0), x - left), glm::mix(texel(0, 1), texel(1, 1), x - left), y - top);
 }

@@ -8,6 +8,7 @@
 
 #include "reports/gate/gate.h"
 #include "reports/gate/reading.h"
+#include "reports/gate/sentences.h"
 #include "reports/words.h"
 
 namespace lamina {
@@ -43,7 +44,7 @@ std::string commands(const char* kind, const std::vector<Annotation>& annotation
 }
 
 Annotation annotation_of(const VerdictRow& row) {
-  return {fmt::format("{}: {} ({}): {}", name_of(row.verdict), row.what, kind_of(row), subject_of(row)), row.sentence};
+  return {fmt::format("{}: {} ({}): {}", name_of(row.verdict), row.what, kind_of(row), subject_of(row)), sentence_of(row)};
 }
 
 }  // namespace

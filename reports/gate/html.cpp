@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "reports/gate/reading.h"
+#include "reports/gate/sentences.h"
 #include "reports/gate/strips.h"
 
 namespace lamina {
@@ -20,7 +21,7 @@ std::string sentences(const char* title, const GateReading::Rows& rows, bool ope
                                  title, rows.size());
   for (const VerdictRow* row : rows)
     html += fmt::format("<li><strong>{}</strong> ({}, {}) {}</li>\n", name_of(row->verdict), escaped_html(row->what),
-                        kind_of(*row), escaped_html(row->sentence));
+                        kind_of(*row), escaped_html(sentence_of(*row)));
   return html + "</ul></details>\n";
 }
 

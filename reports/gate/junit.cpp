@@ -4,6 +4,7 @@
 
 #include "reports/gate/gate.h"
 #include "reports/gate/reading.h"
+#include "reports/gate/sentences.h"
 #include "reports/gate/xml.h"
 #include "reports/words.h"
 
@@ -59,7 +60,7 @@ std::string test_case(const VerdictRow& row) {
   for (const std::string* part : {&row.backend, &row.effect, &row.variant})
     if (!part->empty()) classname += (classname.empty() ? "" : ".") + *part;
   return test_case(classname.empty() ? "gate" : classname, row.what + (place.empty() ? "" : ", " + place),
-                   element ? outcome_element(element, std::string(name_of(row.verdict)), row.sentence, facts_of(row)) : "");
+                   element ? outcome_element(element, std::string(name_of(row.verdict)), sentence_of(row), facts_of(row)) : "");
 }
 
 std::string properties(const Record& record) {

@@ -4,6 +4,7 @@
 
 #include "reports/gate/gate.h"
 #include "reports/gate/reading.h"
+#include "reports/gate/sentences.h"
 #include "reports/words.h"
 
 namespace lamina {
@@ -28,7 +29,7 @@ void add_section(std::string& text, const char* title, const GateReading::Rows& 
   std::vector<std::string> lines;
   for (const VerdictRow* row : rows)
     lines.push_back(fmt::format("- **{}** ({}, {}) {}\n", escaped_markdown(std::string(name_of(row->verdict))),
-                                escaped_markdown(row->what), kind_of(*row), escaped_markdown(row->sentence)));
+                                escaped_markdown(row->what), kind_of(*row), escaped_markdown(sentence_of(*row))));
   add_while_they_fit(text, lines, max_bytes / 2, "of these");
 }
 

@@ -35,8 +35,6 @@ GateReading::Rows& rows_for(GateReading& reading, Verdict verdict) {
   return reading.same;
 }
 
-std::string percent(double ratio) { return fmt::format("{:+.1f}%", 100 * (ratio - 1)); }
-
 // Counts have all their digits, for one fetch more is a change.
 std::string words_for_number(double value) {
   return std::abs(value) < 1e15 && value == std::floor(value) ? fmt::format("{:.0f}", value) : fmt::format("{:.6g}", value);
@@ -140,6 +138,8 @@ std::string before_and_after(const VerdictRow& row) {
   if (!row.after) return fmt::format("was {}{}", words_for_figure(*row.before, row.what), unit);
   return fmt::format("{} -> {}{}", words_for_figure(*row.before, row.what), words_for_figure(*row.after, row.what), unit);
 }
+
+std::string percent(double ratio) { return fmt::format("{:+.1f}%", 100 * (ratio - 1)); }
 
 std::string change_of(const VerdictRow& row) {
   if (row.ratio)

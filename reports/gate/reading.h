@@ -35,6 +35,7 @@ std::string before_and_after(const VerdictRow& row);  // "12.31 -> 13.54 ms", "n
 std::string change_of(const VerdictRow& row);         // "+10.1% [+8.2%, +11.9%]", "-0.0123"; "" where not known
 std::string certainty_of(const VerdictRow& row);      // "95.9% interval, 60 rounds", or "exact"
 std::string limit_of(const VerdictRow& row);          // "0.03"; "" where there is none
+std::string percent(double ratio);                    // 1.1: "+10.0%"
 // What kind of answer it is: "count" and "picture" are exact, "interval" is of measured times, "code" needs no measurement.
 std::string_view kind_of(const VerdictRow& row);
 // Every verdict, in the order in which they are read: what regressed first, marked as bad, what is the same last.

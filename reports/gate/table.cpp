@@ -8,6 +8,7 @@
 
 #include "reports/gate/gate.h"
 #include "reports/gate/reading.h"
+#include "reports/gate/sentences.h"
 #include "reports/terminal.h"
 #include "reports/words.h"
 
@@ -29,7 +30,7 @@ void add_rows(Lines& lines, const char* title, const GateReading::Rows& rows, Ma
                 several_effects ? fmt::format("{}/{}", row->effect, row->variant) : row->variant, row->backend, place_of(*row),
                 before_and_after(*row), change_of(*row), certainty_of(*row), limit.empty() ? "" : "limit " + limit},
                mark));
-    if (sentences) table.rows.back().note = row->sentence;
+    if (sentences) table.rows.back().note = sentence_of(*row);
   }
   lines.add(table, "  ");
 }
@@ -37,7 +38,7 @@ void add_rows(Lines& lines, const char* title, const GateReading::Rows& rows, Ma
 // What was not compared is many rows for few reasons.
 void add_not_compared(Lines& lines, const GateReading::Rows& rows) {
   std::map<std::string, size_t> reasons;
-  for (const VerdictRow* row : rows) ++reasons[one_line(row->sentence)];
+  for (const VerdictRow* row : rows) ++reasons[one_line(sentence_of(*row))];
   if (!rows.empty()) lines.add("");
   for (const auto& [reason, count] : reasons) lines.add(fmt::format("not compared ({}): {}", count, reason), yellow);
 }

@@ -159,7 +159,8 @@ void add_passes(Json& passes, const Record& record, size_t number) {
       shares.push_back({{"texture", share.texture},
                         {"format", share.format},
                         {"filter", share.filter},
-                        {"per_pixel", six_digits(share.per_pixel)}});
+                        {"per_pixel", six_digits(share.per_pixel)},
+                        {"level", or_null(mean_level(share.levels))}});
     Json operations = Json::array();
     for (const auto& [operation, per_pixel] : pass.operations)
       operations.push_back(

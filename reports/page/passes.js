@@ -48,7 +48,8 @@ if (page) {
       if (shares.length)
         bars(
             plot_place(grid), 'Fetches a pixel, by texture and format', 'fetches a covered pixel', shares, 'per_pixel', 'key',
-            s => `${s.variant}: ${s.texture}\n${s.format}, ${s.filter}\n${digits(s.per_pixel)} a pixel, in ${s.pass}`,
+            s => `${s.variant}: ${s.texture}\n${s.format}, ${s.filter}${s.level === null ? '' : `, level ${digits(s.level)}`}\n${
+                digits(s.per_pixel)} a pixel, in ${s.pass}`,
             unique(shares.map(s => s.key)));
       const costs = passes.filter(p => p.ns_per_fetch !== null).map(p => ({...p, label: p.pass + (p.once ? ' (once)' : '')}));
       const labels = unique(costs.map(p => p.label));

@@ -104,6 +104,26 @@ TEST_P(BackendSampleCounts, StandBesideThePassesThatAsk) {
   EXPECT_TRUE(run({}).samples.empty());
 }
 
+// Devices run shaders for whole blocks of fragments, at least of two by two where a shader may take derivatives.
+TEST_P(BackendSampleCounts, OfIssuedFragmentsAreWholeBlocks) {
+  const auto issued = [&](std::vector<Draw> draws) {
+    Pass pass = counted(std::move(draws));
+    pass.count_issued_fragments = true;
+    const RunTimes times = run({pass});
+    return times.issued_fragments.empty() ? 0 : times.issued_fragments.at(0);
+  };
+  if (!backend().info().issued_fragment_counts) {
+    EXPECT_EQ(issued({columns(0, 300, 0.5f, {})}), 0u) << "a device that does not tell says nothing";
+    GTEST_SKIP() << "the device does not tell";
+  }
+  EXPECT_EQ(issued({}), 0u);
+  EXPECT_EQ(issued({columns(0, 300, 0.5f, {})}) / 60000, 1u) << "few lie outside of what covers all";
+  EXPECT_GE(issued({columns(7, 1, 0.5f, {})}), 200u);
+  EXPECT_EQ(issued({columns(0, 100, 0.5f, {}), columns(0, 100, 0.5f, {})}), 2 * issued({columns(0, 100, 0.5f, {})}));
+  Pass silent = counted({columns(0, 300, 0.5f, {})});
+  EXPECT_TRUE(run({silent}).issued_fragments.empty());
+}
+
 // More than 16 bits hold, and more than one thread of a rasterizer draws.
 TEST_P(BackendSampleCounts, AreExactWhereTheyAreLarge) {
   Pass pass = raster(target(Format::r8_unorm, 2048, 1024), {});

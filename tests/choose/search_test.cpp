@@ -196,6 +196,7 @@ TEST(NextPrice, IsThatOfTheCheapestBetterOption) {
   ASSERT_TRUE(price);
   EXPECT_EQ(price->option, 1u);
   EXPECT_NEAR(price->ms, 0.01 * 1 / 0.09, 1e-12);
+  EXPECT_NEAR(price->gain, 0.09, 1e-12);
   EXPECT_FALSE(next_price(known, space, {0, 0}, 1)) << "the baseline has no error";
   EXPECT_NEAR(next_price(known, space, {2, 1}, 1)->ms, 0.01 * 2 / 0.02, 1e-9);
 }

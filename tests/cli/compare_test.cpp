@@ -41,6 +41,28 @@ TEST_F(Compare, QuickLooksAtWhatTheEffectNames) {
   EXPECT_EQ(nothing.find("--quick looks at"), std::string::npos);
 }
 
+// Two effects have variants of the same names: what one names for --quick is not meant of the other.
+TEST_F(Compare, QuickNamesAreOfTheirOwnEffect) {
+  for (const auto& [effect, quick] : {std::pair<std::string, std::string>("wax", "cheap"), {"clay", "odd"}}) {
+    write("mine/" + effect + "/effect.toml",
+          "[effect]\nname = \"" + effect + "\"\ntitle = \"t\"\nkey = \"" + effect + "\"\nquick = [\"" + quick +
+              "\"]\ninstead_of = [\"aperture_lighting\"]\nbecause = \"b\"\nnot_because = \"n\"\n");
+    for (const std::string variant : {"full", "cheap", "odd"})
+      write("mine/" + effect + "/" + variant + ".toml",
+            "[variant]\nname = \"" + variant + "\"\nbaseline = " + (variant == "full" ? "true" : "false") +
+                "\n[[pass]]\nname = \"draw\"\ndraw = \"objects\"\nvertex = \"common/object.vert\"\n"
+                "fragment = \"surface/lambert.frag\"\nwrite = [\"frame\"]\ndepth = \"read_write\"\n");
+  }
+  const std::string scene = write("two.toml",
+                                  "[scene]\nbuiltin = \"sphere_over_plane\"\n[objects.plane]\nwax = true\n"
+                                  "[objects.sphere]\nclay = true\n");
+  const Outcome outcome = compare(scene + " --quick --backend vulkan --variants-dir " + (folder_ / "mine").string());
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  std::set<std::string> measured;
+  for (const CellRow& cell : record().cells) measured.insert(cell.effect + "/" + cell.variant);
+  EXPECT_EQ(measured, (std::set<std::string>{"wax/full", "wax/cheap", "clay/full", "clay/odd"})) << outcome.output;
+}
+
 TEST_F(Compare, HeartOnEveryDefaultBackend) {
   const Outcome outcome = compare("heart", "--quick --budget 0.1 --variant normal_map_taps --variant vertex_normal");
   const Record record = this->record();

@@ -116,7 +116,7 @@ TEST_F(Gate, WhatExecutesTheSamePassesUnmeasured) {
   const Outcome outcome = gate();
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   const Record record = this->record();
-  for (const VerdictRow& row : record.verdicts) EXPECT_EQ(row.what, "code") << row.sentence;
+  for (const VerdictRow& row : record.verdicts) EXPECT_EQ(row.what, "code") << row.variant;
   EXPECT_EQ(record.gates.at(0).verdict, Verdict::same);
   EXPECT_TRUE(record.cells.empty());
 }

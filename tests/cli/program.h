@@ -4,18 +4,17 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "harness/quality/quality.h"
 #include "harness/record/record.h"
 #include "harness/scene/textures.h"
+#include "tests/folder.h"
 
 namespace lamina {
 
@@ -35,13 +34,8 @@ inline Outcome lamina_program(const std::string& arguments) {
   return outcome;
 }
 
-class ProgramTest : public testing::Test {
+class ProgramTest : public InFolder<> {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("lamina_program_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   // A run's folder, and the record there.
   std::filesystem::path out() const { return folder_ / "out"; }
   Record record() const { return read_record(out() / "record.jsonl"); }
@@ -49,10 +43,6 @@ class ProgramTest : public testing::Test {
   DisplayImage picture(const CellRow& cell) const {
     const Texels texels = load_texels(out() / cell.image, /*srgb_colour=*/true);
     return to_display(image_of(texels));
-  }
-  std::filesystem::path write(const std::string& name, const std::string& text) {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
   }
   // A model that loads in no time: one square, without textures.
   std::string square_model() {
@@ -73,7 +63,6 @@ class ProgramTest : public testing::Test {
                    {"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}]})")
         .string();
   }
-  std::filesystem::path folder_;
 };
 
 #define EXPECT_SAYS(text, words) EXPECT_NE((text).find(words), std::string::npos) << (text)

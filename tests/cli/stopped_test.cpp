@@ -24,14 +24,16 @@ class Surroundings : public ProgramTest {
 };
 
 TEST_F(Surroundings, CtrlCLeavesTheReportOfWhatWasMeasured) {
-  const std::string record_file = (out() / "record.jsonl").string();
   const Outcome outcome =
-      shell(compare_square("--budget 300 --precision 0.000001") + " & pid=$!; until grep -qs '\"timer\"' " + record_file +
-            "; do kill -0 $pid || exit 99; sleep 0.1; done; sleep 2; kill -INT $pid; wait $pid");
+      shell(compare_square("--budget 300 --precision 0.000001") + " & pid=$!; until ls " + (out() / "images").string() +
+            "/*.png >/dev/null 2>&1; do kill -0 $pid || exit 99; sleep 0.1; " + "done; sleep 2; kill -INT $pid; wait $pid");
   EXPECT_EQ(outcome.status, 130) << outcome.output;
   EXPECT_SAYS(outcome.output, "stopped; the record and the report hold what was measured until then");
   EXPECT_TRUE(std::filesystem::exists(out() / "index.html"));
-  for (const CellRow& cell : record().cells) EXPECT_FALSE(cell.failed) << cell.reason;
+  const Record record = this->record();
+  EXPECT_EQ(record.timers.size(), 1u);
+  EXPECT_FALSE(record.cells.empty()) << "a picture was there";
+  for (const CellRow& cell : record.cells) EXPECT_FALSE(cell.failed) << cell.reason;
 }
 
 TEST_F(Surroundings, CtrlCEndsAGateWithItsReportAndKeepsItsBaseline) {

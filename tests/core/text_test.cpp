@@ -7,6 +7,7 @@
 
 #include "harness/core/error.h"
 #include "harness/core/format.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
@@ -24,21 +25,18 @@ TEST(NearestName, SaysNothingWhenAllAreFar) {
 }
 
 TEST(WriteFileAtomically, ReadsBackAndLeavesNoTemporary) {
-  const auto folder = std::filesystem::temp_directory_path() / "lamina_text_test";
-  std::filesystem::create_directories(folder);
+  const Folder folder;
   write_file_atomically(folder / "a.txt", "one");
   write_file_atomically(folder / "a.txt", "two");
   EXPECT_EQ(read_file(folder / "a.txt", "test"), "two");
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
-  std::filesystem::remove_all(folder);
+  EXPECT_EQ(folder.files(), 1u);
 }
 
 TEST(WriteFileAtomically, WhatCannotBePutInItsPlaceLeavesNoTemporary) {
-  const auto folder = std::filesystem::temp_directory_path() / "lamina_text_test_folder";
+  const Folder folder;
   std::filesystem::create_directories(folder / "a.txt" / "a folder of that name, which is not empty");
   EXPECT_THROW(write_file_atomically(folder / "a.txt", "x"), Error);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
-  std::filesystem::remove_all(folder);
+  EXPECT_EQ(folder.files(), 1u);
 }
 
 TEST(WriteFileAtomically, ThrowsWhereTheFolderIsMissing) {

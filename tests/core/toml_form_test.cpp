@@ -2,18 +2,17 @@
 // Tables by their forms: each kind of mistake is one message with file and line, and a reader cannot ask for what is not
 // declared.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "harness/core/toml_table.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
 
-class TomlForms : public testing::Test {
+class TomlForms : public InFolder<> {
  protected:
-  void TearDown() override { std::filesystem::remove(file_); }
   TomlTable read(const std::string& text, TomlFormPtr form) {
     std::ofstream(file_) << text;
     return TomlTable::parse(file_, "test", std::move(form));
@@ -29,8 +28,7 @@ class TomlForms : public testing::Test {
       return error.what();
     }
   }
-  std::filesystem::path file_ =
-      std::filesystem::temp_directory_path() / ("lamina_form_" + std::to_string(::getpid()) + ".toml");
+  const std::filesystem::path file_ = folder_ / "form.toml";
 };
 
 #define EXPECT_SAYS(text, words) EXPECT_NE((text).find(words), std::string::npos) << (text)

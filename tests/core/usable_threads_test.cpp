@@ -3,27 +3,21 @@
 #include "harness/core/usable_threads.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <fstream>
 #include <thread>
+
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
 
-class UsableThreads : public testing::Test {
+class UsableThreads : public InFolder<> {
  protected:
-  void TearDown() override { std::filesystem::remove_all(root_); }
-  void write(const std::string& file, const std::string& text) {
-    std::filesystem::create_directories((root_ / file).parent_path());
-    std::ofstream(root_ / file) << text;
-  }
-  size_t quota() const { return threads_of_quota(root_); }
+  size_t quota() const { return threads_of_quota(folder_); }
   size_t quota_with(const std::string& file, const std::string& text) {
     write(file, text);
     return quota();
   }
-  const std::filesystem::path root_ = std::filesystem::temp_directory_path() / ("lamina_cgroup_" + std::to_string(::getpid()));
 };
 
 TEST_F(UsableThreads, WithoutGroupsThereIsNoQuota) { EXPECT_EQ(quota(), 0u); }

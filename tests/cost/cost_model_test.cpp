@@ -15,7 +15,7 @@ namespace {
 TEST(NonnegativeFit, SolvesWhatHasASolution) {
   const std::vector<std::vector<double>> rows = {{1, 0, 0}, {0, 2, 0}, {1, 0, 4}, {0.5, 0.5, 1}};
   // x = (1, .5, 0): rows give 1, 1, 1, .75; the last asks for 1, so the least squares differ from it.
-  const std::vector<double> x = fit_nonnegative(rows);
+  const std::vector<double> x = fit_nonnegative(rows, std::vector<double>(4, 1));
   // The gradient vanishes where x is above 0 and is not negative where it is 0 (Kuhn and Tucker).
   for (size_t j = 0; j < 3; ++j) {
     double gradient = 0;
@@ -30,13 +30,61 @@ TEST(NonnegativeFit, SolvesWhatHasASolution) {
 
 TEST(NonnegativeFit, NoWeightIsNegativeAndAnEmptyColumnIsZero) {
   // Without a bound the best is (2, -1).
-  const std::vector<double> x = fit_nonnegative(std::vector<std::vector<double>>{{1, 1, 0}, {0.5, 0, 0}, {1, 1.0, 0}});
+  const std::vector<double> x =
+      fit_nonnegative(std::vector<std::vector<double>>{{1, 1, 0}, {0.5, 0, 0}, {1, 1.0, 0}}, std::vector<double>(3, 1));
   EXPECT_GE(x[1], 0);
   EXPECT_EQ(x[1], 0);
   EXPECT_NEAR(x[0], 2.5 / 2.25, 1e-9) << "least squares in the first column alone";
   EXPECT_EQ(x[2], 0);
-  EXPECT_THROW(fit_nonnegative({}), Error);
-  EXPECT_THROW(fit_nonnegative(std::vector<std::vector<double>>{{std::nan("")}}), Error);
+  EXPECT_THROW(fit_nonnegative({}, {}), Error);
+  EXPECT_THROW(fit_nonnegative(std::vector<std::vector<double>>{{std::nan("")}}, std::vector{1.0}), Error);
+  EXPECT_THROW(fit_nonnegative(std::vector<std::vector<double>>{{1}}, {}), Error);
+}
+
+// Random problems, columns that say the same among them: Kuhn's and Tucker's conditions tell the least.
+TEST(NonnegativeFit, MeetsTheConditionsOfTheLeastOnRandomRows) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  for (int problem = 0; problem < 60; ++problem) {
+    const size_t columns = 1 + random() % 20, count = 1 + random() % 60;
+    std::vector<std::vector<double>> rows(count, std::vector<double>(columns));
+    std::vector<double> targets(count);
+    for (size_t i = 0; i < count; ++i) {
+      for (size_t j = 0; j < columns; ++j)
+        rows[i][j] = j % 5 == 4 ? 2 * rows[i][j - 1]
+                                : std::pow(10.0, static_cast<double>(j % 3)) *
+                                      (problem % 2 == 0 ? normal(random) : std::abs(normal(random)));
+      targets[i] = normal(random);
+    }
+    const std::vector<double> x = fit_nonnegative(rows, targets);
+    for (size_t j = 0; j < columns; ++j) {
+      double gradient = 0, length = 0;
+      for (size_t i = 0; i < count; ++i) {
+        double error = -targets[i];
+        for (size_t k = 0; k < columns; ++k) error += rows[i][k] * x[k];
+        gradient += rows[i][j] * error, length += rows[i][j] * rows[i][j];
+      }
+      gradient /= std::sqrt(length) + 1e-300;
+      EXPECT_GE(x[j], 0);
+      EXPECT_GE(gradient, -1e-7) << problem << " " << j;
+      if (x[j] > 0) EXPECT_LE(gradient, 1e-7) << problem << " " << j;
+    }
+  }
+}
+
+TEST(LeastAbsoluteFit, IsTheMedianAndLeavesAFewThatAreFarOff) {
+  const std::vector<std::vector<double>> ones(5, {1.0});
+  EXPECT_NEAR(fit_least_absolute(ones, std::vector<double>{1, 2, 3, 70, 900}, 1e-6)[0], 3, 0.01);
+  std::vector<std::vector<double>> rows;
+  std::vector<double> targets;
+  for (int i = 1; i <= 30; ++i) {
+    const double first = i, second = i * i % 7;
+    rows.push_back({first, second});
+    targets.push_back((2 * first + 3 * second) * (i % 6 == 0 ? 20 : 1));
+  }
+  const std::vector<double> x = fit_least_absolute(rows, targets, 1e-6);
+  EXPECT_NEAR(x[0], 2, 1e-3);
+  EXPECT_NEAR(x[1], 3, 1e-3);
 }
 
 TEST(RankCorrelation, IsSpearmans) {
@@ -84,12 +132,12 @@ TEST(CostModel, GivesBackTheWeightsThatTheTimesAreMadeOf) {
   const CostModel model = fit_cost_model(timed_frames(rows));
   EXPECT_EQ(model.counted, CountedWork::issued) << "what is executed does not tell these times";
   // The three vertices are in every pass: their weight and the pass's cannot be told apart, their sum can.
-  EXPECT_NEAR(model.weights.at("pass").ns + 3 * model.weights.at("vertices").ns, 0.2e6, 200);
-  EXPECT_NEAR(model.weights.at("fragments").ns, 2, 0.02);
-  EXPECT_NEAR(model.weights.at("add").ns, 0.5, 0.005);
-  EXPECT_NEAR(model.weights.at("fetch rgba8_unorm linear").ns, 7, 0.07);
-  EXPECT_LE(model.weights.at("add").low, model.weights.at("add").high);
-  EXPECT_NEAR(model.weights.at("add").low, 0.5, 0.01);
+  EXPECT_NEAR(model.weights.at("run").ns + 3 * model.weights.at("vertex").ns, 0.2e6, 200);
+  EXPECT_NEAR(model.weights.at("fragment").ns, 2, 0.02);
+  EXPECT_NEAR(model.weights.at("plain operation").ns, 0.5, 0.005);
+  EXPECT_NEAR(model.weights.at("fetch, rgba8_unorm").ns + model.weights.at("fetch, linear").ns, 7, 0.07) << "always together";
+  EXPECT_LE(model.weights.at("plain operation").low, model.weights.at("plain operation").high);
+  EXPECT_NEAR(model.weights.at("plain operation").low, 0.5, 0.01);
   EXPECT_LT(model.judged.mean_error, 0.001);
   EXPECT_GT(model.judged.rank_correlation, 0.999);
   EXPECT_EQ(model.judged.variants, 40u);
@@ -102,9 +150,53 @@ TEST(CostModel, PredictsAPassItHasNotSeenAndNamesWhatItDoesNotKnow) {
   other.by_texture.push_back({.texture = "u", .format = "r8_unorm", .filter = "nearest", .fetches = 3, .issued = 3});
   std::vector<std::string> unknown;
   EXPECT_NEAR(predicted_ms(model, std::vector{other}, &unknown), 0.2 + 0.01 + 0.01 + 0.105, 0.001);
-  EXPECT_EQ(unknown, std::vector<std::string>{"fetch r8_unorm nearest"});
+  EXPECT_EQ(unknown, (std::vector<std::string>{"fetch, nearest", "fetch, r8_unorm"}));
   const CostModel again = cost_model_from_json(nlohmann::json::parse(to_json(model).dump()), "file");
   EXPECT_EQ(to_json(again).dump(), to_json(model).dump());
+}
+
+TEST(PassWork, ChargesWholeBlocksAndVerticesApart) {
+  PassRow row = pass(1000, 5000, 6000, 400, 1);
+  row.issued_fragments = 4000, row.runs = 3, row.triangles = 70;
+  row.issued["exp"] = 100;
+  row.vertex_issued = {{"add", 2000}, {"exp", 100}};
+  const PassWork work = work_of(row, CountedWork::issued);
+  EXPECT_EQ(work.at("run"), 3);
+  EXPECT_EQ(work.at("fragment"), 4000);
+  EXPECT_EQ(work.at("triangle"), 70);
+  EXPECT_EQ(work.at("plain operation"), 4 * (6000 - 2000)) << "four are issued for each that is seen";
+  EXPECT_EQ(work.at("vertex's plain operation"), 2000);
+  EXPECT_EQ(work.at("vertex's dear operation"), 100);
+  EXPECT_FALSE(work.contains("exponential")) << "all of them the vertices'";
+  EXPECT_EQ(work.at("fetch, linear"), 4 * 400);
+}
+
+TEST(PassWork, ChargesFetchesByKindLevelsAndBytes) {
+  PassRow row = pass(1000, 1, 1, 3000, 1);
+  row.by_texture[0].unfiltered = 1000;
+  row.by_texture[0].size = {64, 32};
+  row.by_texture[0].levels = {0, 3000, 1500, 1};
+  const PassWork work = work_of(row, CountedWork::executed);
+  EXPECT_DOUBLE_EQ(work.at("fetch, linear"), 2000);
+  EXPECT_DOUBLE_EQ(work.at("fetch, a texel"), 1000);
+  EXPECT_DOUBLE_EQ(work.at("fetch, rgba8_unorm"), 3000);
+  EXPECT_DOUBLE_EQ(work.at("fetch, a second level"), 1501);
+  EXPECT_DOUBLE_EQ(work.at("byte of textures"), 32 * 16 * 4 + 16 * 8 * 4 + 64) << "whole levels, and one line of the last";
+}
+
+TEST(PassWork, ChargesWhatIsWritten) {
+  PassRow row = pass(1000, 1, 1, 0, 1);
+  row.written = {
+      {"rgba16_float", "clear", "alpha", 100}, {"r32_float", "discard", "none", 100}, {"d32_float", "keep", "test", 100}};
+  const PassWork work = work_of(row, CountedWork::executed);
+  EXPECT_EQ(work.at("byte of targets, clear"), 800);
+  EXPECT_EQ(work.at("byte of targets, keep"), 400);
+  EXPECT_EQ(work.at("fragment, to rgba16_float"), 1000);
+  EXPECT_EQ(work.at("fragment, to r32_float"), 1000);
+  EXPECT_EQ(work.at("fragment, blended"), 1000);
+  EXPECT_EQ(work.at("fragment, depth test"), 1000);
+  row.written = {{"rgba16_float", "mips", "none", 25}};
+  EXPECT_EQ(work_of(row, CountedWork::executed).at("byte of targets, mips"), 200);
 }
 
 TEST(CostModel, RefusesWhatTellsNothing) {

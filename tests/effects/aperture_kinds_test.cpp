@@ -58,8 +58,8 @@ TEST(SoftApertures, ACirclesEdgeIsHardAndAWallsIsWide) {
 TEST(ChosenApertures, ADiscIsBlockedAndAHoleIsOpen) {
   const auto weight = [](const Scene& scene) { return glm::length(glm::vec3(first_of(scene, choice)[1])); };
   EXPECT_NEAR(weight(scene_of({receiver(), disc(0.6f)})), 1, 1e-5f);
-  EXPECT_NEAR(weight(scene_of({receiver(), hole(0.6f)})), least_choice_length, 1e-5f);
-  EXPECT_NEAR(weight(scene_of({receiver()})), least_choice_length, 1e-5f) << "nothing is blocked";
+  EXPECT_NEAR(weight(scene_of({receiver(), hole(0.6f)})), min_choice_length, 1e-5f);
+  EXPECT_NEAR(weight(scene_of({receiver()})), min_choice_length, 1e-5f) << "nothing is blocked";
   const std::vector<Aperture> both = first_of(scene_of({receiver(), disc(0.6f)}), choice);
   EXPECT_NEAR(both[1].w, 0.6f, 0.02f);
   EXPECT_EQ(both[0], first_of(scene_of({receiver(), disc(0.6f)}), {})[0]);
@@ -82,7 +82,7 @@ TEST(ChosenApertures, ModelsTakeTheCapThatCounts) {
   for (const LightModel model : {LightModel::exact_intersection, LightModel::integrated_cosine}) {
     const float of_open = lit({}, {open}, model), of_blocked = lit({.anti = true}, {blocked}, model);
     EXPECT_GT(std::abs(of_open - of_blocked), 0.05f);
-    const Aperture faint(glm::vec3(blocked) * float(least_choice_length), blocked.w);
+    const Aperture faint(glm::vec3(blocked) * float(min_choice_length), blocked.w);
     EXPECT_NEAR(lit(choice, {open, faint}, model), of_open, 1e-5f);
     EXPECT_NEAR(lit(choice, {open, blocked}, model), of_blocked, 1e-5f);
   }

@@ -83,13 +83,13 @@ TEST_P(ApertureScenes, ExactCapIsTheDoubleForm) {
 // two directions is far from it. Bounds as measured, less 1 dB or so: where the rim cuts a large light the middle of the shared
 // line is no exact centroid, and the sum has 200 samples a light, too few for a small sun through small windows.
 TEST_P(ApertureScenes, LensCosineIsTheCosineOverTheSharedArea) {
-  for (const auto& [name, least_db] : {std::pair("sphere_over_plane", 40.0), {"conical_pit", 35.0}}) {
+  for (const auto& [name, min_db] : {std::pair("sphere_over_plane", 40.0), {"conical_pit", 35.0}}) {
     const Scene scene = small(name);
     Bakes bakes(scene, effect_code(), DiskCache(""));
     const Pictures lens = pictures(scene, bakes, false, "exact_lens_cosine", "exact_cap");
     const double near_db = psnr(lens.device, lens.integrated, lens.covered),
                  middle_db = psnr(lens.exact, lens.integrated, lens.covered);
-    EXPECT_GE(near_db, least_db) << name;
+    EXPECT_GE(near_db, min_db) << name;
     EXPECT_GE(near_db, middle_db + 6) << name;
   }
 }

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of the atmosphere on every backend, against closed forms and against the truth.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <numbers>
 
 #include "harness/effects/atmosphere/single_scattering_truth.h"
 #include "tests/effects/air_scenes.h"
 #include "tests/effects/backends_agree.h"
+#include "tests/folder.h"
 #include "tests/graph/each_backend.h"
 
 namespace lamina {
@@ -127,6 +126,7 @@ TEST_P(Atmosphere, CostsNothingWhereThereIsNone) {
 TEST_P(Atmosphere, HazeAndOzoneAreFeaturesOnlyWhereTheyAre) {
   const Scene scene = sky(60, sun_at(40), {{"mie_amount", 0}, {"ozone_amount", 0}});
   const Plan plan = make_plan(library(), scene);
+  EXPECT_EQ(plan.of("atmosphere")->features.size(), 2u);
   for (const FeaturePlan& feature : plan.of("atmosphere")->features) EXPECT_FALSE(feature.on) << feature.define;
   EXPECT_LT(worst(picture(scene, "per_pixel", 8), truth(scene, 8), 1e-3f), 0.005);
 }
@@ -247,9 +247,9 @@ TEST(AtmosphereScenes, TheFilesLoadAndCallForIt) {
 
 // One message with file and line.
 TEST(AtmosphereScenes, MistakesAreRefused) {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / ("air_" + std::to_string(::getpid()) + ".toml");
+  const Folder folder;
   const auto refused = [&](const std::string& says, const std::string& why) {
-    std::ofstream(file) << "[scene]\nbuiltin = \"open_plane\"\n" << says << "\n";
+    const std::filesystem::path file = folder.write("air.toml", "[scene]\nbuiltin = \"open_plane\"\n" + says + "\n");
     try {
       load_scene(file.string(), builtin_library());
       ADD_FAILURE() << says;
@@ -257,7 +257,6 @@ TEST(AtmosphereScenes, MistakesAreRefused) {
       EXPECT_NE(std::string(error.what()).find(file.string() + ":4"), std::string::npos) << error.what();
       EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
     }
-    std::filesystem::remove(file);
   };
   refused("[effects.atmosphere]\nmie.g = 1", "0.999");
   refused("[effects.atmosphere]\ndensity = -1", "0");

@@ -6,19 +6,13 @@
 
 #include "harness/core/text.h"
 #include "tests/effects/made_scenes.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
 
-class BakeCache : public testing::Test {
+class BakeCache : public InFolder<> {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              ("lamina-cache-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::remove_all(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   struct Result {
     std::vector<Aperture> apertures;
     bool from_cache;
@@ -30,9 +24,8 @@ class BakeCache : public testing::Test {
     return result;
   }
   std::filesystem::path file() const { return std::filesystem::directory_iterator(folder_)->path(); }
-  size_t files() const { return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(folder_), {})); }
+  size_t files() const { return own_.files(); }
 
-  std::filesystem::path folder_;
   Scene scene_ = scene_of({receiver(), ring("lid", 1, 1, 50, 1)});
 };
 
@@ -80,11 +73,11 @@ TEST_F(BakeCache, DamagedFileIsMadeAgainWithAWarning) {
 }
 
 TEST_F(BakeCache, FolderThatCannotBeMadeIsAWarning) {
+  std::filesystem::remove(folder_);
   std::ofstream(folder_) << "a file stands here";
   const Result result = bake(scene_);
   EXPECT_EQ(result.apertures.size(), 3u);
   ASSERT_EQ(result.warnings.size(), 1u);
-  std::filesystem::remove(folder_);
 }
 
 TEST_F(BakeCache, ProgressRisesFromNothing) {

@@ -116,7 +116,7 @@ TEST_P(LutCap, ErrsByNoMoreThanItsBoundForAllRadii) {
 TEST_P(LutCap, BordersAreExact) {
   constexpr float below_pi = 3.14159250f;
   const Points apart(3, {{0.5f, 0.25f, 0.75f}, {0.5f, 0.25f, 2}, {1.5f, 1.5f, 3.1f}, {2, 0.5f, 3}, {1e-3f, 1e-5f, 1}});
-  for (const float area : runner_->values(apart)) EXPECT_EQ(area, 0);
+  EXPECT_EQ(runner_->values(apart), std::vector<float>(5, 0.0f));
   const Points inside(3, {{1, 0.5f, 0.25f}, {1, 1, 0}, {2, 0.5f, 0.25f}, {3, 1, 2}, {2, 2, 0}, {below_pi, 1, 3}});
   const Points covering(3, {{2, 2.5f, 3}, {1.75f, 3, 3}, {3, 1.75f, 2.5f}, {3.1f, 3.1f, 0.5f}});
   for (const auto& inputs : {inside, covering}) {

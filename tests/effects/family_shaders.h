@@ -68,7 +68,7 @@ class FamilyShaders : public ::testing::TestWithParam<std::string_view> {
               judged.emplace_back(Judged{function.name, function.baseline, errors(family, function.name, set.name)}).errors;
           EXPECT_LE(found.max_over, bounds->over);
           EXPECT_GE(found.max_under, bounds->under);
-          EXPECT_LE(found.most_eps_kappa, bounds->eps_kappa.value_or(std::numeric_limits<double>::infinity()));
+          EXPECT_LE(found.max_eps_kappa, bounds->eps_kappa.value_or(std::numeric_limits<double>::infinity()));
           EXPECT_EQ(found.nonfinite, 0u);
           EXPECT_FALSE(function.baseline && found.first_fault) << "below 0, or not 0 where that is right";
         }

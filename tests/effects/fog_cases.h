@@ -41,14 +41,14 @@ inline Object wall(float z, float half = 4) {
 
 struct FogCase {
   std::string name;
-  double least_m, most_m;  // along the middle pixel's ray
-  double distance_m;       // of what is furthest from the eye
+  double min_m, max_m;  // along the middle pixel's ray
+  double distance_m;    // of what is furthest from the eye
 };
 
 // A view of each case.
 class FogCases {
  public:
-  void add(const std::string& name, std::vector<Object> objects, glm::vec3 eye, glm::vec3 target, double least_m, double most_m,
+  void add(const std::string& name, std::vector<Object> objects, glm::vec3 eye, glm::vec3 target, double min_m, double max_m,
            float near_m = 0.1f) {
     const size_t at = cases_.size();
     const glm::vec3 place(30.0f * (float(at % 5) - 2), 30.0f * (float(at / 5) - 2), 0);
@@ -58,7 +58,7 @@ class FogCases {
       scene_.objects.push_back(std::move(object));
     }
     scene_.views.push_back({name, eye + place, target + place, {0, 1, 0}, 60, near_m, 14});
-    cases_.push_back({name, least_m, most_m, 9});
+    cases_.push_back({name, min_m, max_m, 9});
   }
   void add(const std::string& name, std::vector<Object> objects, glm::vec3 eye, glm::vec3 target, double metres) {
     add(name, std::move(objects), eye, target, metres, metres);

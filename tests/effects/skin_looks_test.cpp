@@ -38,11 +38,7 @@ Scene plate_under(double light_degrees, double view_degrees, const std::map<std:
 class SkinLooks : public EachBackend {
  protected:
   // Of skin: another effect has variants of some of these names.
-  const VariantManifest& of_skin(std::string_view name) {
-    for (const VariantManifest& candidate : library().effect("skin").variants)
-      if (candidate.name == name) return candidate;
-    throw std::runtime_error("no such variant");
-  }
+  const VariantManifest& of_skin(std::string_view name) { return named_in(library().effect("skin"), name); }
   Image skin_picture(const Scene& scene, std::string_view name, uint32_t size) {
     return DrawnFrame(*backend_, library(), scene, {.variant = &of_skin(name), .width = size, .height = size, .aspect = 1})
         .picture();

@@ -160,8 +160,12 @@ TEST(SkinReflection, MirrorPairsAreTheTable) {
 }
 
 TEST(SkinBaker, ABallBendsByItsRadius) {
-  for (const float curvature : mean_curvatures(globe_mesh(97, 49))) EXPECT_NEAR(curvature, 1, 0.01);
-  for (const float curvature : mean_curvatures(skin_square(0, 1, 0, 1, 0))) EXPECT_EQ(curvature, 0);
+  const Mesh ball = globe_mesh(97, 49), flat = skin_square(0, 1, 0, 1, 0);
+  const auto of_ball = mean_curvatures(ball), of_flat = mean_curvatures(flat);
+  EXPECT_EQ(of_ball.size(), ball.vertices.size());
+  EXPECT_EQ(of_flat.size(), flat.vertices.size());
+  for (const float curvature : of_ball) EXPECT_NEAR(curvature, 1, 0.01);
+  for (const float curvature : of_flat) EXPECT_EQ(curvature, 0);
 }
 
 TEST(SkinLayerMaps, SumToTheAlbedo) {

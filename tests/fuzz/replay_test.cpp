@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every input of tests/fuzz/corpus through its target: what the fuzzers began with, and each that they found.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 
+#include "tests/folder.h"
 #include "tests/fuzz/targets.h"
 
 namespace lamina {
@@ -15,8 +15,7 @@ namespace fs = std::filesystem;
 class Replay : public testing::TestWithParam<FuzzTarget> {};
 
 TEST_P(Replay, ReadsOrRefusesInWordsAboutTheFile) {
-  const fs::path folder = fs::temp_directory_path() / ("lamina_replay_" + std::to_string(::getpid()));
-  fs::create_directories(folder);
+  const Folder folder;
   size_t inputs = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(LAMINA_SOURCE_DIR) / "tests/fuzz/corpus" / GetParam().name)) {
     const fs::path file = folder / GetParam().file;
@@ -25,7 +24,6 @@ TEST_P(Replay, ReadsOrRefusesInWordsAboutTheFile) {
     ++inputs;
   }
   EXPECT_GT(inputs, 0u) << "no corpus for " << GetParam().name;
-  fs::remove_all(folder);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Replay, testing::ValuesIn(fuzz_targets().begin(), fuzz_targets().end()),

@@ -2,11 +2,11 @@
 #include "harness/gate/calibration.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 
 #include "harness/core/text.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
@@ -65,11 +65,9 @@ TEST(Calibration, TheTableCountsEveryGateOnce) {
   EXPECT_LT(table.find("| none"), table.find("| 1%"));
 }
 
-class CalibrationFile : public testing::Test {
+class CalibrationFile : public InFolder<> {
  protected:
-  void SetUp() override { file_ = std::filesystem::temp_directory_path() / fmt::format("lamina_calibration_{}", ::getpid()); }
-  void TearDown() override { std::filesystem::remove(file_); }
-  std::filesystem::path file_;
+  const std::filesystem::path file_ = folder_ / "calibration.jsonl";
 };
 
 TEST_F(CalibrationFile, IsReadBackUpToALineThatWasCutShort) {

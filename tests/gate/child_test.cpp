@@ -59,7 +59,7 @@ TEST(Child, EachLaysOutItsMemoryAnew) {
       });
       places.insert(result.lines.at(0).at("at").get<uint64_t>());
     }
-    EXPECT_GE(places.size(), 7u) << bytes;
+    EXPECT_GE(places.size(), 6u) << bytes;  // of at least 2048 places: three of eight fall together once in a million runs
   }
   ::munmap(around, hole_bytes);
   ::munmap(around + 2 * hole_bytes, hole_bytes);

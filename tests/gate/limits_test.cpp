@@ -2,18 +2,17 @@
 #include "harness/gate/limits.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "harness/core/error.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
 
-class GateLimits : public testing::Test {
+class GateLimits : public InFolder<> {
  protected:
-  void TearDown() override { std::filesystem::remove(file_); }
   LimitsFile read(const std::string& text) {
     std::ofstream(file_) << text;
     return LimitsFile(file_, {{"layered_material"}, {"light_map", "vertex_normal"}, {"vulkan", "osmesa"}});
@@ -28,8 +27,7 @@ class GateLimits : public testing::Test {
       EXPECT_NE(std::string(error.what()).find(file_.string() + ":"), std::string::npos) << "file and line: " << error.what();
     }
   }
-  std::filesystem::path file_ =
-      std::filesystem::temp_directory_path() / ("lamina_limits_" + std::to_string(::getpid()) + ".toml");
+  const std::filesystem::path file_ = folder_ / "limits.toml";
 };
 
 TEST_F(GateLimits, DefaultsThenLaterEntriesOverEarlierOnes) {

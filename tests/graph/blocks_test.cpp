@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <fstream>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "harness/shader/shader.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
@@ -21,11 +21,13 @@ const Library& library() {
 // The block of shaders/common/frame.glsl, as a shader with extra members of Frame declares it.
 ShaderResource declared(const std::string& block) {
   const std::filesystem::path shaders = std::filesystem::path(LAMINA_SOURCE_DIR) / "shaders";
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "lamina_blocks.vert";
-  std::ofstream(file) << "#define FRAME_MEMBERS ivec4 light_casts[8]; mat4 casting_clip_from_world[8];\n"
-                         "#include \"common/frame.glsl\"\n#include \"common/mesh_out.glsl\"\n"
-                         "void main() { write_surface(); gl_Position = clip_from_world * vec4(position, 1) + "
-                         "casting_clip_from_world[1] * vec4(light_casts[0]); }\n";
+  const Folder folder;
+  const std::filesystem::path file =
+      folder.write("blocks.vert",
+                   "#define FRAME_MEMBERS ivec4 light_casts[8]; mat4 casting_clip_from_world[8];\n"
+                   "#include \"common/frame.glsl\"\n#include \"common/mesh_out.glsl\"\n"
+                   "void main() { write_surface(); gl_Position = clip_from_world * vec4(position, 1) + "
+                   "casting_clip_from_world[1] * vec4(light_casts[0]); }\n");
   const CompiledShader compiled = compile_shader({file, Stage::vertex, Api::vulkan, {}, {shaders}});
   for (const ShaderResource& resource : compiled.reflection.resources)
     if (resource.name == block) return resource;

@@ -50,11 +50,8 @@ void main() {
     Object object = square("probe", 0, {"probe"});
     object.effects["probe"].textures["picture"] = make_texture("picture", filled(probe_side, texel), TexelMeaning::colour);
     const Scene scene = squares({object});
-    const VariantManifest* variant = nullptr;
-    for (const VariantManifest& candidate : library_.effect("probe").variants)
-      if (candidate.name == filter) variant = &candidate;
     return DrawnFrame(*backend_, library_, scene,
-                      {.variant = variant,
+                      {.variant = library_.effect("probe").variant(filter),
                        .width = probe_side,
                        .height = probe_side,
                        .parameters = {{std::string(filter) + ".radius", radius}},

@@ -27,8 +27,11 @@ class EachBackend : public testing::TestWithParam<std::string_view> {
   const Library& library() { return builtin_library(); }
   const VariantManifest& variant(std::string_view name) {
     for (const EffectManifest& effect : library().effects)
-      for (const VariantManifest& candidate : effect.variants)
-        if (candidate.name == name) return candidate;
+      if (const VariantManifest* found = effect.variant(name)) return *found;
+    throw std::runtime_error("no such variant");
+  }
+  static const VariantManifest& named_in(const EffectManifest& effect, std::string_view name) {
+    if (const VariantManifest* found = effect.variant(name)) return *found;
     throw std::runtime_error("no such variant");
   }
   // The picture of view 0 by a variant.

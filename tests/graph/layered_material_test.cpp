@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The layered material's pictures and counts against the chapter's formulas, on every backend.
 #include <cmath>
+#include <numeric>
 
 #include "harness/quality/quality.h"
 #include "tests/graph/each_backend.h"
@@ -156,6 +157,11 @@ TEST_P(LayeredMaterial_, CompositeMakesTheChaptersNumberOfFetches) {
     const PassCounts composite = frame.frame_counts().back();
     EXPECT_GT(composite.fragments, 500u);
     EXPECT_EQ(composite.fetches(), fetches * composite.fragments) << name;
+    for (const TextureFetches& texture : composite.by_texture) {
+      const uint64_t reads = std::accumulate(texture.levels.begin(), texture.levels.end(), uint64_t{0});
+      EXPECT_GE(reads, texture.fetches) << name << " " << texture.texture;
+      EXPECT_LE(reads, 2 * texture.fetches) << "two levels at most: " << name << " " << texture.texture;
+    }
     const Mask covered = frame.coverage("layered_material");
     uint64_t pixels = 0;
     for (const uint8_t on : covered.on) pixels += on;

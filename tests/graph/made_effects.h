@@ -2,32 +2,14 @@
 // Effects that a test writes itself: files in a folder of its own, loaded beside the built-in ones, drawn on every backend.
 #pragma once
 
-#include <unistd.h>
-
-#include <fstream>
-
+#include "tests/folder.h"
 #include "tests/graph/each_backend.h"
 #include "tests/graph/quad_scene.h"
 
 namespace lamina {
 
-class MadeEffects : public EachBackend {
+class MadeEffects : public InFolder<EachBackend> {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("lamina_made_" + std::to_string(::getpid()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-    EachBackend::SetUp();
-  }
-  void TearDown() override {
-    std::filesystem::remove_all(folder_);
-    EachBackend::TearDown();
-  }
-
-  void write(const std::string& name, const std::string& text) {
-    std::filesystem::create_directories((folder_ / name).parent_path());
-    std::ofstream(folder_ / name) << text;
-  }
   // An effect called NAME that objects call for by the key NAME, with more lines of its effect.toml.
   void write_effect(const std::string& name, const std::string& head, const std::string& rest = "") {
     write(name + "/effect.toml",
@@ -61,8 +43,6 @@ class MadeEffects : public EachBackend {
         *backend_, library, scene,
         DrawnFrame::Choice{.width = size, .height = size, .parameters = parameters, .told = told, .build = build});
   }
-
-  std::filesystem::path folder_;
 };
 
 // A pass of a manifest: its lines, quoted.

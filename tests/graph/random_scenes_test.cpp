@@ -7,6 +7,7 @@
 #include "harness/graph/everything_graph.h"
 #include "harness/graph/target_uses.h"
 #include "harness/quality/same_bits.h"
+#include "tests/folder.h"
 #include "tests/graph/each_backend.h"
 #include "tests/graph/made_effects.h"
 #include "tests/graph/random_scene.h"
@@ -33,21 +34,14 @@ Parameters small_parameters(const Library& library) {
   return small;
 }
 
-class RandomScenes : public EachBackend {
+class RandomScenes : public InFolder<EachBackend> {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("lamina_random_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
     EachBackend::SetUp();
     if (!backend_) return;
     shaders_.emplace(backend_->info().api, library().shaders);
     parameters_ = small_parameters(library());
   }
-  void TearDown() override {
-    std::filesystem::remove_all(folder_);
-    EachBackend::TearDown();
-  }
-
   struct Drawn {
     std::vector<Image> pictures;
     uint64_t bytes = 0, told_bytes = 0;
@@ -88,7 +82,6 @@ class RandomScenes : public EachBackend {
     return "";
   }
 
-  std::filesystem::path folder_;
   std::optional<ShaderCache> shaders_;
   Parameters parameters_;
   size_t ran_ = 0, left_out_ = 0;

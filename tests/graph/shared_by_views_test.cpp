@@ -43,6 +43,8 @@ TEST_P(SharedByViews, TheSecondViewIsWhatItIsAlone) {
     for (size_t i = 0; i < counts.size(); ++i) {
       EXPECT_EQ(counts[i].fragments, expected[i].fragments) << i;
       EXPECT_EQ(counts[i].fetches(), expected[i].fetches()) << i;
+      EXPECT_EQ(counts[i].runs, expected[i].runs) << i;
+      EXPECT_EQ(counts[i].issued_fragments, expected[i].issued_fragments) << i;
     }
   }
 }

@@ -2,15 +2,14 @@
 // Effects as data: that every mistake in an effect.toml is one message with file and line, that the built-in ones declare what
 // they do, and that nothing else of the engine knows them.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <regex>
 
 #include "harness/core/text.h"
 #include "harness/manifest/library.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
@@ -19,17 +18,13 @@ namespace fs = std::filesystem;
 
 #define EXPECT_SAYS(text, words) EXPECT_NE((text).find(words), std::string::npos) << (text)
 
-class UserEffect : public testing::Test {
+class UserEffect : public InFolder<> {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("lamina_effect_" + std::to_string(::getpid()));
-    fs::create_directories(folder_ / "wax");
     write("wax/full.toml",
           "[variant]\nname = \"full\"\nbaseline = true\n[[pass]]\nname = \"draw\"\ndraw = \"objects\"\nvertex = "
           "\"common/object.vert\"\nfragment = \"surface/lambert.frag\"\nwrite = [\"frame\"]\n");
   }
-  void TearDown() override { fs::remove_all(folder_); }
-  void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
   // What loading with this effect.toml says; "" when it loads.
   std::string refusal(const std::string& head, const std::string& rest = "") {
     write("wax/effect.toml",
@@ -42,7 +37,6 @@ class UserEffect : public testing::Test {
       return error.what();
     }
   }
-  fs::path folder_;
 };
 
 TEST_F(UserEffect, LoadsWithAllThatItDeclares) {
@@ -202,8 +196,7 @@ TEST(BuiltinEffects, WhatAQuickComparisonLooksAtIsThere) {
   for (const EffectManifest& effect : load_library(LAMINA_SOURCE_DIR, effect_code()).effects)
     for (const std::string& name : effect.quick) {
       ++named;
-      EXPECT_TRUE(std::ranges::any_of(effect.variants, [&](const VariantManifest& variant) { return variant.name == name; }))
-          << effect.name << ": " << name;
+      EXPECT_NE(effect.variant(name), nullptr) << effect.name << ": " << name;
     }
   EXPECT_GT(named, 8u);
 }

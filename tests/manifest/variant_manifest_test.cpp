@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Manifests: what the built-in ones say, and that every mistake in a user's own is one message with file, line and what to do.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "harness/manifest/library.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
 
 namespace fs = std::filesystem;
 
-class UserVariant : public testing::Test {
+class UserVariant : public InFolder<> {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("lamina_manifest_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
   // What loading with this manifest says; "" when it loads.
   std::string refusal(const std::string& text) {
     write("mine.toml", text);
@@ -32,7 +25,6 @@ class UserVariant : public testing::Test {
       return error.what();
     }
   }
-  fs::path folder_;
 };
 
 const std::string head = "[variant]\nname = \"mine\"\neffect = \"layered_material\"\n";
@@ -50,8 +42,9 @@ TEST(BuiltinVariants, BaselineComesFirst) {
   const auto by_name = [](const VariantManifest& a, const VariantManifest& b) { return a.name < b.name; };
   EXPECT_TRUE(std::is_sorted(effect.variants.begin() + 1, effect.variants.end(), by_name))
       << "the others by their files' names";
-  const auto taps = std::ranges::find(effect.variants, "normal_map_taps", &VariantManifest::name);
-  ASSERT_NE(taps, effect.variants.end());
+  EXPECT_EQ(effect.variant("normal_map_tap"), nullptr);
+  const VariantManifest* taps = effect.variant("normal_map_taps");
+  ASSERT_NE(taps, nullptr);
   EXPECT_EQ(taps->targets.size(), 0u) << "the first optimization has no off-screen target";
 }
 

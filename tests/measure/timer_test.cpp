@@ -29,6 +29,7 @@ const std::vector<double> good = of_all({0, 10, 20, 40, 80});  // 200 ms in all
 TEST(Timer, GoodTimerIsCertified) {
   const TimerRow row = judge_timer(Times(6, good), std::vector<double>(6, 201));
   EXPECT_TRUE(row.ok) << row.reason;
+  EXPECT_FALSE(row.linearity.empty());
   for (const double linearity : row.linearity) EXPECT_NEAR(linearity, 1, 1e-12);
   EXPECT_NEAR(*row.additivity, 200.0 / 201, 1e-12);
   EXPECT_NEAR(*row.fixed_share, 0, 1e-12);
@@ -39,6 +40,7 @@ TEST(Timer, GoodTimerIsCertified) {
 TEST(Timer, AFixedCostOfEachPassIsNoLie) {
   const TimerRow row = judge_timer(Times(6, of_all({2, 12, 22, 42, 82})), std::vector<double>(6, 219));
   EXPECT_TRUE(row.ok) << row.reason;
+  EXPECT_FALSE(row.linearity.empty());
   for (const double linearity : row.linearity) EXPECT_NEAR(linearity, 1, 1e-12);
   EXPECT_NEAR(*row.fixed_share, 2.0 / 12, 1e-12);
   EXPECT_EQ(judge_timer(Times(6, of_all({5, 15, 25, 45, 85})), std::vector<double>(6, 246)).reason, not_linear)

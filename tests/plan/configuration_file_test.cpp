@@ -4,14 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "harness/core/error.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
 
-class ConfigurationFile : public ::testing::Test {
+class ConfigurationFile : public InFolder<> {
  protected:
   ConfigurationFile() : library_(load_library(LAMINA_SOURCE_DIR, effect_code())) {
     Object object;
@@ -20,11 +20,7 @@ class ConfigurationFile : public ::testing::Test {
     scene_.objects = {object};
     plan_ = make_plan(library_, scene_);
   }
-  std::filesystem::path file(const std::string& text) {
-    const std::filesystem::path path = ::testing::TempDir() + "/configuration.toml";
-    std::ofstream(path) << text;
-    return path;
-  }
+  std::filesystem::path file(const std::string& text) { return write("configuration.toml", text); }
   std::string refusal(const std::string& text) {
     try {
       apply_configuration(plan_, file(text));
@@ -42,7 +38,7 @@ class ConfigurationFile : public ::testing::Test {
 TEST_F(ConfigurationFile, ComesBackAsItWasWritten) {
   const EffectManifest& layers = library_.effect("layered_material");
   EXPECT_EQ(configuration_of(plan_, {}).front(), &layers.baseline());
-  const VariantManifest& vertex_normal = *std::ranges::find(layers.variants, "vertex_normal", &VariantManifest::name);
+  const VariantManifest& vertex_normal = *layers.variant("vertex_normal");
   apply_configuration(plan_, file(configuration_text("a \"quoted\" scene.toml", library_, {&vertex_normal})));
   ASSERT_EQ(configuration_of(plan_, {}).size(), 1u);
   EXPECT_EQ(configuration_of(plan_, {}).front()->name, "vertex_normal") << "where another effect is compared";
@@ -51,7 +47,7 @@ TEST_F(ConfigurationFile, ComesBackAsItWasWritten) {
 
 TEST_F(ConfigurationFile, ParametersComeBackToo) {
   const EffectManifest& layers = library_.effect("layered_material");
-  const VariantManifest& declared = *std::ranges::find(layers.variants, "half_map", &VariantManifest::name);
+  const VariantManifest& declared = *layers.variant("half_map");
   const VariantManifest quarter = declared.with_defaults({{"map_scale", 0.25}});
   EXPECT_EQ(configuration_text("heart", library_, {&declared}).find("map_scale"), std::string::npos) << "a default";
   apply_configuration(plan_, file(configuration_text("heart", library_, {&quarter})));

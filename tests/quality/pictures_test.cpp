@@ -2,12 +2,12 @@
 #include "tests/quality/pictures.h"
 
 #include <OpenImageIO/imageio.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 
 #include "harness/core/text.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
@@ -57,14 +57,9 @@ TEST(FlipPicture, RefusesAnotherSizeAndErrorsOutOfRange) {
   for (const float error : {-0.1f, 1.1f, std::nanf("")}) EXPECT_NE(refusal([&] { flip_picture({error}, 1, 1); }), "") << error;
 }
 
-class WritePng : public testing::Test {
+class WritePng : public InFolder<> {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  size_t files() const { return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(folder_), {})); }
-
-  const std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("lamina_pictures_test_" + std::to_string(::getpid()));
+  size_t files() const { return own_.files(); }
 };
 
 TEST_F(WritePng, ReadsBackTheSamePixelsAndLeavesNoTemporary) {

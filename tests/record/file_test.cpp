@@ -9,23 +9,15 @@
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/record/record.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-class RecordFile : public testing::Test {
+class RecordFile : public InFolder<> {
  protected:
-  RecordFile()
-      : folder_(std::filesystem::temp_directory_path() /
-                (std::string("lamina_record_") + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
-                 std::to_string(::getpid()))),
-        file_(folder_ / "record.jsonl") {
-    std::filesystem::create_directories(folder_);
-  }
-  ~RecordFile() override { std::filesystem::remove_all(folder_); }
-
   void write(const std::string& content) { std::ofstream(file_, std::ios::binary) << content; }
   // Reads what must be refused: the error, for its subject and words.
   Error refusal(const std::string& content) {
@@ -40,7 +32,7 @@ class RecordFile : public testing::Test {
   }
   std::string line(int number) const { return file_.string() + ":" + std::to_string(number); }
 
-  std::filesystem::path folder_, file_;
+  const std::filesystem::path file_ = folder_ / "record.jsonl";
 };
 
 Json run_line() { return {{"kind", "run"}, {"schema", 1}, {"lamina", "0.1.0"}, {"build", "release"}}; }

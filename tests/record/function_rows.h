@@ -26,8 +26,8 @@ inline FunctionRow example_function(FunctionSubject subject, double over, std::s
           .max_under = -over / 2,
           .mean_absolute = over / 4,
           .rms = over / 3,
-          .most_eps = over * 0x1p23,
-          .most_eps_kappa = 7,
+          .max_eps = over * 0x1p23,
+          .max_eps_kappa = 7,
           .not_zero = 3,
           .worst_over = {0.5, 0.25, 0.125},
           .worst_under = {1, 2, 3}};

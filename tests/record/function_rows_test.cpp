@@ -11,6 +11,7 @@
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "harness/record/record.h"
+#include "tests/folder.h"
 #include "tests/record/example_timer.h"
 
 namespace lamina {
@@ -20,20 +21,12 @@ using Json = nlohmann::ordered_json;
 
 const Json release_run = {{"kind", "run"}, {"schema", 1}, {"build", "release"}};
 
-class FunctionLines : public testing::Test {
+class FunctionLines : public InFolder<> {
  protected:
-  FunctionLines()
-      : folder_(std::filesystem::temp_directory_path() /
-                (std::string("lamina_functions_") + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
-                 std::to_string(::getpid()))),
-        file_(folder_ / "record.jsonl") {
-    std::filesystem::create_directories(folder_);
-  }
-  ~FunctionLines() override { std::filesystem::remove_all(folder_); }
   void write(const std::string& content) { std::ofstream(file_, std::ios::binary) << content; }
   std::string content() { return read_file(file_, "test"); }
 
-  std::filesystem::path folder_, file_;
+  const std::filesystem::path file_ = folder_ / "record.jsonl";
 };
 
 Json phase() {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines of a gate as the reader takes and refuses them, and the dates of a run.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "harness/core/error.h"
 #include "harness/record/record.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
@@ -29,13 +29,8 @@ Json verdict() {
           {"after", nullptr},  {"ratio", interval()}, {"limit", nullptr}, {"sentence", "slower"}};
 }
 
-class GateLines : public testing::Test {
+class GateLines : public InFolder<> {
  protected:
-  GateLines()
-      : file_(std::filesystem::temp_directory_path() /
-              (std::string("lamina_gate_lines_") + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
-               std::to_string(::getpid()))) {}
-  ~GateLines() override { std::filesystem::remove(file_); }
   Record read(const std::vector<Json>& lines) {
     {
       std::ofstream stream(file_);
@@ -54,7 +49,7 @@ class GateLines : public testing::Test {
     }
     ADD_FAILURE() << "accepted: " << lines.back();
   }
-  std::filesystem::path file_;
+  const std::filesystem::path file_ = folder_ / "record.jsonl";
 };
 
 TEST_F(GateLines, AreReadBackExactly) {
@@ -65,6 +60,16 @@ TEST_F(GateLines, AreReadBackExactly) {
   EXPECT_EQ(to_json(record.gates[0]), gate());
   EXPECT_EQ(to_json(record.aas[0]), aa());
   EXPECT_EQ(to_json(record.verdicts[0]), verdict());
+}
+
+TEST_F(GateLines, HoldWhatACauseNames) {
+  Json doubted = verdict();
+  doubted["cause"] = "arm_differs", doubted["details"] = {"slower"};
+  doubted["operations"] = {{{"operation", "exp"}, {"before", 1.0}, {"after", 2.0}}};
+  doubted["counts_hold"] = true;
+  const Record record = read({run(), doubted, gate()});
+  EXPECT_EQ(record.verdicts.at(0).cause, Cause::arm_differs);
+  EXPECT_EQ(nlohmann::json(to_json(record.verdicts.at(0))), nlohmann::json(doubted));
 }
 
 TEST_F(GateLines, WithoutAnyOneOfTheirFieldsAreRefused) {
@@ -95,6 +100,9 @@ TEST_F(GateLines, WithAWordOrTypeThatIsNoneOfThoseKnownAreRefused) {
   refused(verdict(), "ratio", 1.5);
   refused(verdict(), "ratio", {{"median", 1}});
   refused(verdict(), "sentence", nullptr);
+  refused(verdict(), "cause", "bad luck");
+  refused(verdict(), "details", {1});
+  refused(verdict(), "operations", {{{"operation", "exp"}, {"before", 1}}});
 }
 
 Json pairs() {

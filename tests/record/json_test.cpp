@@ -89,7 +89,8 @@ TEST(CellToJson, HasTheFieldsThatTheDesignFixes) {
   EXPECT_EQ(names_of(line), all);
   EXPECT_EQ(names_of(line["passes"][0]), (std::set<std::string>{"name", "once", "ms", "median_ms", "fragments", "vertices",
                                                                 "fetches", "early_tests", "by_texture", "operations"}));
-  EXPECT_EQ(names_of(line["passes"][0]["by_texture"][0]), (std::set<std::string>{"texture", "format", "filter", "fetches", "issued"}));
+  EXPECT_EQ(names_of(line["passes"][0]["by_texture"][0]),
+            (std::set<std::string>{"texture", "format", "filter", "fetches", "issued"}));
   EXPECT_EQ(names_of(line["ratio_to_baseline"]), (std::set<std::string>{"median", "low", "high", "rounds", "coverage"}));
   EXPECT_EQ(names_of(line["error"]), (std::set<std::string>{"baseline", "frame", "truth"}));
   EXPECT_EQ(names_of(line["error"]["baseline"]),
@@ -286,6 +287,35 @@ TEST(RowOf, GivesBackThePassesThatWereWritten) {
   EXPECT_EQ(back[2].by_texture[0].filter, "linear");
   EXPECT_EQ(back[2].by_texture[0].fetches, 1300u);
   EXPECT_EQ(back[2].operations, (std::map<std::string, uint64_t>{{"add", 5000000000}, {"root", 7}}));
+  EXPECT_TRUE(back[2].by_texture[0].levels.empty()) << "not counted";
+  EXPECT_FALSE(back[2].by_texture[0].unfiltered || back[2].by_texture[0].dimensions || back[2].runs || back[2].triangles ||
+               back[2].issued_fragments);
+}
+
+TEST(RowOf, GivesBackWhatPassesReadAndAreMadeOf) {
+  CellRow cell = good_cell();
+  PassRow& pass = cell.passes[1];
+  TextureFetches& texture = pass.by_texture[0];
+  texture.unfiltered = 0, texture.dimensions = 3, texture.size = {64, 32, 8}, texture.levels = {0, 700, 1300};
+  pass.vertex_issued = {{"add", 12}};
+  pass.runs = 2, pass.triangles = 0, pass.issued_fragments = 4096;
+  pass.written = {{"rgba16_float", "clear", "alpha", 8192}};
+  const Json line = to_json(cell);
+  const PassRow back = row_of<CellRow>(nlohmann::json::parse(line.dump()), "test").passes[1];
+  EXPECT_EQ(back.by_texture[0].unfiltered, 0u);
+  EXPECT_EQ(back.by_texture[0].dimensions, 3u);
+  EXPECT_EQ(back.by_texture[0].size, texture.size);
+  EXPECT_EQ(back.by_texture[0].levels, texture.levels);
+  EXPECT_EQ(back.vertex_issued, pass.vertex_issued);
+  EXPECT_EQ(back.runs, 2u);
+  EXPECT_EQ(back.triangles, 0u);
+  EXPECT_EQ(back.issued_fragments, 4096u);
+  ASSERT_EQ(back.written.size(), 1u);
+  EXPECT_EQ(back.written[0].format, "rgba16_float");
+  EXPECT_EQ(back.written[0].load, "clear");
+  EXPECT_EQ(back.written[0].combine, "alpha");
+  EXPECT_EQ(back.written[0].texels, 8192u);
+  EXPECT_EQ(to_json(row_of<CellRow>(nlohmann::json::parse(line.dump()), "test")).dump(), line.dump());
 }
 
 }  // namespace

@@ -3,28 +3,22 @@
 #include "harness/record/kept_certificate.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "harness/core/text.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
 
 namespace fs = std::filesystem;
 
-class KeptCertificate : public testing::Test {
+class KeptCertificate : public InFolder<> {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("lamina_certificate_" + std::to_string(::getpid()));
-    fs::remove_all(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   // What is asked for now; counts how often it is measured.
   TimerRow ask(const DeviceInfo& device, bool holds = true) {
-    return certified_timer(device, LAMINA_SOURCE_DIR "/shaders", folder_, [&] {
+    return certified_timer(device, LAMINA_SOURCE_DIR "/shaders", cache_, [&] {
       ++measured_;
       TimerRow row;
       row.backend = device.backend, row.ok = holds, row.linearity = {1, 1, 1, 1}, row.reason = holds ? "" : "busy";
@@ -33,7 +27,7 @@ class KeptCertificate : public testing::Test {
   }
   fs::path file() const { return fs::directory_iterator(folder_)->path(); }
 
-  fs::path folder_;
+  fs::path cache_ = folder_;
   int measured_ = 0;
   const DeviceInfo device_{.backend = "vulkan", .device = "a", .driver = "1"};
 };
@@ -85,7 +79,7 @@ TEST_F(KeptCertificate, OneThatCannotBeReadIsMeasuredAgain) {
 }
 
 TEST_F(KeptCertificate, WithoutACacheItIsMeasuredEveryTime) {
-  folder_.clear();
+  cache_.clear();
   ask(device_);
   EXPECT_FALSE(ask(device_).age_s.has_value());
   EXPECT_EQ(measured_, 2);

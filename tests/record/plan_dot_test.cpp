@@ -3,11 +3,10 @@
 #include "harness/record/plan_dot.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 
+#include "tests/folder.h"
 #include "tests/record/read_back.h"
 
 namespace lamina {
@@ -55,10 +54,9 @@ TEST(PlanDot, AFrameThatCannotRunIsSaid) {
 
 TEST(PlanDot, IsReadByGraphviz) {
   if (std::system("dot -V >/dev/null 2>&1") != 0) GTEST_SKIP() << "Graphviz is not installed";
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / ("plan_" + std::to_string(::getpid()) + ".dot");
-  std::ofstream(file) << plan_dot(two_passes(), "a \"scene\"");
+  const Folder folder;
+  const std::filesystem::path file = folder.write("plan.dot", plan_dot(two_passes(), "a \"scene\""));
   EXPECT_EQ(std::system(("dot -Tcanon " + file.string() + " >/dev/null").c_str()), 0);
-  std::filesystem::remove(file);
 }
 
 TEST(PlannedFrame, ComesBackFromTheRecordAndNamesNoPassThatIsNotThere) {

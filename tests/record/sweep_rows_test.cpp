@@ -3,7 +3,6 @@
 #include "harness/record/sweep_rows.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -11,6 +10,7 @@
 
 #include "harness/core/error.h"
 #include "harness/record/record.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
@@ -31,15 +31,13 @@ Json crossover_line() {
   return to_json(row);
 }
 
-class SweepRows : public testing::Test {
+class SweepRows : public InFolder<> {
  protected:
-  SweepRows() : file_(std::filesystem::temp_directory_path() / ("lamina_sweep_rows_" + std::to_string(::getpid()))) {}
-  ~SweepRows() override { std::filesystem::remove(file_); }
   Record read(const Json& line) {
     std::ofstream(file_) << R"({"kind":"run","schema":1})" << '\n' << line.dump() << '\n';
     return read_record(file_);
   }
-  std::filesystem::path file_;
+  const std::filesystem::path file_ = folder_ / "record.jsonl";
 };
 
 TEST_F(SweepRows, FieldNamesAreFixed) {

@@ -3,36 +3,24 @@
 // folder.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
 #include "harness/core/text.h"
 #include "reports/gate/gate.h"
 #include "reports/gate/xml.h"
+#include "tests/folder.h"
 #include "tests/reports/example_gate.h"
 
 namespace lamina {
 namespace {
 
-class GateFiles : public testing::Test {
+class GateFiles : public InFolder<> {
  protected:
-  GateFiles()
-      : folder_(std::filesystem::temp_directory_path() /
-                (std::string("lamina_gate_") + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
-                 std::to_string(::getpid()))) {
-    std::filesystem::create_directories(folder_);
-  }
   ~GateFiles() override {
-    std::filesystem::remove_all(folder_);
     ::unsetenv("GITHUB_ACTIONS");
     ::unsetenv("GITHUB_STEP_SUMMARY");
-  }
-  std::filesystem::path write(const std::string& name, const std::string& text) {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return folder_ / name;
   }
   // xmllint's exit status: 0 valid, 3 or 4 invalid against the schema, 1 not well-formed.
   int validate(const std::string& xml) {
@@ -42,7 +30,6 @@ class GateFiles : public testing::Test {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
   std::string log() { return read_file(folder_ / "log", "test"); }
-  std::filesystem::path folder_;
 };
 
 #define REQUIRE_XMLLINT() \

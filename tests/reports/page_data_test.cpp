@@ -36,11 +36,16 @@ TEST(PageData, HoldsTheRecordsNumbers) {
 // vertex_normal is faster, so worth having by the five of time, which are the even bits.
 TEST(PageData, SaysByWhichAxesEachIsWorthHaving) {
   const Json data = page_data({example_record(example_cells())});
-  for (const char* list : {"rows", "cells"})
+  for (const char* list : {"rows", "cells"}) {
+    size_t baselines = 0;
     for (const Json& one : data[list]) {
       const bool baseline = one["is_baseline"];
+      baselines += baseline;
       EXPECT_EQ(one["frontier"], baseline ? 0b1111111111 : 0b0101010101) << list << " " << one.dump();
     }
+    EXPECT_GT(baselines, 0u);
+    EXPECT_EQ(data[list].size(), 2 * baselines) << "each baseline's, and one beside it";
+  }
 }
 
 TEST(PageData, ACellHasItsPicturesItsWorstTileItsPointItsTruthAndWhyItFailed) {

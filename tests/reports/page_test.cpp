@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a gate's page says first, and the files of a report: pictures inside or beside, several records in one folder.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include "reports/gate/gate.h"
 #include "reports/gate/reading.h"
 #include "reports/html/html.h"
+#include "tests/folder.h"
 #include "tests/reports/example_gate.h"
 
 namespace lamina {
@@ -95,14 +95,8 @@ TEST(Gate, WhatIsKnownOfOneSideAloneSaysOfWhich) {
   EXPECT_EQ(before_and_after(verdict), "");
 }
 
-class Reports : public testing::Test {
+class Reports : public InFolder<> {
  protected:
-  Reports()
-      : folder_(fs::temp_directory_path() /
-                (std::string("lamina_reports_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
-                 std::to_string(::getpid()))) {}
-  ~Reports() override { fs::remove_all(folder_); }
-
   fs::path write(const std::string& name, const std::string& commit, std::vector<CellRow> cells = example_cells()) {
     const fs::path run = folder_ / name;
     fs::create_directories(run / "images");
@@ -117,7 +111,6 @@ class Reports : public testing::Test {
     }
     return run;
   }
-  fs::path folder_;
 };
 
 TEST_F(Reports, OneFileHoldsItsPictures) {

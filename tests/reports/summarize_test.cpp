@@ -207,6 +207,21 @@ TEST(SummarizePasses, MeansOverViewsAndFetchesByTexture) {
   EXPECT_EQ(words_for_fragments(summarize_passes(example_record(cells))[0]), "120, hidden ones too");
 }
 
+TEST(SummarizePasses, MeanLevelsOfTheReadsThatAreCounted) {
+  std::vector<CellRow> cells = {example_cell("light_map", "front", {1, 2, 9}), example_cell("light_map", "grazing", {4, 4, 4})};
+  TextureFetches &first = cells[0].passes[0].by_texture[1], &second = cells[1].passes[0].by_texture[1];
+  first.levels = {100, 100}, second.levels = {0, 0, 200};
+  const auto words = [&] { return words_for_share(summarize_passes(example_record(cells))[0].shares[1]); };
+  EXPECT_EQ(words(), "outer_albedo (rgba8_srgb, trilinear) 2.0/px, level 1.2") << "100 at 1 and 200 at 2, of 400";
+  second.levels.clear();
+  EXPECT_EQ(words(), "outer_albedo (rgba8_srgb, trilinear) 2.0/px") << "one view's are not all views'";
+  std::swap(first.levels, second.levels);
+  second.levels = {7};
+  EXPECT_EQ(words(), "outer_albedo (rgba8_srgb, trilinear) 2.0/px") << "nor a later one's";
+  first.dimensions = 3;
+  EXPECT_EQ(words(), "outer_albedo (rgba8_srgb, trilinear, 3D) 2.0/px");
+}
+
 TEST(SummarizePasses, EveryClassOfOperationsHasAGroup) {
   for (size_t k = 0; k < operation_class_count; ++k)
     EXPECT_NE(operation_group(name_of(static_cast<OperationClass>(k))), "other") << name_of(static_cast<OperationClass>(k));

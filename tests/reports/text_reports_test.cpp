@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <sstream>
 
 #include "harness/core/error.h"
 #include "harness/core/text.h"
 #include "reports/words.h"
+#include "tests/folder.h"
 #include "tests/reports/example_record.h"
 
 namespace lamina {
@@ -268,6 +268,25 @@ TEST(CellsCsv, OperationsOfTheFrameByClass) {
   EXPECT_EQ(std::ranges::count(csv[0], "operations.sin"), 0) << "done once";
 }
 
+TEST(CellsCsv, FetchesOfTheFrameByKindAndLevel) {
+  std::vector<CellRow> cells = example_cells();
+  std::vector<TextureFetches>& textures = cells[0].passes[0].by_texture;
+  textures[0].unfiltered = 300, textures[0].dimensions = 2, textures[0].levels = {1300};
+  textures[1].unfiltered = 0, textures[1].dimensions = 3, textures[1].levels = {0, 0, 200};
+  PassRow once = cells[0].passes[0];
+  once.once = true;
+  cells[0].passes.push_back(once);
+  cells[1].passes[0].by_texture = {textures[0]};
+  cells[1].passes[0].by_texture[0].levels.clear();
+  const auto csv = parse_csv(cells_csv(example_record(cells)));
+  EXPECT_EQ(field(csv, 0, "fetches.unfiltered"), "300") << "without what is done once";
+  EXPECT_EQ(field(csv, 0, "fetches.3d"), "200");
+  EXPECT_NEAR(std::stod(field(csv, 0, "fetches.mean_level")), 400.0 / 1500, 1e-6);
+  EXPECT_EQ(field(csv, 1, "fetches.3d"), "0");
+  EXPECT_EQ(field(csv, 1, "fetches.mean_level"), "") << "not counted";
+  EXPECT_EQ(field(csv, 2, "fetches.unfiltered"), "") << "of a record of before";
+}
+
 TEST(CellsCsv, QuotesCommasQuotesAndNewlines) {
   std::vector<CellRow> cells = example_cells();
   cells[0].failed = true;
@@ -297,9 +316,8 @@ TEST(AllReports, AreTheSameBytesTwiceAndSurviveAnEmptyRecord) {
 }
 
 TEST(WriteReports, LeavesThreeFilesBesideTheRecord) {
-  const auto folder = std::filesystem::temp_directory_path() / "lamina_write_reports_test";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  const Folder own;
+  const std::filesystem::path& folder = own.path();
   EXPECT_THROW(write_reports(folder), Error);
   const Record record = example_record(example_cells());
   {
@@ -312,7 +330,6 @@ TEST(WriteReports, LeavesThreeFilesBesideTheRecord) {
   EXPECT_EQ(read_file(folder / "summary.md", "test"), markdown_summary(record));
   EXPECT_EQ(read_file(folder / "cells.csv", "test"), cells_csv(record));
   EXPECT_EQ(read_file(folder / "index.html", "test"), html_report({record}));
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -93,6 +93,7 @@ TEST_P(DefaultViews, GrazingIsOutsideAndSeesMuchEdgeOn) {
 }
 
 TEST_P(DefaultViews, NothingIsCutOffByNearOrFar) {
+  size_t seen = 0;
   for (const View& view : views) {
     const Frame frame = frame_of(view);
     EXPECT_GT(view.near_m, 0.0f);
@@ -103,11 +104,13 @@ TEST_P(DefaultViews, NothingIsCutOffByNearOrFar) {
       const float x = std::abs(glm::dot(from_eye, frame.right)), y = std::abs(glm::dot(from_eye, frame.up));
       const bool in_picture = depth > 0 && y <= depth * frame.half_height && x <= 2 * depth * frame.half_height;
       if (in_picture && glm::dot(vertex.position, -from_eye) > 0) {
+        ++seen;
         EXPECT_GE(depth, view.near_m) << view.name;
       }
       EXPECT_LE(depth, view.far_m) << view.name;
     }
   }
+  EXPECT_GT(seen, 0u) << "vertices before the near plane";
 }
 
 // Inverse squares: the rim light's irradiance at the centre is the same at every scale.

@@ -15,17 +15,13 @@
 namespace lamina {
 namespace {
 
-class Kept : public testing::Test {
+class Kept : public InFolder<> {
  protected:
   void SetUp() override {
     if (const char* set = std::getenv("LAMINA_CACHE")) before_ = set;
-    folder_ = std::filesystem::temp_directory_path() / fmt::format("lamina_kept_{}", ::getpid());
     ::setenv("LAMINA_CACHE", folder_.c_str(), 1);
   }
-  void TearDown() override {
-    before_ ? ::setenv("LAMINA_CACHE", before_->c_str(), 1) : ::unsetenv("LAMINA_CACHE");
-    std::filesystem::remove_all(folder_);
-  }
+  void TearDown() override { before_ ? ::setenv("LAMINA_CACHE", before_->c_str(), 1) : ::unsetenv("LAMINA_CACHE"); }
   // How often two calls make it.
   size_t makings(const std::function<void()>& between = [] {}) {
     size_t count = 0;

@@ -176,6 +176,7 @@ TEST(MakeTexture, OddSizesWeighByArea) {
 TEST(MakeTexture, NormalsAreUnitInEveryLevel) {
   const auto texture = make_texture("normals", random_texels(37, 21), TexelMeaning::normal);
   EXPECT_EQ(texture->format, Format::rgba8_unorm);
+  EXPECT_EQ(texture->levels.size(), 6u) << "37, 18, 9, 4, 2, 1";
   for (const auto& level : texture->levels)
     for (size_t i = 0; i < level.size() / 4; ++i) {
       glm::vec3 n;

@@ -28,11 +28,14 @@ struct RunSetup {
   std::vector<SpecConstant> constants;  // of both stages
   std::vector<uint32_t> preset;         // of the counter buffer's first words
   bool count_vertex = false;            // count in the vertex stage instead of the fragment stage
+  Filter filter = Filter::trilinear;    // of all textures
 };
 
 struct Counts {
   uint64_t invocations = 0;
-  std::map<uint32_t, uint64_t> fetches;        // by binding
+  std::map<uint32_t, uint64_t> fetches;     // by binding
+  std::map<uint32_t, uint64_t> unfiltered;  // likewise
+  std::map<uint32_t, std::vector<uint64_t>> levels;
   std::map<std::string, uint64_t> operations;  // by class
   std::map<std::string, uint64_t> issued;      // likewise
   std::map<uint32_t, uint64_t> issued_fetches;
@@ -81,8 +84,11 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
     const CompiledShader vertex = compile(Stage::vertex, api(), setup.vertex);
     const CompiledShader fragment = compile(Stage::fragment, api(), setup.fragment);
     const CompiledShader& counted = setup.count_vertex ? vertex : fragment;
-    const uint32_t coverage_word = 2 + add_counters(counted, api(), {.binding = counter_binding}).words();
-    const CountingShader counting = add_counters(counted, api(), {.binding = counter_binding, .coverage_word = coverage_word});
+    filter_ = setup.filter;
+    CountingLayout layout{.binding = counter_binding, .textures = leveled(counted)};
+    layout.coverage_word = 2 + add_counters(counted, api(), layout).words();
+    const CountingShader counting = add_counters(counted, api(), layout);
+    const uint32_t coverage_word = layout.coverage_word;
 
     const std::vector<float> plain = draw(setup, vertex, fragment, vertex.spirv, fragment.spirv, {});
     std::vector<uint32_t> words(coverage_word + run_width_px * run_height_px);
@@ -103,7 +109,7 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
   // Dispatches a compute shader's counting build, without storage of its own but what `buffers` binds.
   Counts dispatch(std::string_view source, std::array<uint32_t, 3> groups) {
     const CompiledShader shader = compile(Stage::compute, api(), source);
-    const CountingShader counting = add_counters(shader, api(), {.binding = counter_binding});
+    const CountingShader counting = add_counters(shader, api(), {.binding = counter_binding, .textures = leveled(shader)});
     PipelineDesc desc{.name = "counted compute"};
     desc.stages = {{Stage::compute, counting.spirv}};
     Draw draw;
@@ -118,6 +124,16 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
     Counts counts;
     take_counts(counts, read_words(buffer), counting);
     return counts;
+  }
+
+  // The textures of a shader, as bind() binds them.
+  LeveledTextures leveled(const CompiledShader& shader) const {
+    LeveledTextures textures;
+    for (const ShaderResource& r : shader.reflection.resources)
+      if (r.kind == BindingKind::texture)
+        textures[r.binding] = r.dimensions == 3 ? LeveledTexture{1, filter_ == Filter::trilinear, {16, 8, 2}}
+                                                : LeveledTexture{5, filter_ == Filter::trilinear, {16, 16, 1}};
+    return textures;
   }
 
   BufferId make_counters(const std::vector<uint32_t>& words) {
@@ -156,7 +172,7 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
     for (const ShaderResource& r : reflection.resources) {
       desc.bindings.push_back(r.slot());
       if (r.kind == BindingKind::texture)
-        draw.textures.push_back({r.binding, r.dimensions == 3 ? volume_ : texture_, Sampler{Filter::trilinear, Wrap::repeat}});
+        draw.textures.push_back({r.binding, r.dimensions == 3 ? volume_ : texture_, Sampler{filter_, Wrap::repeat}});
       if (r.kind == BindingKind::storage_buffer) {
         const std::vector<std::byte> zeros(1024);
         draw.buffers.push_back(
@@ -201,6 +217,8 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
     counts.invocations = counter_at(words, 2);
     const ShaderWork work = work_of(words, counting, 2);
     counts.fetches = work.fetches;
+    counts.unfiltered = work.unfiltered;
+    counts.levels = work.levels;
     counts.operations = work.operations.by_name();
     const ShaderWork issued = work_of(words, counting, 2, true);
     counts.issued = issued.operations.by_name();
@@ -211,6 +229,7 @@ class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std
 
   std::unique_ptr<Backend> backend_;
   TextureId texture_, volume_;
+  Filter filter_ = Filter::trilinear;
 };
 
 }  // namespace lamina

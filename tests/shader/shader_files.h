@@ -5,32 +5,19 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 
 #include "harness/shader/shader.h"
+#include "tests/folder.h"
 
 namespace lamina {
 
 inline constexpr Api both_apis[] = {Api::vulkan, Api::opengl};
 
-class ShaderFiles : public ::testing::Test {
+class ShaderFiles : public InFolder<> {
  protected:
-  ShaderFiles() {
-    std::string name = "lamina_shader_XXXXXX";
-    folder_ = (std::filesystem::temp_directory_path() / name).string();
-    if (::mkdtemp(folder_.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  }
-  ~ShaderFiles() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path folder() const { return folder_; }
-  std::filesystem::path write(const std::filesystem::path& name, std::string_view text) const {
-    const std::filesystem::path path = folder() / name;
-    std::filesystem::create_directories(path.parent_path());
-    std::ofstream(path) << text;
-    return path;
-  }
 
   // `body` is the source after its #version line.
   CompiledShader compile(Stage stage, Api api, std::string_view body, std::map<std::string, std::string> defines = {}) const {
@@ -38,9 +25,6 @@ class ShaderFiles : public ::testing::Test {
     const auto file = write(names[static_cast<int>(stage)], "#version 450\n" + std::string(body));
     return compile_shader({.file = file, .stage = stage, .api = api, .defines = std::move(defines), .include_dirs = {}});
   }
-
- private:
-  std::string folder_;
 };
 
 // The error that `action` throws; a test failure where it throws none.

@@ -3,29 +3,17 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "harness/stress/family.h"
+#include "tests/folder.h"
 
 namespace lamina {
 
-class FamilyFolder : public ::testing::Test {
+class FamilyFolder : public InFolder<> {
  protected:
-  FamilyFolder() : folder_(std::filesystem::temp_directory_path() / ("lamina_family_" + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~FamilyFolder() override { std::filesystem::remove_all(folder_); }
-  std::filesystem::path write(const std::filesystem::path& name, const std::string& text) {
-    std::filesystem::create_directories((folder_ / name).parent_path());
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
-  }
   static std::filesystem::path shaders() { return std::filesystem::path(LAMINA_SOURCE_DIR) / "shaders"; }
-
-  std::filesystem::path folder_;
 };
 
 // Of x0, x1, ...: 1 x0 + 2 x1 + 3 x2 + ... Refuses any input above 3.

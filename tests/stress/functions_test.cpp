@@ -94,7 +94,7 @@ TEST_P(FunctionsOn, AFamilyIsDataAndAnOracle) {
       ++kept;
       EXPECT_LE(errors.max_over, claim->over);
       EXPECT_GE(errors.max_under, claim->under);
-      EXPECT_LE(errors.most_eps_kappa, claim->eps_kappa.value_or(1e30));
+      EXPECT_LE(errors.max_eps_kappa, claim->eps_kappa.value_or(1e30));
       EXPECT_FALSE(errors.first_fault);
     }
   EXPECT_EQ(kept, 5u);

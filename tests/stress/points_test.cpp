@@ -130,8 +130,8 @@ TEST_F(StressPoints, ErrorsAreOfTheScale) {
   EXPECT_EQ(errors.worst_under, (std::vector<double>{1, 0.5}));
   EXPECT_EQ(errors.mean_absolute, 0.25);
   EXPECT_EQ(errors.rms, std::sqrt(0.125));
-  EXPECT_EQ(errors.most_eps, 0x1p22);
-  EXPECT_EQ(errors.most_eps_kappa, 0x1p22) << "half of 2, in units of 2^-23 and a condition number of 1";
+  EXPECT_EQ(errors.max_eps, 0x1p22);
+  EXPECT_EQ(errors.max_eps_kappa, 0x1p22) << "half of 2, in units of 2^-23 and a condition number of 1";
   EXPECT_EQ(errors.negative + errors.nonfinite + errors.not_zero, 0u) << "-1 is right where it stands";
   EXPECT_FALSE(errors.first_fault);
 }
@@ -140,8 +140,8 @@ TEST_F(StressPoints, ErrorsAreOfTheScale) {
 TEST_F(StressPoints, WhatConditionExcusesIsOfTheValue) {
   const PointSet set{"", "", Points(2, {{1, 1}})};
   const FunctionErrors errors = judge(set.points, std::vector<float>{4}, truth_of(two_, set));
-  EXPECT_EQ(errors.most_eps, 0x1p22);
-  EXPECT_DOUBLE_EQ(errors.most_eps_kappa, 0x1p23 / 3);
+  EXPECT_EQ(errors.max_eps, 0x1p22);
+  EXPECT_DOUBLE_EQ(errors.max_eps_kappa, 0x1p23 / 3);
 }
 
 TEST_F(StressPoints, FaultsAreCountedAndTheFirstIsNamed) {

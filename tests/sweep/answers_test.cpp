@@ -36,6 +36,12 @@ const CrossoverRow* find(const std::vector<CrossoverRow>& rows, const std::strin
   return nullptr;
 }
 
+// The sentence holds these.
+void expect_says(const CrossoverRow& row, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts)
+    EXPECT_NE(row.sentence.find(part), std::string::npos) << part << " in: " << row.sentence;
+}
+
 TEST(Answers, AVariantKeepsItsLimitUpToTheCrossing) {
   const auto rows = answers(curves_of(sweep_record(whole_numbers(16), crossing_cells(false))), {{"ssim", 0.98}});
   const CrossoverRow* row = find(rows, "vertex_normal", "", "ssim");
@@ -48,7 +54,7 @@ TEST(Answers, AVariantKeepsItsLimitUpToTheCrossing) {
   const CrossoverRow* never = find(rows, "normal_map_taps", "", "ssim");
   ASSERT_TRUE(never);
   EXPECT_FALSE(never->at);
-  EXPECT_EQ(never->sentence, "normal_map_taps does not keep SSIM at least 0.98 over thickness 0 to 16 texels on vulkan");
+  expect_says(*never, {"normal_map_taps does not keep", "0.98", "thickness 0 to 16 texels", "vulkan"});
 }
 
 TEST(Answers, FlipIsKeptFromAbove) {
@@ -108,17 +114,14 @@ TEST(Answers, WhereTwoAreAlikeIsTold) {
     cells.push_back(sweep_cell("normal_map_taps", x, x < 2 ? 0.9 : 0.8, 0.5));
   }
   const auto rows = answers(curves_of(sweep_record(whole_numbers(4), cells)), {{"ssim", 0.5}});
-  const std::string told = "than normal_map_taps over thickness 2 to 4 texels on vulkan; at 2 of 5 points they are equal";
   const CrossoverRow* better = find(rows, "vertex_normal", "normal_map_taps", "ssim");
   const CrossoverRow* cheaper = find(rows, "vertex_normal", "normal_map_taps", "ratio");
   const CrossoverRow* both = find(rows, "vertex_normal", "normal_map_taps", "ssim,ratio");
   ASSERT_TRUE(better && cheaper && both);
-  EXPECT_EQ(better->sentence, "vertex_normal is better by SSIM " + told);
-  EXPECT_EQ(cheaper->sentence,
-            "vertex_normal is cheaper than normal_map_taps over thickness 2 to 4 texels on vulkan; at 2 of 5 "
-            "timed points their intervals overlap");
-  EXPECT_EQ(both->sentence,
-            "vertex_normal is both cheaper and better by SSIM " + told + "; at 2 of 5 timed points their intervals overlap");
+  const char *where = "normal_map_taps over thickness 2 to 4 texels on vulkan", *overlap = "2 of 5 timed points";
+  expect_says(*better, {"vertex_normal is better by SSIM", where, "2 of 5 points they are equal"});
+  expect_says(*cheaper, {"vertex_normal is cheaper", where, overlap});
+  expect_says(*both, {"vertex_normal is both cheaper and better by SSIM", where, "2 of 5 points they are equal", overlap});
 }
 
 // Better from 2 on, but timed at 8 and 16 alone: both is known from 8 on.

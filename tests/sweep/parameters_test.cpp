@@ -2,14 +2,13 @@
 #include "harness/sweep/parameters.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "harness/core/error.h"
 #include "harness/scene/digest.h"
 #include "harness/sweep/swept_scene.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
@@ -135,23 +134,23 @@ TEST(SweptScene, AnotherTimeKeepsTheTexturesAndMovesTheMesh) {
 
 // A model that was given no time stands at rest, which need not be where its animation begins.
 TEST(SweptScene, TimesOfAModelPlayItFromTheFirstOn) {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / fmt::format("lamina_played_{}.gltf", ::getpid());
+  const Folder folder;
   // A triangle that stands at x = 5 and is moved from x = 1 to x = 3 in a second.
-  std::ofstream(file) << R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0,"name":"t","translation":[5,0,0]}],)"
-                         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[)"
-                         R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},)"
-                         R"({"bufferView":0,"byteOffset":36,"componentType":5126,"count":2,"type":"SCALAR"},)"
-                         R"({"bufferView":0,"byteOffset":44,"componentType":5126,"count":2,"type":"VEC3"}],)"
-                         R"("bufferViews":[{"buffer":0,"byteLength":68}],"animations":[{"channels":[{"sampler":0,)"
-                         R"("target":{"node":0,"path":"translation"}}],"samplers":[{"input":1,"output":2}]}],)"
-                         R"("buffers":[{"byteLength":68,"uri":"data:;base64,)"
-                         "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAgD8AAIA/AAAAAAAAAAAAAEBAAAAAAAAAAAA="
-                         R"("}]})";
+  const std::filesystem::path file =
+      folder.write("played.gltf", R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0,"name":"t","translation":[5,0,0]}],)"
+                                  R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[)"
+                                  R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},)"
+                                  R"({"bufferView":0,"byteOffset":36,"componentType":5126,"count":2,"type":"SCALAR"},)"
+                                  R"({"bufferView":0,"byteOffset":44,"componentType":5126,"count":2,"type":"VEC3"}],)"
+                                  R"("bufferViews":[{"buffer":0,"byteLength":68}],"animations":[{"channels":[{"sampler":0,)"
+                                  R"("target":{"node":0,"path":"translation"}}],"samplers":[{"input":1,"output":2}]}],)"
+                                  R"("buffers":[{"byteLength":68,"uri":"data:;base64,)"
+                                  "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAgD8AAIA/AAAAAAAAAAAAAEBAAAAAAAAAAAA="
+                                  R"("}]})");
   const auto x_of = [](const Scene& scene) { return scene.objects.at(0).world_from_object[3].x; };
   SweptScene scenes(load_scene(file.string(), library()), library(), {{{"scene.time", "", {0, 0.5, 1}}}, false});
   EXPECT_EQ(x_of(scenes.scene()), 5);
   for (size_t point = 0; point < 3; ++point) EXPECT_EQ(x_of(scenes.at(point)), 1 + float(point)) << point;
-  std::filesystem::remove(file);
 }
 
 TEST(SweptScene, WhatALaterOneWouldUndoIsRefused) {

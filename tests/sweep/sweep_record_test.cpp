@@ -3,11 +3,9 @@
 #include "harness/sweep/sweep_record.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <fstream>
 
 #include "harness/core/text.h"
+#include "tests/folder.h"
 #include "tests/sweep/sweep_cells.h"
 
 namespace lamina {
@@ -15,18 +13,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-class SweepRecordTest : public testing::Test {
+class SweepRecordTest : public InFolder<> {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("lamina_sweep_record_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path write(const std::string& name, const std::string& text) {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return folder_ / name;
-  }
   // A shard's record of these points: two variants each.
   std::string shard_text(size_t index, size_t count, Json run = sweep_run_line(), double ssim = 0.9) {
     std::string text = run.dump() + "\n" + to_json(sweep_row(x_, index, count)).dump() + "\n";
@@ -42,7 +30,6 @@ class SweepRecordTest : public testing::Test {
   }
 
   std::vector<double> x_ = {0, 1, 2.5, 4};
-  std::filesystem::path folder_;
 };
 
 TEST_F(SweepRecordTest, WhateverByteARunDiedAtWholeLinesStay) {

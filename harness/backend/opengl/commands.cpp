@@ -93,8 +93,7 @@ void execute(const PreparedPass& prepared, const SampleCounts& samples, size_t i
     }
     load_attachments(prepared);
   }
-  const bool counts = counts_samples(*prepared.pass);
-  if (counts) samples.begin(index);
+  samples.begin(*prepared.pass, index);
   for (const PreparedDraw& draw : prepared.draws) {
     use(*draw.pipeline);
     for (const BoundResource& bound : draw.bound) bind(bound);
@@ -103,7 +102,7 @@ void execute(const PreparedPass& prepared, const SampleCounts& samples, size_t i
     else
       draw_triangles(draw);
   }
-  if (counts) samples.end();
+  samples.end(*prepared.pass);
   if (prepared.pass->area) glDisable(GL_SCISSOR_TEST);
 }
 
@@ -134,7 +133,7 @@ RunTimes run_passes(Resources& resources, PassTimer& timer, SampleCounts& sample
   times.wall_ms = watch.elapsed_ms();
   throw_on_error(passes.size() == 1 ? passes[0].name : fmt::format("a frame of {} passes", passes.size()));
   if (timed) times.pass_ms = timer.read_ms(passes.size());
-  times.samples = samples.read(passes);
+  samples.read(passes, times);
   return times;
 }
 

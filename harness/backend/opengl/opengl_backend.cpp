@@ -31,7 +31,8 @@ Device open_device(std::string_view backend, size_t index, bool debug) {
 
 class OpenGlBackend : public Backend {
  public:
-  OpenGlBackend(Device device, bool validation) : context_(std::move(device.context)), info_(std::move(device.info)) {
+  OpenGlBackend(Device device, bool validation)
+      : context_(std::move(device.context)), info_(std::move(device.info)), samples_(info_.issued_fragment_counts) {
     if (validation) debug_log_.listen();
     set_conventions();
     alive = this;

@@ -6,7 +6,7 @@
 namespace lamina::gl {
 namespace {
 
-uint32_t most_texels_3d() {
+uint32_t max_texels_3d() {
   GLint most = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &most);
   return static_cast<uint32_t>(most);
@@ -15,7 +15,7 @@ uint32_t most_texels_3d() {
 }  // namespace
 
 Texture make_texture(const TextureDesc& desc, std::span<const std::vector<std::byte>> levels, uint32_t max_size) {
-  check_texture(desc, levels, max_size, most_texels_3d());
+  check_texture(desc, levels, max_size, max_texels_3d());
   const GlFormat format = gl_format(desc.format);
   GLuint name = 0;
   glCreateTextures(is_3d(desc) ? GL_TEXTURE_3D : GL_TEXTURE_2D, 1, &name);

@@ -4,31 +4,61 @@
 #include <algorithm>
 
 namespace lamina::gl {
+namespace {
 
-void SampleCounts::prepare(std::span<const Pass> passes) {
-  const auto asks = std::find_if(passes.begin(), passes.end(), counts_samples);
-  if (asks == passes.end()) return;
-  GLint bits = 0;
-  glGetQueryiv(GL_SAMPLES_PASSED, GL_QUERY_COUNTER_BITS, &bits);
-  if (bits <= 0) throw_failed(asks->name, "the device does not count samples (GL_QUERY_COUNTER_BITS is 0)");
-  while (queries_.size() < passes.size()) {
-    GLuint name = 0;
-    glCreateQueries(GL_SAMPLES_PASSED, 1, &name);
-    label(GL_QUERY, name, fmt::format("samples {}", queries_.size()));
-    queries_.emplace_back(name);
+// Of OpenGL 4.6, and of GL_ARB_pipeline_statistics_query before it, which need no entry point of their own.
+constexpr GLenum fragment_shader_invocations = 0x82F4;
+
+using Asks = bool (*)(const Pass& pass);
+
+void make(std::vector<QueryObject>& queries, GLenum target, const char* name, size_t count) {
+  while (queries.size() < count) {
+    GLuint made = 0;
+    glCreateQueries(target, 1, &made);
+    label(GL_QUERY, made, fmt::format("{} {}", name, queries.size()));
+    queries.emplace_back(made);
   }
 }
 
-std::vector<uint64_t> SampleCounts::read(std::span<const Pass> passes) const {
-  if (std::none_of(passes.begin(), passes.end(), counts_samples)) return {};
-  std::vector<uint64_t> samples(passes.size());
+// One for each pass, 0 where it does not ask; none where no pass does.
+std::vector<uint64_t> results(const std::vector<QueryObject>& queries, std::span<const Pass> passes, Asks asks) {
+  if (std::none_of(passes.begin(), passes.end(), asks)) return {};
+  std::vector<uint64_t> counts(passes.size());
   for (size_t pass = 0; pass < passes.size(); ++pass) {
-    if (!counts_samples(passes[pass])) continue;
+    if (!asks(passes[pass])) continue;
     GLuint64 count = 0;
-    glGetQueryObjectui64v(queries_[pass].name(), GL_QUERY_RESULT, &count);
-    samples[pass] = count;
+    glGetQueryObjectui64v(queries[pass].name(), GL_QUERY_RESULT, &count);
+    counts[pass] = count;
   }
-  return samples;
+  return counts;
+}
+
+}  // namespace
+
+void SampleCounts::prepare(std::span<const Pass> passes) {
+  if (const auto asks = std::find_if(passes.begin(), passes.end(), counts_samples); asks != passes.end()) {
+    GLint bits = 0;
+    glGetQueryiv(GL_SAMPLES_PASSED, GL_QUERY_COUNTER_BITS, &bits);
+    if (bits <= 0) throw_failed(asks->name, "the device does not count samples (GL_QUERY_COUNTER_BITS is 0)");
+    make(queries_, GL_SAMPLES_PASSED, "samples", passes.size());
+  }
+  if (tells_issued_ && std::any_of(passes.begin(), passes.end(), counts_issued_fragments))
+    make(issued_, fragment_shader_invocations, "fragments", passes.size());
+}
+
+void SampleCounts::begin(const Pass& pass, size_t index) const {
+  if (counts_samples(pass)) glBeginQuery(GL_SAMPLES_PASSED, queries_[index].name());
+  if (counts_issued_fragments(pass) && tells_issued_) glBeginQuery(fragment_shader_invocations, issued_[index].name());
+}
+
+void SampleCounts::end(const Pass& pass) const {
+  if (counts_issued_fragments(pass) && tells_issued_) glEndQuery(fragment_shader_invocations);
+  if (counts_samples(pass)) glEndQuery(GL_SAMPLES_PASSED);
+}
+
+void SampleCounts::read(std::span<const Pass> passes, RunTimes& times) const {
+  times.samples = results(queries_, passes, counts_samples);
+  if (tells_issued_) times.issued_fragments = results(issued_, passes, counts_issued_fragments);
 }
 
 }  // namespace lamina::gl

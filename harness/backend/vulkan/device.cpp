@@ -51,6 +51,7 @@ Device::Device(const Instance& instance, const Candidate& candidate) : candidate
   // What passes ask for where the device has it.
   features_.independentBlend = offered.independentBlend;
   features_.occlusionQueryPrecise = offered.occlusionQueryPrecise;
+  features_.pipelineStatisticsQuery = offered.pipelineStatisticsQuery;
   // What users' shaders may use where the device has it.
   features_.shaderStorageImageExtendedFormats = offered.shaderStorageImageExtendedFormats;
   features_.shaderStorageImageReadWithoutFormat = offered.shaderStorageImageReadWithoutFormat;

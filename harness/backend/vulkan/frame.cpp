@@ -67,7 +67,7 @@ RunTimes FrameRunner::run(std::span<const Pass> passes, Timing timing) {
   RunTimes times;
   times.wall_ms = device_.submit_and_wait(commands);
   if (timed) times.pass_ms = timestamps_.read_ms();
-  times.samples = samples_.read(passes);
+  samples_.read(passes, times);
   return times;
 }
 
@@ -114,7 +114,7 @@ void FrameRunner::record_raster(VkCommandBuffer commands, const Pass& pass, cons
   const VkViewport viewport{0, 0, static_cast<float>(prepared.extent.width), static_cast<float>(prepared.extent.height), 0, 1};
   vkCmdSetViewport(commands, 0, 1, &viewport);
   vkCmdSetScissor(commands, 0, 1, &info.renderArea);
-  if (pass.count_samples) samples_.begin(commands, index);
+  samples_.begin(commands, pass, index);
   for (size_t i = 0; i < pass.draws.size(); ++i) {
     const Draw& draw = pass.draws[i];
     const Pipeline& pipeline = *prepared.pipelines[i];
@@ -131,7 +131,7 @@ void FrameRunner::record_raster(VkCommandBuffer commands, const Pass& pass, cons
       vkCmdDraw(commands, draw.count, 1, 0, 0);
     }
   }
-  if (pass.count_samples) samples_.end(commands, index);
+  samples_.end(commands, pass, index);
   vkCmdEndRendering(commands);
 }
 

@@ -66,6 +66,7 @@ std::string read_features(Candidate& candidate) {
   info.half_floats = features12.shaderFloat16;
   info.doubles = all.features.shaderFloat64;
   info.exact_sample_counts = all.features.occlusionQueryPrecise;
+  info.issued_fragment_counts = all.features.pipelineStatisticsQuery;
   if (!features13.dynamicRendering || !features13.synchronization2) return "has no dynamic rendering or no synchronization2";
   if (!info.vertex_storage) return "has no storage in vertex shaders";
   return info.fragment_storage ? "" : "has no storage in fragment shaders";

@@ -9,6 +9,7 @@ void QueryPool::reset(VkCommandBuffer commands, uint32_t count) {
   if (capacity_ < count) {
     VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
     info.queryType = type_;
+    info.pipelineStatistics = statistic_;
     info.queryCount = std::max(count, 2 * capacity_);
     VkQueryPool pool = VK_NULL_HANDLE;
     check(vkCreateQueryPool(device_.get(), &info, nullptr, &pool), name_, "vkCreateQueryPool");

@@ -13,7 +13,9 @@ namespace lamina::vulkan {
 class QueryPool {
  public:
   // `name` stands in messages and is the pool's debug name.
-  QueryPool(Device& device, VkQueryType type, const char* name) : device_(device), type_(type), name_(name) {}
+  // `statistic`: the one that queries of VK_QUERY_TYPE_PIPELINE_STATISTICS count.
+  QueryPool(Device& device, VkQueryType type, const char* name, VkQueryPipelineStatisticFlags statistic = 0)
+      : device_(device), type_(type), name_(name), statistic_(statistic) {}
 
   VkQueryPool get() const { return pool_.get(); }
   // Makes room for `count` queries and resets them as the first of the commands.
@@ -25,6 +27,7 @@ class QueryPool {
   Device& device_;
   VkQueryType type_;
   const char* name_;
+  VkQueryPipelineStatisticFlags statistic_;
   QueryPoolHandle pool_;
   uint32_t capacity_ = 0;
 };

@@ -97,8 +97,7 @@ std::vector<Aperture> chosen_apertures(const Visibility& visibility) {
     const bool is_blocked =
         has_normal && misjudged(visibility, point, blocked, false) < misjudged(visibility, point, open, true);
     apertures[2 * point] = open;
-    apertures[2 * point + 1] =
-        Aperture(glm::vec3(blocked) * static_cast<float>(is_blocked ? 1 : least_choice_length), blocked.w);
+    apertures[2 * point + 1] = Aperture(glm::vec3(blocked) * static_cast<float>(is_blocked ? 1 : min_choice_length), blocked.w);
   });
   return apertures;
 }

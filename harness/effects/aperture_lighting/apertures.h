@@ -42,8 +42,8 @@ double edge_length(double edge_angle);
 std::vector<Aperture> soft_apertures(const Visibility& visibility);
 
 // For each point the cap of what is open, then that of what is blocked, [point * 2 + i]. The second one's direction has length
-// 1 where it tells the open directions better, else least_choice_length: fewer rays, by their cosine, lie on its wrong side.
-inline constexpr double least_choice_length = 1.0 / 16;
+// 1 where it tells the open directions better, else min_choice_length: fewer rays, by their cosine, lie on its wrong side.
+inline constexpr double min_choice_length = 1.0 / 16;
 std::vector<Aperture> chosen_apertures(const Visibility& visibility);
 
 // Visibility projected on the first four real spherical harmonics (Y00, Y1-1 ~ y, Y10 ~ z, Y11 ~ x), world axes, and the cap

@@ -107,7 +107,7 @@ class PointLight {
   // How much the cap of what is blocked counts, by its direction's length.
   double blocked_weight() const {
     const double length = double(glm::length(glm::vec3(apertures_[1])));
-    return std::clamp((length - least_choice_length) / (1 - least_choice_length), 0.0, 1.0);
+    return std::clamp((length - min_choice_length) / (1 - min_choice_length), 0.0, 1.0);
   }
   bool in_apertures(glm::vec3 direction) const {
     const auto in = [&](const Aperture& a) { return angle_between(glm::vec3(a), direction) <= a.w; };

@@ -14,7 +14,7 @@
 namespace lamina {
 namespace {
 
-constexpr int most_rounds = 50;         // of putting in order anew
+constexpr int max_rounds = 50;          // of putting in order anew
 constexpr int smoothing_sweeps = 8;     // of hidden regions' directions
 constexpr float hidden_weight = 0.25f;  // of a neighbour that does not see a region
 
@@ -174,7 +174,7 @@ bool mismatched(std::span<const Aperture> a, std::span<const Aperture> b) {
 void match_neighbours(std::vector<Aperture>& apertures, const SurfacePoints& surface, size_t count) {
   Matching matching(apertures, surface, count);
   matching.walk();
-  for (int round = 0; round < most_rounds && matching.order_anew(); ++round) {
+  for (int round = 0; round < max_rounds && matching.order_anew(); ++round) {
   }
   matching.turn_hidden();
 }

@@ -16,7 +16,7 @@ namespace {
 // 113 bits: sums of a hundred binary32 numbers are exact.
 using Sum = boost::multiprecision::cpp_bin_float_quad;
 
-constexpr double most_pairs = 64;
+constexpr double max_pairs = 64;
 
 // The depth of a face of pair k, rounded as the definition says: the product, then the sum, to binary32.
 double depth_of_pair(double depth, double step, int k) {
@@ -27,7 +27,7 @@ double depth_of_pair(double depth, double step, int k) {
 
 struct DepthSet {
   const char* name;
-  int least_pairs, most_pairs;
+  int min_pairs, max_pairs;
 };
 constexpr DepthSet depth_sets[] = {{"one", 1, 1},  {"few", 1, 2},      {"thin", 1, 2},     {"far", 1, 2},
                                    {"deep", 3, 8}, {"crowded", 9, 17}, {"beyond", 18, 40}, {"fullest", 1, 17}};
@@ -37,7 +37,7 @@ class DepthSumOracle : public Oracle {
   std::vector<std::string> inputs() const override { return {"front", "back", "step", "pairs"}; }
   std::string refusal(Point p) const override {
     const bool depths = p[0] >= 0 && p[0] <= p[1] && p[1] <= 1 && p[2] >= 0 && p[2] <= 1;
-    const bool pairs = p[3] >= 1 && p[3] <= most_pairs && p[3] == std::floor(p[3]);
+    const bool pairs = p[3] >= 1 && p[3] <= max_pairs && p[3] == std::floor(p[3]);
     return depths && pairs ? "" : "depths must be 0 <= front <= back <= 1, step 0 to 1, pairs a whole number from 1 to 64";
   }
   double value(Point p) const override {
@@ -64,7 +64,7 @@ class DepthSumOracle : public Oracle {
     const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
     Points points(4);
     for (size_t i = 0; i < count; ++i) {
-      const auto pairs = static_cast<float>(found->least_pairs + int(uniform() * (found->most_pairs - found->least_pairs + 1)));
+      const auto pairs = static_cast<float>(found->min_pairs + int(uniform() * (found->max_pairs - found->min_pairs + 1)));
       const auto step = static_cast<float>(uniform() * 0.01);
       const float first = static_cast<float>(uniform()), second = static_cast<float>(uniform());
       float front = std::min(first, second), back = std::max(first, second);

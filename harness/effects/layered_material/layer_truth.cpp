@@ -16,9 +16,9 @@
 namespace lamina {
 namespace {
 
-constexpr double least_cosine = 1.0 / 32;    // of the transmitted ray
-constexpr double least_slant_cosine = 0.25;  // of a light's ray through the layers
-constexpr size_t walks_a_sample = 4;         // one walk tells less of a pixel than one sample of the model
+constexpr double min_cosine = 1.0 / 32;    // of the transmitted ray
+constexpr double min_slant_cosine = 0.25;  // of a light's ray through the layers
+constexpr size_t walks_a_sample = 4;       // one walk tells less of a pixel than one sample of the model
 constexpr double golden_turn = 0.6180339887498949;
 
 // Sample i of n in the unit disc, evenly spread (Vogel 1979), turned.
@@ -122,8 +122,8 @@ LayeredLight LayerModel::light(const SeenLayers& seen, glm::dvec3 eye, size_t sa
   normal = seen.straight ? glm::dvec3(0, 0, 1) : glm::normalize(seen.mapped.value_or(normal));
   const double facing = seen.straight ? 1 : std::clamp(glm::dot(normal, view), 0.0, 1.0);
   const glm::dvec3 reflected = 2 * glm::dot(normal, view) * normal - view;
-  const glm::dvec2 along_ray = glm::dvec2(reflected) / std::max(std::abs(reflected.z), least_cosine);
-  const double stretch = 1 / std::max(std::abs(reflected.z), least_cosine);
+  const glm::dvec2 along_ray = glm::dvec2(reflected) / std::max(std::abs(reflected.z), min_cosine);
+  const double stretch = 1 / std::max(std::abs(reflected.z), min_cosine);
 
   std::vector<glm::dvec2> slants;
   for (size_t i = 0; i < std::min(p.scene.lights.size(), max_lights); ++i) {
@@ -131,7 +131,7 @@ LayeredLight LayerModel::light(const SeenLayers& seen, glm::dvec3 eye, size_t sa
     const glm::dvec3 to_light =
         tangent(light.kind == Light::Kind::point ? glm::normalize(glm::dvec3(light.position) - seen.position)
                                                  : -glm::dvec3(light.direction));
-    slants.push_back(glm::dvec2(to_light) / std::max(to_light.z, least_slant_cosine));
+    slants.push_back(glm::dvec2(to_light) / std::max(to_light.z, min_slant_cosine));
   }
 
   // The outer layer: what a pixel's footprint shows of it, and how much of what is below it.

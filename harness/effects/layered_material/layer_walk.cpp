@@ -15,9 +15,9 @@
 namespace lamina {
 namespace {
 
-constexpr int most_events = 20000;
+constexpr int max_events = 20000;
 constexpr double walk_roulette_below = 0.05;
-constexpr double least_eye_cosine = 1.0 / 64;  // of the eye's ray, whose surface is only just seen
+constexpr double min_eye_cosine = 1.0 / 64;  // of the eye's ray, whose surface is only just seen
 
 // Henyey and Greenstein's density for a mean cosine g; its integral over all directions is 1.
 double scattered_towards(double cosine, double g) {
@@ -105,7 +105,7 @@ struct LayerWalk::Parts {
     glm::dvec3 light(0), weight(1);
     double depth = 0;
     size_t next = 0;  // the sheet that the path meets next
-    for (int event = 0; event < most_events; ++event) {
+    for (int event = 0; event < max_events; ++event) {
       const bool down = direction.z < 0;
       const double free = extinction > 0 && (next > 0 || !down) ? -std::log(random.uniform()) / extinction : 1e300;
       const double distance = (sheets[next].depth - depth) / -direction.z;  // 1e300 and more where it runs along the sheets
@@ -158,7 +158,7 @@ LayerWalk::~LayerWalk() = default;
 WalkedLight LayerWalk::light(const WalkStart& start, size_t paths, uint64_t seed) const {
   WalkRandom random(seed);
   glm::dvec3 ray = -start.to_eye;
-  ray.z = std::min(ray.z, -least_eye_cosine);
+  ray.z = std::min(ray.z, -min_eye_cosine);
   ray = glm::normalize(ray);
   glm::dvec3 sum(0), squares(0);
   for (size_t i = 0; i < paths; ++i) {

@@ -37,8 +37,8 @@ double asked(SetRandom& r, double z0, double z1, double gap) {
   for (;;)
     if (const double z = r.uniform(-1, 1); std::abs(z - z0) >= gap && std::abs(z - z1) >= gap) return z;
 }
-std::vector<double> two_layers(SetRandom& r, double least_gap, double most_gap, double total) {
-  const double gap = r.uniform(least_gap, most_gap), z0 = r.uniform(-0.95, 0.95 - gap), z1 = z0 + gap;
+std::vector<double> two_layers(SetRandom& r, double min_gap, double max_gap, double total) {
+  const double gap = r.uniform(min_gap, max_gap), z0 = r.uniform(-0.95, 0.95 - gap), z1 = z0 + gap;
   return {z0, z1, r.uniform(0.1, 0.9), total, asked(r, z0, z1, 0.1)};
 }
 

@@ -73,7 +73,7 @@ CompressedView read_view(const Json& said, const Json& view_json, size_t view_in
 
 // The most elements that so many bytes can stand for. A block of up to 256 vertices has, for each byte of a vertex, two bits
 // for every 16 of them; a triangle has a byte, and an index by itself too (the extension's appendix A).
-size_t most_elements(const CompressedView& view) {
+size_t max_elements(const CompressedView& view) {
   switch (view.mode) {
     case CompressedView::Mode::attributes:
       return view.bytes * 64 / view.stride;
@@ -131,9 +131,9 @@ void decompress_views(tinygltf::Model& model, const std::vector<CompressedView>&
     if (view.offset > bytes.size() || view.bytes > bytes.size() - view.offset)
       refuse_gltf(about, fmt::format("its {} bytes from {} leave buffer {} of {} bytes", view.bytes, view.offset, view.buffer,
                                      bytes.size()));
-    if (view.count > most_elements(view))
+    if (view.count > max_elements(view))
       refuse_gltf(about, fmt::format("claims {} elements of {} bytes; its {} bytes cannot hold more than {}", view.count,
-                                     view.stride, view.bytes, most_elements(view)));
+                                     view.stride, view.bytes, max_elements(view)));
     tinygltf::Buffer to;
     to.data.resize(view.count * view.stride);
     if (!decode(view, bytes.data() + view.offset, to.data))
