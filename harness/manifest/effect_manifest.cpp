@@ -229,7 +229,7 @@ const NumberManifest* Declarations::number(std::string_view name) const { return
 const WordManifest* Declarations::word(std::string_view name) const { return named(words, name); }
 const TextureManifest* Declarations::texture(std::string_view name) const { return named(textures, name); }
 
-const VariantManifest* EffectManifest::variant(std::string_view name) const { return named(variants, name); }
+const VariantManifest* EffectManifest::variant(std::string_view wanted) const { return named(variants, wanted); }
 
 TomlFormPtr effect_form(const EffectCode& code) {
   const auto needs = [](const char* about, bool required) {

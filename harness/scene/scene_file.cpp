@@ -9,6 +9,7 @@
 #include "harness/scene/default_views.h"
 #include "harness/scene/gltf/gltf.h"
 #include "harness/scene/made/builtin_scenes.h"
+#include "harness/scene/nearest_surface.h"
 #include "harness/scene/place_objects.h"
 #include "harness/scene/read_keys.h"
 #include "harness/scene/toml_values.h"
@@ -123,6 +124,7 @@ void read_views(Scene& scene, const TomlTable& root) {
   for (const auto& [name, table] : entries) {
     scene.views.push_back(read_view(name, table));
     fit_depth(scene.views.back(), bounds);
+    keep_what_is_near(scene.views.back(), scene.objects);
   }
 }
 

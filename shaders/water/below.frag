@@ -23,7 +23,9 @@ void main() {
 #ifndef FRAME_BELOW
   // Texels beside the water's edge are looked up too: a little more than the highest crest is kept.
   float highest = wave_1_amplitude + wave_2_amplitude + wave_3_amplitude + wave_4_amplitude;
-  if (in_position.y > height + 0.03 + highest) discard;
+  // Seen from under the water it is what lies over it.
+  float beyond = eye_world.y < height ? height - in_position.y : in_position.y - height;
+  if (beyond > 0.03 + highest) discard;
 #endif
 #ifdef HIDDEN
   float shown = texelFetch(below, ivec2(gl_FragCoord.xy), 0).r;

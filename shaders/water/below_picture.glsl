@@ -2,6 +2,7 @@
 // The picture of what may lie under water, as refracted rays look it up: two layers, the nearest surfaces and those that they hide. It
 // is wider than the frame by GUARD to the left and right, and by GUARD_DOWN of the frame's height below: rays bend there. With
 // FRAME_BELOW it is the frame, one layer. The places of the frame are 0 to 1, the top first; beside it less and more.
+#include "common/looks.glsl"
 #if defined(FRAME_BELOW) || REFRACTION != marched
 #define BELOW_LAYERS 1
 #elif !defined(BELOW_LAYERS)
@@ -78,16 +79,27 @@ vec3 below_light(int layer, vec2 place, float level) {
 #endif
 }
 
-vec3 below_light(int layer, vec2 place) { return below_light(layer, place, 0.0); }
+// Red and blue may be seen elsewhere than green: that far from its place.
+vec3 colours_below(int layer, vec2 place, vec2 red, vec2 blue, float level) {
+  vec3 seen = below_light(layer, place, level);
+#ifdef DISPERSION
+  seen.r = below_light(layer, place + red, level).r, seen.b = below_light(layer, place + blue, level).b;
+#endif
+  return seen;
+}
 
-// The same over what a pixel of the frame shows of it: four looks, as far apart as neighbouring pixels look. Where they look at
-// other things, one look.
-vec3 below_light_over_pixel(Behind found) {
-  vec2 right = dFdx(found.place), down = dFdy(found.place);
-  vec2 pixels = abs(right) + abs(down);
-  float layers = abs(dFdx(float(found.layer))) + abs(dFdy(float(found.layer)));
-  if (layers > 0.0 || pixels.x * frame_size_px.x > 6.0 || pixels.y * frame_size_px.y > 6.0) return below_light(found.layer, found.place);
-  vec2 one = 0.25 * (right + down), other = 0.25 * (right - down);
-  return 0.25 * (below_light(found.layer, found.place - one) + below_light(found.layer, found.place + other) +
-                 below_light(found.layer, found.place - other) + below_light(found.layer, found.place + one));
+// Whether neighbours see the same surface, at places not far from each other.
+bool is_seen_on(Behind found) {
+  vec2 apart_px = (abs(dFdx(found.place)) + abs(dFdy(found.place))) * frame_size_px.xy;
+  return abs(dFdx(float(found.layer))) + abs(dFdy(float(found.layer))) == 0.0 && max(apart_px.x, apart_px.y) < 6.0;
+}
+Looks looks_below(Behind found) {
+#ifdef FRAME_BELOW
+  vec2 texel = frame_size_px.zw;
+#else
+  vec2 texel = below_size / vec2(textureSize(below_color, 0));
+#endif
+  // Derivatives are taken before it is asked whether they are of use.
+  Looks looks = looks_over(dFdx(found.place), dFdy(found.place), texel);
+  return is_seen_on(found) ? looks : one_look(texel);
 }

@@ -9,6 +9,7 @@
 #define sky_alone 3
 #define by_march 4
 
+#include "common/looks.glsl"
 #include "mirror_place.glsl"
 #if REFLECTION != sky_alone
 layout(binding = 5) uniform sampler2D reflection;
@@ -79,20 +80,38 @@ float reflected_way(vec3 from, vec3 along) { return REFLECTION_DISTANCE; }
 float reflected_way(vec3 from, vec3 along) { return mirrored_far_m; }
 #endif
 
-// The light that comes along the reflected ray. Rays that would meet water again are taken along its level.
-vec3 reflected_light(vec3 from, vec3 along) {
-  along = normalize(vec3(along.x, max(along.y, 1e-3), along.z));
-#if REFLECTION == sky_alone
-  return sky_seen(along);
-#else
-  vec2 place = mirror_place(from + reflected_way(from, along) * along);
+#if REFLECTION != sky_alone
+// What the mirror's picture shows in a place. What is outside the picture is not known: the sky.
+vec3 mirror_look(vec2 place, vec3 sky_light_there) {
 #ifdef RGBM
   vec4 seen = vec4(rgbm_decoded(textureLod(reflection, place, 0.0)), 1.0);
 #else
   vec4 seen = textureLod(reflection, place, 0.0);
 #endif
-  // What is outside the picture is not known: the sky.
   vec2 inside = clamp(min(place, 1.0 - place) / 0.01, 0.0, 1.0);
-  return mix(sky_seen(along), seen.rgb + (1.0 - seen.a) * sky_seen(along), inside.x * inside.y);
+  return mix(sky_light_there, seen.rgb + (1.0 - seen.a) * sky_light_there, inside.x * inside.y);
+}
+#endif
+
+// The light that comes along the reflected ray. Rays that would meet water again are taken along its level.
+vec3 reflected_light(vec3 from, vec3 along) {
+  along = normalize(vec3(along.x, max(along.y, 1e-3), along.z));
+  vec3 sky_there = sky_seen(along);
+#if REFLECTION == sky_alone
+  return sky_there;
+#else
+  vec2 place = mirror_place(from + reflected_way(from, along) * along);
+  vec2 right = dFdx(place), down = dFdy(place), size = vec2(textureSize(reflection, 0));
+  vec2 apart = (abs(right) + abs(down)) * frame_size_px.xy;
+  Looks looks = looks_over(right, down, 1.0 / size);
+  if (max(apart.x, apart.y) > 16.0) looks = one_look(1.0 / size);
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 4; ++i) sum += 0.25 * mirror_look(place + look_at(looks, i), sky_there);
+#ifndef MIRROR_BLURRED
+  vec2 x = vec2(looks.texel.x, 0.0), y = vec2(0.0, looks.texel.y);
+  sum += looks.sharpened.x * (2.0 * sum - mirror_look(place - x, sky_there) - mirror_look(place + x, sky_there)) +
+         looks.sharpened.y * (2.0 * sum - mirror_look(place - y, sky_there) - mirror_look(place + y, sky_there));
+#endif
+  return max(sum, vec3(0.0));
 #endif
 }

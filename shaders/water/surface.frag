@@ -45,8 +45,10 @@ layout(location = 2) in vec3 in_normal;
 #ifdef TOLD
 // For the truth: which point of the surface a pixel shows, by where it lies without waves, and what is found below and above.
 layout(location = 0) out vec4 out_ground;
-layout(location = 1) out vec4 out_body;
-layout(location = 2) out vec4 out_mirrored;
+layout(location = 1) out vec4 out_mirrored;
+layout(location = 2) out vec4 out_bottom;     // the light of what is met below,
+layout(location = 3) out vec4 out_kept;       // what of it comes up to the surface,
+layout(location = 4) out vec4 out_scattered;  // and what the way adds
 #else
 layout(location = 0) out vec4 out_color;
 #endif
@@ -79,31 +81,36 @@ void main() {
   vec3 refracted = refract(-to_eye, normal, 1.0 / index);
   refracted = dot(refracted, refracted) > 0.5 ? refracted : -to_eye;  // all is reflected: not seen
   Behind found = refracted_behind(in_position, refracted, own_depth, straight, under);
-#if defined(BLUR_LEVELS) && defined(SCATTERING)
-  // Turbid water blurs what is far: from level to level of the picture's pyramid, by the share of light that is scattered on the way.
-  float scattered_share = 1.0 - exp(-scattered().g * distance(found.position, in_position));
-  vec3 behind = below_light(found.layer, found.place, BLUR_LEVELS * scattered_share);
-#else
-  vec3 behind = below_light_over_pixel(found);
-#endif
-#ifdef DISPERSION
+  float way_m = max(distance(found.position, in_position), 0.0);
   // Red and blue by their own indices (1.3310, 1.3335, 1.3372 of water), as deep as green goes.
+  vec2 red_place = vec2(0.0), blue_place = vec2(0.0);
+#ifdef DISPERSION
   vec3 red = refract(-to_eye, normal, 1.0 / (index - 0.0025 * dispersion));
   vec3 blue = refract(-to_eye, normal, 1.0 / (index + 0.0037 * dispersion));
   float seen_m = min(max(in_position.y - found.position.y, 0.0), bottom_far_m);
-  behind.r = under ? behind.r : below_light(found.layer, place_of(in_position + way_to_depth(-red.y, seen_m) * red, found.place)).r;
-  behind.b = under ? behind.b : below_light(found.layer, place_of(in_position + way_to_depth(-blue.y, seen_m) * blue, found.place)).b;
+  red_place = under ? vec2(0.0) : place_of(in_position + way_to_depth(-red.y, seen_m) * red, found.place) - found.place;
+  blue_place = under ? vec2(0.0) : place_of(in_position + way_to_depth(-blue.y, seen_m) * blue, found.place) - found.place;
 #endif
-  float way_m = max(distance(found.position, in_position), 0.0);
-  vec3 body = under ? behind : bottom_light(behind, found, way_m, pixel_m) + in_scatter(refracted, way_m);
+#ifdef BLUR_LEVELS
+  // Turbid water blurs what is far: from level to level of the picture's pyramid, by the share of light that is scattered on the way.
+  MetLight met = met_over_pixel(found, red_place, blue_place, pixel_m, BLUR_LEVELS * (1.0 - exp(-scattered().g * way_m)));
+#else
+  MetLight met = met_over_pixel(found, red_place, blue_place, pixel_m);
+#endif
+  vec3 added = under ? vec3(0.0) : in_scatter(refracted, way_m);
+  vec3 body = under ? met.sun + met.rest : bottom_light(met, found, way_m) + added;
 
   vec3 along = reflect(-to_eye, normal);
   vec3 level = normalize(vec3(along.x, min(along.y, -1e-3), along.z));
   vec3 mirrored = under ? in_scatter(level, bottom_far_m) : reflected_light(in_position, along);
 #ifdef TOLD
   out_ground = vec4(in_ground, in_position.y, 1.0);
-  out_body = vec4(body, 1.0);
   out_mirrored = vec4(mirrored, 1.0);
+  out_bottom = vec4(met.sun + met.rest, 1.0);
+  // Of what is black, as of what is hardly lit.
+  MetLight hardly = MetLight(met.sun + 1e-9 * found.sun_share, met.rest + 1e-9 * (1.0 - found.sun_share));
+  out_kept = vec4(bottom_light(hardly, found, way_m) / (hardly.sun + hardly.rest), 1.0);
+  out_scattered = vec4(added, 1.0);
 #else
   float share = reflected_share(cosine, index, lost);
 #ifdef SOFT_EDGE

@@ -12,6 +12,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "harness/backend/backend.h"
+#include "tests/open_backend.h"
 #include "tests/shader/shader_files.h"
 
 namespace lamina {
@@ -77,12 +78,9 @@ class BackendTest : public ShaderFiles, public ::testing::WithParamInterface<std
 
   // Opens a backend, or skips the test where it has no device.
   void open(std::string_view name) {
-    try {
-      backend_ = open_backend(name, {.device = "", .validation = true});
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::no_device) throw;
-      GTEST_SKIP() << error.what();
-    }
+    std::string missing;
+    backend_ = open_or_say(name, missing, {.device = "", .validation = true});
+    if (!backend_) GTEST_SKIP() << missing;
   }
   void expect_silence() {
     if (!backend_) return;

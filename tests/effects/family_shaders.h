@@ -15,6 +15,7 @@
 #include "harness/stress/point_sets.h"
 #include "tests/effects/caps.h"
 #include "tests/graph/each_backend.h"
+#include "tests/open_backend.h"
 
 namespace lamina {
 
@@ -27,12 +28,9 @@ class FamilyShaders : public ::testing::TestWithParam<std::string_view> {
   explicit FamilyShaders(size_t inputs_of_a_set) : inputs_(inputs_of_a_set) {}
 
   void SetUp() override {
-    try {
-      backend_ = open_backend(GetParam());
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::no_device) throw;
-      GTEST_SKIP() << error.what();
-    }
+    std::string missing;
+    backend_ = open_or_say(GetParam(), missing);
+    if (!backend_) GTEST_SKIP() << missing;
   }
 
   FunctionErrors errors(const Family& family, const std::string& function, const std::string& set) {

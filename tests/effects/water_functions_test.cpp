@@ -168,8 +168,9 @@ class WaterShaders : public FamilyShaders {
 };
 
 TEST_P(WaterShaders, EveryFunctionKeepsTheBoundsThatItClaims) {
-  static const char* const folders[] = {"gerstner", "wave_phase", "water_in_scatter", "rgbm8", "refraction_way"};
-  EXPECT_GT(judge_claims(folders).size(), 15u);
+  static const char* const folders[] = {"gerstner",         "wave_phase", "water_in_scatter",
+                                        "water_extinction", "rgbm8",      "refraction_way"};
+  EXPECT_GT(judge_claims(folders).size(), 19u);
 }
 
 TEST_P(WaterShaders, WavesAreThoseThatAreKnown) {
@@ -221,6 +222,20 @@ TEST_P(WaterShaders, InScatterIsWhatIsKnown) {
                 1e-8);
   const FunctionErrors naive = errors(family_in("water_in_scatter"), "naive_in_scatter", "thin");
   EXPECT_GT(std::max(naive.max_over, -naive.max_under), 0.03) << "1 - e^-x cancels";
+}
+
+// Pope and Fry's red, green and blue light after 1, 5 and 10 m: down and up, or up alone.
+TEST_P(WaterShaders, ExtinctionIsWhatIsKnown) {
+  const float absorbed[] = {.340f, .0565f, .00922f}, metres[] = {1, 5, 10};
+  const double left[3][3] = {{.7118, .9451, .9908}, {.1827, .7539, .9549}, {.0334, .5684, .9119}};
+  for (int m = 0; m < 3; ++m)
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(value("water_extinction", "along_both_ways", {absorbed[c], 0, metres[m], 1}), left[m][c], 6e-5);
+      EXPECT_NEAR(value("water_extinction", "along_both_ways", {absorbed[c], metres[m] / 4, metres[m] / 2, .5f}), left[m][c],
+                  6e-5);
+    }
+  const FunctionErrors straight = errors(family_in("water_extinction"), "straight_down", "everyday");
+  EXPECT_GT(straight.max_over, 0.1) << "a low sun's way is half as long again";
 }
 
 // In view angles from an eye 2 m over water 1 m deep, at 20, 45, 60 and 75 degrees.

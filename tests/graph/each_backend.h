@@ -7,17 +7,16 @@
 
 #include "tests/builtin_library.h"
 #include "tests/graph/drawn_frame.h"
+#include "tests/open_backend.h"
 
 namespace lamina {
 
 class EachBackend : public testing::TestWithParam<std::string_view> {
  protected:
   void SetUp() override {
-    try {
-      backend_ = open_backend(GetParam(), {"", true});
-    } catch (const Error& error) {
-      GTEST_SKIP() << error.what();
-    }
+    std::string missing;
+    backend_ = open_or_say(GetParam(), missing, {.device = "", .validation = true});
+    if (!backend_) GTEST_SKIP() << missing;
   }
   void TearDown() override {
     if (!backend_) return;

@@ -9,16 +9,14 @@
 
 #include "harness/core/text.h"
 #include "harness/manifest/library.h"
-#include "tests/folder.h"
+#include "tests/manifest/user_folder.h"
 
 namespace lamina {
 namespace {
 
 namespace fs = std::filesystem;
 
-#define EXPECT_SAYS(text, words) EXPECT_NE((text).find(words), std::string::npos) << (text)
-
-class UserEffect : public InFolder<> {
+class UserEffect : public UserFolder {
  protected:
   void SetUp() override {
     write("wax/full.toml",
@@ -29,13 +27,7 @@ class UserEffect : public InFolder<> {
   std::string refusal(const std::string& head, const std::string& rest = "") {
     write("wax/effect.toml",
           "[effect]\nname = \"wax\"\ntitle = \"t\"\nbecause = \"b\"\nnot_because = \"n\"\n" + head + "\n" + rest);
-    try {
-      load_library(LAMINA_SOURCE_DIR, effect_code(), {folder_});
-      return "";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::bad_input);
-      return error.what();
-    }
+    return loading_says();
   }
 };
 

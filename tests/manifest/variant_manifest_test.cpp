@@ -5,25 +5,19 @@
 #include <algorithm>
 
 #include "harness/manifest/library.h"
-#include "tests/folder.h"
+#include "tests/manifest/user_folder.h"
 
 namespace lamina {
 namespace {
 
 namespace fs = std::filesystem;
 
-class UserVariant : public InFolder<> {
+class UserVariant : public UserFolder {
  protected:
   // What loading with this manifest says; "" when it loads.
   std::string refusal(const std::string& text) {
     write("mine.toml", text);
-    try {
-      load_library(LAMINA_SOURCE_DIR, effect_code(), {folder_});
-      return "";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::bad_input);
-      return error.what();
-    }
+    return loading_says();
   }
 };
 
@@ -31,8 +25,6 @@ const std::string head = "[variant]\nname = \"mine\"\neffect = \"layered_materia
 const std::string pass =
     "[[pass]]\nname = \"composite\"\ndraw = \"objects\"\nvertex = \"common/object.vert\"\nfragment = "
     "\"surface/lambert.frag\"\nwrite = [\"frame\"]\n";
-
-#define EXPECT_SAYS(text, words) EXPECT_NE((text).find(words), std::string::npos) << (text)
 
 TEST(BuiltinVariants, BaselineComesFirst) {
   const Library library = load_library(LAMINA_SOURCE_DIR, effect_code());

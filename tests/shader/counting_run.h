@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "tests/open_backend.h"
 #include "tests/shader/shader_files.h"
 
 namespace lamina {
@@ -53,12 +54,9 @@ struct Counts {
 class CountingRun : public ShaderFiles, public ::testing::WithParamInterface<std::string_view> {
  protected:
   void SetUp() override {
-    try {
-      backend_ = open_backend(GetParam(), {.device = "", .validation = true});
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::no_device) throw;
-      GTEST_SKIP() << "no device: " << error.what();
-    }
+    std::string missing;
+    backend_ = open_or_say(GetParam(), missing, {.device = "", .validation = true});
+    if (!backend_) GTEST_SKIP() << missing;
     TextureDesc desc{.name = "texture", .width = 16, .height = 16, .levels = 5, .format = Format::rgba8_unorm};
     std::vector<std::vector<std::byte>> levels;
     for (size_t size = 16; size > 0; size /= 2) {

@@ -11,6 +11,7 @@
 #include "harness/scene/textures.h"
 #include "harness/stress/pictures.h"
 #include "harness/stress/point_sets.h"
+#include "tests/open_backend.h"
 #include "tests/stress/family_folder.h"
 
 namespace lamina {
@@ -45,12 +46,9 @@ class Hypotenuse : public Oracle {
 class FunctionsOn : public FamilyFolder, public ::testing::WithParamInterface<std::string_view> {
  protected:
   void SetUp() override {
-    try {
-      backend_ = open_backend(GetParam());
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::no_device) throw;
-      GTEST_SKIP() << error.what();
-    }
+    std::string missing;
+    backend_ = open_or_say(GetParam(), missing);
+    if (!backend_) GTEST_SKIP() << missing;
   }
   void TearDown() override {
     if (backend_) {

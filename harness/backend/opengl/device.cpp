@@ -56,7 +56,7 @@ void describe_abilities(DeviceInfo& info) {
   info.half_floats = has_extension("GL_AMD_gpu_shader_half_float") || has_extension("GL_NV_gpu_shader5");
   info.doubles = true;              // since OpenGL 4.0
   info.exact_sample_counts = true;  // GL_SAMPLES_PASSED
-  info.issued_fragment_counts = GLAD_GL_VERSION_4_6 != 0 || has_extension("GL_ARB_pipeline_statistics_query");
+  info.issued_fragment_counts = has_extension("GL_ARB_pipeline_statistics_query");
   GLint bits = 0;
   glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
   info.timestamp_bits = static_cast<uint32_t>(std::max(bits, 0));

@@ -11,15 +11,6 @@ constexpr GLenum fragment_shader_invocations = 0x82F4;
 
 using Asks = bool (*)(const Pass& pass);
 
-void make(std::vector<QueryObject>& queries, GLenum target, const char* name, size_t count) {
-  while (queries.size() < count) {
-    GLuint made = 0;
-    glCreateQueries(target, 1, &made);
-    label(GL_QUERY, made, fmt::format("{} {}", name, queries.size()));
-    queries.emplace_back(made);
-  }
-}
-
 // One for each pass, 0 where it does not ask; none where no pass does.
 std::vector<uint64_t> results(const std::vector<QueryObject>& queries, std::span<const Pass> passes, Asks asks) {
   if (std::none_of(passes.begin(), passes.end(), asks)) return {};
@@ -40,10 +31,20 @@ void SampleCounts::prepare(std::span<const Pass> passes) {
     GLint bits = 0;
     glGetQueryiv(GL_SAMPLES_PASSED, GL_QUERY_COUNTER_BITS, &bits);
     if (bits <= 0) throw_failed(asks->name, "the device does not count samples (GL_QUERY_COUNTER_BITS is 0)");
-    make(queries_, GL_SAMPLES_PASSED, "samples", passes.size());
+    while (queries_.size() < passes.size()) {
+      GLuint name = 0;
+      glCreateQueries(GL_SAMPLES_PASSED, 1, &name);
+      label(GL_QUERY, name, fmt::format("samples {}", queries_.size()));
+      queries_.emplace_back(name);
+    }
   }
-  if (tells_issued_ && std::any_of(passes.begin(), passes.end(), counts_issued_fragments))
-    make(issued_, fragment_shader_invocations, "fragments", passes.size());
+  if (tells_issued_ && std::any_of(passes.begin(), passes.end(), counts_issued_fragments)) {
+    while (issued_.size() < passes.size()) {
+      GLuint name = 0;  // without a label: Mesa's glCreateQueries does not know the target, so the first use makes it
+      glGenQueries(1, &name);
+      issued_.emplace_back(name);
+    }
+  }
 }
 
 void SampleCounts::begin(const Pass& pass, size_t index) const {

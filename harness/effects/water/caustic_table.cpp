@@ -42,6 +42,22 @@ TextureImage with_mips(std::string name, Format format, std::vector<float> level
   }
 }
 
+// The mean of the lesser of two texels of a level of two half floats, by their first, where one does not follow the other:
+// sorted, the texel i of n is the lesser of the 2 (n - i) - 1 pairs with itself and those after it.
+double mean_of_lesser(const std::vector<std::byte>& level) {
+  std::vector<double> values;
+  for (size_t i = 0; i < level.size(); i += 4) {
+    uint16_t half = 0;
+    std::memcpy(&half, &level[i], 2);
+    values.push_back(double(glm::unpackHalf1x16(half)));
+  }
+  std::ranges::sort(values);
+  const auto n = static_cast<double>(values.size());
+  double sum = 0;
+  for (size_t i = 0; i < values.size(); ++i) sum += values[i] * (2 * (n - static_cast<double>(i)) - 1) / (n * n);
+  return sum;
+}
+
 }  // namespace
 
 TextureImage make_caustic_table() {
@@ -69,7 +85,16 @@ TextureImage make_caustic_table() {
           light[size_t(wrapped(int(low.y) + y)) * side + size_t(wrapped(int(low.x) + x))] +=
               static_cast<float>((x != 0 ? share.x : 1 - share.x) * (y != 0 ? share.y : 1 - share.y) / 4);
     }
-  return with_mips("caustic_table", Format::r16_float, std::move(light));
+  std::vector<float> beside_its_mean;
+  for (const float value : light) beside_its_mean.push_back(value), beside_its_mean.push_back(0);
+  TextureImage table = with_mips("caustic_table", Format::rg16_float, std::move(beside_its_mean));
+  const double as_texels = 1 - mean_of_lesser(table.levels.front());
+  for (std::vector<std::byte>& level : table.levels) {
+    const double mean = 1 - (1 - mean_of_lesser(level)) * (1 - caustic_lesser_mean) / as_texels;
+    const uint16_t half = glm::packHalf1x16(static_cast<float>(mean));
+    for (size_t i = 2; i < level.size(); i += 4) std::memcpy(&level[i], &half, 2);
+  }
+  return table;
 }
 
 TextureImage make_foam_table() {

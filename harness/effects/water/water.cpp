@@ -13,6 +13,7 @@ void add_water(EffectCode& code) {
   static const std::map<std::string, FormulaOracle> oracles = {{"gerstner", FormulaOracle(gerstner_formula())},
                                                                {"wave_phase", FormulaOracle(wave_phase_formula())},
                                                                {"water_in_scatter", FormulaOracle(water_in_scatter_formula())},
+                                                               {"water_extinction", FormulaOracle(water_extinction_formula())},
                                                                {"rgbm8", FormulaOracle(rgbm8_formula())},
                                                                {"refraction_way", FormulaOracle(refraction_way_formula())}};
   for (const auto& [name, oracle] : oracles) code.oracles[name] = &oracle;

@@ -151,11 +151,15 @@ double WaterLight::foam(glm::dvec3 position, glm::dvec3 straight, double way_m) 
   return std::min(4 * thick, 1.0) * smooth(-0.15, 0.15, thick - bubbles);
 }
 
-glm::dvec3 WaterLight::bottom(glm::dvec3 albedo, glm::dvec3 by_sun, glm::dvec3 by_rest, glm::dvec3 position,
-                              double way_m) const {
+BottomLight WaterLight::bottom(glm::dvec3 albedo, glm::dvec3 by_sun, glm::dvec3 by_rest, glm::dvec3 position) const {
+  return {albedo * by_sun * caustic(position), albedo * by_rest};
+}
+
+glm::dvec3 WaterLight::kept(const BottomLight& light, glm::dvec3 position, double way_m) const {
   const double depth = depth_of(position);
-  return albedo * (by_sun * caustic(position) * glm::exp(-extinction_ * (depth / sun_in_water_.y + way_m)) +
-                   by_rest * glm::exp(-extinction_ * (depth / sky_cosine + way_m)));
+  const glm::dvec3 left = light.by_sun * glm::exp(-extinction_ * (depth / sun_in_water_.y + way_m)) +
+                          light.by_rest * glm::exp(-extinction_ * (depth / sky_cosine + way_m));
+  return left / glm::max(light.all(), glm::dvec3(1e-300));
 }
 
 }  // namespace lamina

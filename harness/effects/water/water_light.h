@@ -26,6 +26,12 @@ class TiledTable {
   std::vector<float> texels_;
 };
 
+// Light that the bottom shows before the water takes of it: by the sun, as waves gather it, and by all else.
+struct BottomLight {
+  glm::dvec3 by_sun{0}, by_rest{0};
+  glm::dvec3 all() const { return by_sun + by_rest; }
+};
+
 class WaterLight {
  public:
   explicit WaterLight(const Scene& scene);  // which has water, and outlives this
@@ -43,8 +49,11 @@ class WaterLight {
   glm::dvec3 with_ripples(glm::dvec3 normal, glm::dvec2 ground) const;
   // How much of the surface foam covers: a point of it, what stands behind it in the straight ray, and the way in the water.
   double foam(glm::dvec3 position, glm::dvec3 straight, double way_m) const;
-  // Light that the bottom shows, of an albedo and its irradiance by the sun and by all else, at the end of a way in the water.
-  glm::dvec3 bottom(glm::dvec3 albedo, glm::dvec3 by_sun, glm::dvec3 by_rest, glm::dvec3 position, double way_m) const;
+  // What the bottom shows, of an albedo and its irradiance by the sun and by all else, without water.
+  BottomLight bottom(glm::dvec3 albedo, glm::dvec3 by_sun, glm::dvec3 by_rest, glm::dvec3 position) const;
+  // The share of it that is left at the surface, after the way down of the sun's and of the sky's light and this way up. 0
+  // where there is no light.
+  glm::dvec3 kept(const BottomLight& light, glm::dvec3 position, double way_m) const;
 
  private:
   double depth_of(glm::dvec3 position) const;

@@ -38,6 +38,10 @@ std::vector<double> along_wave(SetRandom& r, double reach_m, double shortest_m) 
   return {r.uniform(-reach_m, reach_m), r.logarithmic(shortest_m, 20)};
 }
 
+std::vector<double> both_ways(SetRandom& r, double least, double most) {
+  return {r.logarithmic(least, most), r.logarithmic(0.01, 50), r.logarithmic(0.01, 50), r.uniform(0.66, 1)};
+}
+
 // (1 - e^-kd) / k, where k may be 0.
 Real wide_in_scatter(std::span<const Real> p) {
   const Real x = p[0] * (1 + p[2] / p[3]) * p[1];
@@ -90,6 +94,19 @@ Formula water_in_scatter_formula() {
            {"endless", [](SetRandom& r) {
               return std::vector{r.logarithmic(1e-2, 1), 1e4, r.uniform(0, 1), r.uniform(0.66, 1)};
             }}}};
+}
+
+Formula water_extinction_formula() {
+  return {{"extinction", "depth_m", "way_m", "down_cosine"},
+          "an extinction must lie from 0 to 100, a depth and a way from 0 to 10000 m, the cosine from 0.5 to 1",
+          [](Oracle::Point p) {
+            return p[0] >= 0 && p[0] <= 100 && p[1] >= 0 && p[1] <= 1e4 && p[2] >= 0 && p[2] <= 1e4 && p[3] >= 0.5 && p[3] <= 1;
+          },
+          [](std::span<const Real> p) -> Real { return exp(-p[0] * (p[1] / p[3] + p[2])); },
+          of_one,
+          {{"everyday", [](SetRandom& r) { return both_ways(r, 1e-3, 1); }},
+           {"turbid", [](SetRandom& r) { return both_ways(r, 1, 100); }},
+           {"clear", [](SetRandom& r) { return both_ways(r, 1e-10, 1e-3); }}}};
 }
 
 Formula rgbm8_formula() {

@@ -2,8 +2,10 @@
 #include "harness/effects/water/water_rays.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "harness/effects/water/water_light.h"
 #include "harness/effects/water/waves.h"
@@ -40,44 +42,62 @@ class WaterRays : public Truth {
     if (answer.pixels.empty() || double(told.view.eye.y) < light_.number("height")) return {};
     const ViewRays rays(told.view, seen.width, seen.height);
     const glm::dvec3 eye(told.view.eye);
-    const Image &body = told.target("seen_body", "water_rays"), &mirrored = told.target("seen_mirrored", "water_rays");
-    std::vector<glm::vec3> surface(answer.pixels.size()), reflection(surface.size()), refraction(surface.size());
-    for_each_on_all_cores(surface.size(), progress, [&](size_t i) {
+    const auto told_by = [&](const char* name) -> const Image& { return told.target(name, "water_rays"); };
+    const Image &mirrored = told_by("seen_mirrored"), &bottom = told_by("seen_bottom"), &kept = told_by("seen_kept"),
+                &scattered = told_by("seen_scattered");
+    std::array<std::vector<glm::vec3>, step_count> lights;
+    for (auto& light : lights) light.resize(answer.pixels.size());
+    for_each_on_all_cores(answer.pixels.size(), progress, [&](size_t i) {
       const size_t pixel = answer.pixels[i];
       const glm::dvec4 ground = pixel_of(seen, pixel);
       const auto width = static_cast<size_t>(seen.width);
       const double column = static_cast<double>(pixel % width), row = static_cast<double>(pixel / width);
-      const Drawn drawn{{ground.x, ground.y}, glm::dvec3(pixel_of(body, pixel)), glm::dvec3(pixel_of(mirrored, pixel))};
-      Steps sum;
+      const Drawn drawn{{ground.x, ground.y},
+                        glm::dvec3(pixel_of(mirrored, pixel)),
+                        glm::dvec3(pixel_of(bottom, pixel)),
+                        glm::dvec3(pixel_of(kept, pixel)),
+                        glm::dvec3(pixel_of(scattered, pixel))};
+      Steps sum{};
+      int count = 0;
+      const auto add = [&](const Steps& light) {
+        ++count;
+        for (size_t step = 0; step < step_count; ++step) sum[step] += light[step];
+      };
+      // No two rays in a row or column: edges along the picture are met by one more ray at a time.
       for (int y = 0; y < side_; ++y)
         for (int x = 0; x < side_; ++x) {
-          const glm::dvec3 direction = rays.through(column + (x + 0.5) / side_, row + (y + 0.5) / side_);
-          const Steps light = light_of(eye, direction, drawn, rays.ahead());
-          sum.surface += light.surface, sum.reflection += light.reflection, sum.refraction += light.refraction;
+          const glm::dvec2 in_pixel = (glm::dvec2(x, y) + (glm::dvec2(y, x) + 0.5) / double(side_)) / double(side_);
+          const glm::dvec3 direction = rays.through(column + in_pixel.x, row + in_pixel.y);
+          const WavePoint point = met(eye, direction, drawn.ground);
+          if (is_hidden(eye, direction, point)) continue;
+          add(light_of(eye, point, drawn, rays.ahead()));
         }
-      const double count = side_ * side_;
-      surface[i] = sum.surface / count, reflection[i] = sum.reflection / count, refraction[i] = sum.refraction / count;
+      // A ray that was drawn slips by where all of these are hidden.
+      if (count == 0) add(light_of(eye, point_at(drawn.ground), drawn, rays.ahead()));
+      for (size_t step = 0; step < step_count; ++step) lights[step][i] = sum[step] / double(count);
     });
-    answer.steps = {
-        {"surface",
-         "this variant's picture against Fresnel, highlight and foam of the exact waves, of what full finds above and below",
-         std::move(surface)},
-        {"reflection", "what full finds in the mirror's picture against what rays meet above", std::move(reflection)},
-        {"refraction", "what full finds below, and its ways in the water, against what rays meet below",
-         std::move(refraction)}};
+    constexpr std::pair<const char*, const char*> named[step_count] = {
+        {"normal",
+         "this variant's picture against Fresnel, highlight and foam of the exact waves, of what full finds above and below"},
+        {"reflection", "what full finds in the mirror's picture against what rays meet above"},
+        {"refraction", "what full finds below against what rays meet below, as each is lit"},
+        {"extinction", "what full's ways in the water take of that against what the rays' ways take"},
+        {"scattering", "what full's ways in the water add against what the rays' ways add"}};
+    for (size_t step = 0; step < step_count; ++step)
+      answer.steps.push_back({named[step].first, named[step].second, std::move(lights[step])});
     return answer;
   }
 
  private:
-  // What the device drew in a pixel: its point, and what the baseline found below and above.
+  // What the device drew in a pixel: its point, what the baseline found above, the light of what it found below, the share of
+  // that which comes up, and what the way in the water adds.
   struct Drawn {
     glm::dvec2 ground;
-    glm::dvec3 body, mirrored;
+    glm::dvec3 mirrored, bottom, kept, scattered;
   };
   // Light with one assumption less at a time.
-  struct Steps {
-    glm::dvec3 surface{0}, reflection{0}, refraction{0};
-  };
+  static constexpr size_t step_count = 5;
+  using Steps = std::array<glm::dvec3, step_count>;
 
   WavePoint point_at(glm::dvec2 ground) const {
     WavePoint point = waves_.at(ground, double(scene_.time_s));
@@ -110,8 +130,13 @@ class WaterRays : public Truth {
     return first;
   }
 
-  Steps light_of(glm::dvec3 eye, glm::dvec3 direction, const Drawn& drawn, glm::dvec3 ahead) const {
-    const WavePoint point = met(eye, direction, drawn.ground);
+  // Whether something stands before the water there: a pixel is answered for by what it shows of the water alone.
+  bool is_hidden(glm::dvec3 eye, glm::dvec3 direction, const WavePoint& point) const {
+    const auto before = surfaces_.opaque(eye, direction);
+    return before && before->distance_m < glm::distance(point.position, eye) - off_surface_m;
+  }
+
+  Steps light_of(glm::dvec3 eye, const WavePoint& point, const Drawn& drawn, glm::dvec3 ahead) const {
     const glm::dvec3 to_eye = glm::normalize(eye - point.position);
     glm::dvec3 normal = light_.with_ripples(point.normal(), point.ground);
     normal = glm::normalize(normal + std::max(min_cosine - glm::dot(normal, to_eye), 0.0) * to_eye);
@@ -123,14 +148,16 @@ class WaterRays : public Truth {
                      into = glm::normalize(across - normal * std::sqrt(1 - glm::dot(across, across)));
     const auto bottom = surfaces_.opaque(point.position - off_surface_m * normal, into);
     const double way_m = bottom ? bottom->distance_m : endless_m;
-    glm::dvec3 body = light_.in_scatter(into, way_m);
+    const glm::dvec3 scattered = light_.in_scatter(into, way_m);
+    glm::dvec3 found(0), kept(0);
     if (bottom) {
       const glm::dvec3 all = surfaces_.diffuse(bottom->position, bottom->normal);
       const glm::dvec3 by_sun =
           light_.sunlit() ? glm::dvec3(scene_.lights[0].radiance) * std::max(glm::dot(bottom->normal, light_.to_sun()), 0.0)
                           : glm::dvec3(0);
-      body += light_.bottom(glm::dvec3(surfaces_.albedo(bottom->object).base(bottom->uv)), by_sun, all - by_sun,
-                            bottom->position, way_m);
+      const BottomLight light =
+          light_.bottom(glm::dvec3(surfaces_.albedo(bottom->object).base(bottom->uv)), by_sun, all - by_sun, bottom->position);
+      found = light.all(), kept = light_.kept(light, bottom->position, way_m);
     }
 
     // Up: what would meet the water again goes along its level.
@@ -149,7 +176,10 @@ class WaterRays : public Truth {
     const auto composed = [&](glm::dvec3 below, glm::dvec3 reflected) {
       return glm::mix(glm::mix(below, reflected, share * edge) + highlight, foam, cover);
     };
-    return {composed(drawn.body, drawn.mirrored), composed(drawn.body, mirrored), composed(body, mirrored)};
+    const glm::dvec3 drawn_below = drawn.bottom * drawn.kept + drawn.scattered;
+    return {composed(drawn_below, drawn.mirrored), composed(drawn_below, mirrored),
+            composed(found * drawn.kept + drawn.scattered, mirrored), composed(found * kept + drawn.scattered, mirrored),
+            composed(found * kept + scattered, mirrored)};
   }
 
   const Scene& scene_;

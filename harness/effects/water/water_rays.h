@@ -5,7 +5,8 @@
 // shadows.
 //
 // A variant's passes with when = "truth" write seen_ground: x and z of the point that a pixel shows as it lies without waves,
-// and alpha 1 where there is water.
+// and alpha 1 where there is water; seen_mirrored: the light found above; seen_bottom: the light of what is found below, before
+// the water takes of it; seen_kept: the share that comes up; seen_scattered: what the way adds.
 #pragma once
 
 #include <memory>

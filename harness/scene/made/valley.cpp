@@ -16,7 +16,7 @@ Scene make_valley(float time_s) {
   air.values["mie.amount"] = {6.0};
   scene.views = {{"valley", {200, 620, 2250}, {-170, 390, -300}, {0, 1, 0}, 45},
                  {"into_the_sun", {-1790, 620, -300}, {-900, 560, 0}, {0, 1, 0}, 50},
-                 {"above", {-400, 2600, 3900}, {0, 250, -200}, {0, 1, 0}, 42}};
+                 {"above", {-300, 2900, 2700}, {0, 200, 150}, {0, 1, 0}, 42}};
   for (View& view : scene.views) view.near_m = 20, view.far_m = 12000;
   return scene;
 }
