@@ -103,8 +103,8 @@ std::vector<nlohmann::json> run_processes(Bench& bench, const std::vector<std::s
   std::vector<std::function<void(const EmitLine&)>> works;
   for (const std::string& backend : backends)
     works.push_back([&, backend](const EmitLine& emit) {
-      const GateTask task{backend, process, false, false, 0};
-      GateProcess opened(task, bench.tree.library.shaders, bench.options, emit);
+      const GateTask task{.backend = backend, .process = process};
+      GateProcess opened(task, bench.tree.library.shaders, bench.options);
       BenchFrames frames(opened, bench);
       work(opened, frames, emit);
     });
@@ -204,7 +204,7 @@ double round_seconds(Bench& bench, const std::string& pass) {
   if (!measured.failures.empty()) throw Error(ErrorKind::failed, "gate", "calibration", sentence_of(measured.failures.front()));
   const double backends = static_cast<double>(bench.options.compare.backends.size());
   const double turns = static_cast<double>(bench.options.processes) * (bench.options.side_by_side ? 1 : backends);
-  const double beside = watch.elapsed_s() - measured.rounds_s / (bench.options.side_by_side ? backends : 1);
+  const double beside = watch.elapsed_s() - measured.spent.rounds / (bench.options.side_by_side ? backends : 1);
   const double seconds = std::max(0.0, bench.options.budget_s - beside) / turns;
   fmt::print("a gate on all variants takes {:.1f} s outside its rounds, so each process has {:.1f} s for rounds\n", beside,
              seconds);

@@ -76,6 +76,49 @@ void append_rows_so_far(const EffectRun& run, RecordWriter& record) {
   }
 }
 
+bool stopped_by_signal() { return StopSignals::stopped_by() != 0; }
+
+// The certificate of a backend's timer. What stays open goes on between the rounds of the first effect that is timed, and is
+// settled after them: whether there are times is known before the effect's rows are written.
+class BackendTimer {
+ public:
+  BackendTimer(Backend& backend, const std::filesystem::path& shaders, const CompareOptions& options, RecordWriter& record,
+               WallTimes& spent)
+      : certificate_(backend, shaders, options.cache, stopped_by_signal), record_(record), spent_(spent) {
+    const Stopwatch watch;
+    certificate_.measure_alone(certificate_alone_s);
+    spent_.certifying += watch.elapsed_s();
+    if (!certificate_.is_open()) write();
+  }
+  bool is_open() const { return !is_written_; }
+  bool may_be_good() const { return is_open() || certificate_.row().ok; }
+  std::function<void()> beside() {
+    if (!is_open()) return {};
+    return [this] {
+      const Stopwatch watch;
+      certificate_.run_round();
+      spent_.certifying += watch.elapsed_s();
+    };
+  }
+  // Returns whether times count.
+  bool settle() {
+    const Stopwatch watch;
+    if (is_open()) certificate_.measure_alone(certificate_most_s), write();
+    spent_.certifying += watch.elapsed_s();
+    return certificate_.row().ok;
+  }
+
+ private:
+  void write() {
+    record_.append(to_json(certificate_.row()));
+    is_written_ = true;
+  }
+  PendingCertificate certificate_;
+  RecordWriter& record_;
+  WallTimes& spent_;
+  bool is_written_ = false;
+};
+
 // What is known of each cell.
 enum class Known : uint8_t { costs, costs_and_errors };
 
@@ -85,31 +128,31 @@ size_t run_backend(const std::string& name, const Compared& compared, Known want
                    Bakes& bakes, const CompareOptions& options, RecordWriter& record, WallTimes& spent) {
   const std::unique_ptr<Backend> backend = open_backend(name, {options.device, options.validation});
   Progress progress(name);
-  bool timed = options.times;
+  std::optional<BackendTimer> timer;
   if (options.times) {
     progress.show(0, "certifying the timer");
-    const Stopwatch watch;
-    const TimerRow timer = certified_timer(*backend, compared.library.shaders, options.cache);
-    spent.certifying += watch.elapsed_s();
-    record.append(to_json(timer));
-    timed = timer.ok;
+    timer.emplace(*backend, compared.library.shaders, options, record, spent);
   }
   SceneResources resources(*backend, compared.scene, compared.library, options.width_px, options.height_px, &bakes);
   const std::optional<CostModel> cost_model = kept_cost_model(options.cache, name, backend->info().device);
   const SceneOnDevice there{&compared.scene, &compared.plan, &bakes, &resources};
   ShaderCache shaders(backend->info().api, compared.library.shaders);
+  double timed_s = 0;
   while (!left.empty()) {
     const EffectManifest* effect = left.front();
     EffectRun run(*backend, *effect, shaders, options, "images", progress.tell_or_stop());
-    run.start(there, {.timed = timed});
+    run.start(there, {.timed = timer && timer->may_be_good()});
     RoundsResult rounds;
     try {
       run.prepare();
       run.count();
       if (wanted == Known::costs_and_errors) run.score();
       RoundOptions asked = options.rounds;
-      asked.stop = [] { return StopSignals::stopped_by() != 0; };
+      asked.stop = stopped_by_signal;
+      if (timer) asked.beside = timer->beside();
+      asked.budget_s = std::max(0.0, options.rounds.budget_s - timed_s) / static_cast<double>(left.size());
       rounds = run.time(asked);
+      if (timer && rounds.rounds > 0 && !timer->settle()) run.forget_times(), rounds = {};
     } catch (const StopRequested&) {
       append_rows_so_far(run, record);
       throw;
@@ -120,12 +163,14 @@ size_t run_backend(const std::string& name, const Compared& compared, Known want
     spent.drawing += (run.spent().device - rounds.wall_ms + run.spent().read_back) / 1000;
     spent.errors += run.spent().metrics / 1000;
     spent.timing += rounds.wall_ms / 1000;
+    timed_s += rounds.wall_ms / 1000;
     left.erase(left.begin());
     if (!(rounds.device_ms > 0)) continue;
     record.append(to_json(PhaseRow{name, effect->name, rounds.rounds, rounds.wall_ms, rounds.device_ms}));
     fmt::print("{}: {} rounds of {} in {:.1f} s, {:.3f} times the device time measured\n", name, rounds.rounds, effect->name,
                rounds.wall_ms / 1000, rounds.wall_ms / rounds.device_ms);
   }
+  if (timer) timer->settle();  // nothing was timed
   const std::vector<std::string> messages = backend->take_messages();
   for (const std::string& message : messages) fmt::print(stderr, "lamina: {}: {}\n", name, message);
   return messages.size();

@@ -16,7 +16,7 @@ inline constexpr const char* default_limit = "ssim=0.7";
 // Of --quick, where nothing else is said: of a backend's rounds, s, and of ratios.
 inline constexpr double quick_budget_s = 4, quick_precision = 0.05;
 
-struct CompareOptions : WatchOptions {                // the rounds are of a backend and effect
+struct CompareOptions : WatchOptions {                // the rounds are of a backend, shared by its effects
   std::vector<std::string> limits = {default_limit};  // METRIC=NUMBER, against the baseline
   bool quick = false;
   bool times = true;

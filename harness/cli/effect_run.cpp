@@ -90,6 +90,7 @@ void EffectRun::start(const SceneOnDevice& scene, const MeasuredPoint& point, co
   drawn_.clear();
   for (Variant& variant : variants_) {
     variant.failure = failure;
+    variant.known.clear();
     blank_rows(variant);
   }
   if (!failure.empty()) return;
@@ -99,6 +100,23 @@ void EffectRun::start(const SceneOnDevice& scene, const MeasuredPoint& point, co
   else
     truth_ = std::make_unique<TruthRun>(*scene.resources, *scene.plan, effect_, shaders_, *scene.bakes, options_);
   plan_key_ = key;
+}
+
+void EffectRun::take(const std::string& name, Known known) {
+  for (Variant& variant : variants_) {
+    if (variant.manifest->name != name || !variant.failure.empty() || known.rows.size() != variant.rows.size()) continue;
+    for (size_t view = 0; view < variant.rows.size(); ++view) {
+      CellRow& row = variant.rows[view];
+      CellRow& there = known.rows[view];
+      row.notes = std::move(there.notes);
+      row.passes = std::move(there.passes);
+      row.cold_ms = there.cold_ms;
+      row.fetches = there.fetches, row.fetches_per_pixel = there.fetches_per_pixel;
+      row.covered_pixels = there.covered_pixels, row.target_bytes = there.target_bytes;
+      row.shader_hashes = std::move(there.shader_hashes);
+    }
+    variant.known = std::move(known.drawn);
+  }
 }
 
 void EffectRun::blank_rows(Variant& variant) {
@@ -147,6 +165,7 @@ void EffectRun::prepare() { each("preparing", &EffectRun::prepare); }
 void EffectRun::count() { each("counting", &EffectRun::count); }
 
 void EffectRun::prepare(Variant& variant) {
+  if (!variant.known.empty()) return;
   const Parameters parameters = own_parameters(configuration_with(*scene_.plan, *variant.manifest), point_.params);
   // Equal keys mean the same passes, on the same resources.
   std::string key = fmt::format("{} {}", plan_key_, scene_.scene->moves());
@@ -188,6 +207,7 @@ void EffectRun::prepare(Variant& variant) {
 }
 
 void EffectRun::count(Variant& variant) {
+  if (!variant.known.empty()) return;
   Prepared& prepared = variant.prepared.front();
   const Graph& graph = prepared.ready->graph;
   const auto coverage = [&] { return coverage_inputs(graph, *scene_.scene, prepared.early_tests); };
@@ -279,7 +299,17 @@ RoundsResult EffectRun::time(const RoundOptions& rounds) {
   return result.rounds < rounds.min_rounds ? RoundsResult{} : result;
 }
 
+void EffectRun::forget_times() {
+  for (Variant& variant : variants_)
+    for (CellRow& row : variant.rows) {
+      row.timed = false;
+      row.ratio_to_baseline.reset();
+      for (PassRow& pass : row.passes) pass.ms.clear();
+    }
+}
+
 EffectRun::Drawn EffectRun::draw(Variant& variant, size_t view) {
+  if (!variant.known.empty()) return variant.known[view];
   Prepared& prepared = variant.prepared.front();
   if (view > 0 || !variant.first_is_drawn) {
     const Clock clock(spent_.device);

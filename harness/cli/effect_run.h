@@ -25,7 +25,7 @@ struct MeasuredPoint {
   std::map<std::string, double> params;      // what a sweep has set, by path, in the scene and in variants; empty: no sweep
   std::map<std::string, std::string> words;  // of these, those that take words
   bool timed = true, counted = true, pictured = true;
-  bool judged = true;  // whether a frame that is no picture fails its cell; a gate goes by its own limits
+  bool judged = true;          // whether a frame that is no picture fails its cell; a gate goes by its own limits
   std::string picture_suffix;  // tells the names of its pictures from those of other points
 };
 
@@ -48,6 +48,19 @@ class EffectRun {
   // Keeps the baseline's pictures, for start_again().
   void keep_baseline() { keeps_pictures_ = true; }
 
+  // What is known of a variant: all that prepare() and count() put into its rows, and what each view shows.
+  struct Drawn {
+    Image picture;
+    Mask covered;
+  };
+  struct Known {
+    std::vector<CellRow> rows;  // [view]
+    std::vector<Drawn> drawn;   // [view]
+  };
+  // The variant executes the same as in another run, which has made this: it is scored, and neither prepared nor counted nor
+  // drawn. After start().
+  void take(const std::string& variant, Known known);
+
   // Begins a state of the scene with blank rows. `failure`: why there is no such state; all its cells have failed.
   void start(const SceneOnDevice& scene, const MeasuredPoint& point = {}, const std::string& failure = "");
   // Makes these variants anew, whose shaders have changed: all that follows is about them alone, and what the others have
@@ -60,6 +73,8 @@ class EffectRun {
   void count();    // by the counting build: covered pixels where they may have changed, and the counts that are asked for
   // Interleaved rounds, where the point is timed; after count().
   RoundsResult time(const RoundOptions& rounds);
+  // The timer has turned out not to be trusted: no row keeps what time() measured.
+  void forget_times();
 
   // A picture as it is scored, the baseline's before the others of its view.
   struct Scored {
@@ -101,11 +116,8 @@ class EffectRun {
     bool first_is_drawn = false;               // the frame holds the first view, of this state
     std::vector<std::vector<double>> once_ms;  // [pass][repetition]
     std::vector<CellRow> rows;                 // [view]
+    std::vector<Drawn> known;                  // [view], of take(); empty: it is drawn
     std::string failure;
-  };
-  struct Drawn {
-    Image picture;
-    Mask covered;
   };
 
   void blank_rows(Variant& variant);

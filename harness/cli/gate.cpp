@@ -52,7 +52,9 @@ int run_against(GateOptions options, const Stopwatch& watch) {
   RecordWriter record = begin_record("gate", options.compare.out, gate_run_line(options, scene, devices),
                                      plan_row(trees.after.plan, scene, trees.after.shaders.begin()->second, options.compare));
   const StopSignals signals(report_on_stop);
-  const GateMeasurements measured = measure_trees(trees, options, limits, watch);
+  const double loading_s = watch.elapsed_s();
+  GateMeasurements measured = measure_trees(trees, options, limits, watch);
+  measured.spent.loading = loading_s;
   GateResult result;
   if (StopSignals::stopped_by() == 0)
     result = judge_trees(trees, measured, options, limits);
@@ -68,7 +70,7 @@ int run_against(GateOptions options, const Stopwatch& watch) {
       to_json(GateRow{"against", fmt::format("the variants and shaders of {}", options.against.string()), outcome.verdict,
                       outcome.status, measured.processes, result.times.rounds, result.times.comparisons, watch.elapsed_s(),
                       limits.of("", "", "").max_slowdown, 1 - options.family_error}));
-  return finish_gate(options.compare.out);
+  return finish_gate(options, measured.spent, watch);
 }
 
 }  // namespace
@@ -111,10 +113,24 @@ void append_verdicts(RecordWriter& record, std::vector<VerdictRow> rows) {
   }
 }
 
-int finish_gate(const std::filesystem::path& out) {
+std::string GateSpent::words(double all_s, double budget_s, size_t backends) const {
+  const auto each = [&](double of_all) { return of_all / static_cast<double>(backends); };
+  const double rest = std::max(0.0, all_s - loading - exact - timing - report);
+  return fmt::format(
+      "took {:.1f} s of {:.0f}: loading and comparing code {:.1f}; counts, pictures and errors {:.1f}; times {:.1f}, of which "
+      "rounds {:.1f} and the timer's certificate {:.1f}; report {:.1f}; rest {:.1f}",
+      all_s, budget_s, loading, exact, timing, each(rounds), each(certifying), report, rest);
+}
+
+int finish_gate(const GateOptions& options, GateSpent spent, const Stopwatch& watch) {
+  const std::filesystem::path& out = options.compare.out;
+  const double before_s = watch.elapsed_s();
   const Record written = read_record(out / "record.jsonl");
   write_reports(out);
-  fmt::print("{}\nreport: {}\n", gate_table(written, ::isatty(STDOUT_FILENO) == 1), (out / "index.html").string());
+  spent.report = watch.elapsed_s() - before_s;
+  fmt::print("{}\n{}\nreport: {}\n", gate_table(written, ::isatty(STDOUT_FILENO) == 1),
+             spent.words(watch.elapsed_s(), options.budget_s, options.side_by_side ? options.compare.backends.size() : 1),
+             (out / "index.html").string());
   announce_on_github(written);
   return StopSignals::stopped_by() != 0 ? 128 + StopSignals::stopped_by() : written.gates.front().status;
 }

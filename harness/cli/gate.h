@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "harness/cli/common.h"
 #include "harness/cli/devices.h"
@@ -13,6 +14,7 @@
 #include "harness/gate/child.h"
 #include "harness/gate/exact_verdicts.h"
 #include "harness/gate/pairs.h"
+#include "harness/measure/timer_certificate.h"
 #include "harness/record/record.h"
 
 namespace lamina {
@@ -63,14 +65,26 @@ struct TreePair {
 // What one process does on one backend.
 struct GateTask {
   std::string backend;
-  size_t process = 0;    // among those that time
-  bool exact = false;    // counts, pictures and errors; else times
-  bool certify = false;  // the timer first
-  double until_s = 0;    // seconds of this process's own clock, for everything; its least rounds are run in any case
+  size_t process = 0;              // among those that time
+  size_t processes = 1;            // that will time, if the budget lasts
+  bool exact = false;              // counts, pictures and errors; else times
+  bool certify = false;            // the timer first
+  double until_s = 0;              // seconds of this process's own clock, for everything; its least rounds are run in any case
+  std::set<TimedCell> only{};      // what is timed; what has none on this backend, and an empty one: everything
+  TimerRounds certified_so_far{};  // by earlier processes
+  bool times(const std::string& effect, const std::string& variant) const;
 };
 
-// Runs in the child. Emits {"timer":..}, {"cell":..,"side":"before"|"after"}, {"change":..}, {"pairs":..} and {"messages":..,
-// "rounds_s":..} objects.
+// Where the time of a gate went, s by the host's clock.
+struct GateSpent {
+  double loading = 0, exact = 0, timing = 0, report = 0;
+  double rounds = 0, certifying = 0;  // within timing, on all backends together
+  // One line, beside the budget; `backends`: how many ran at the same time.
+  std::string words(double all_s, double budget_s, size_t backends) const;
+};
+
+// Runs in the child. Emits {"cell":..,"side":"before"|"after"}, {"change":..}, {"pairs":..}, {"timer":..}, {"certified":..} and
+// {"messages":.., "rounds_s":..} objects.
 void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOptions& options, const LimitsFile& limits,
                             const EmitLine& emit);
 
@@ -82,9 +96,12 @@ struct GateMeasurements {
   std::vector<PairsRow> pairs;
   std::vector<VerdictRow> failures;  // of backends and processes
   size_t processes = 0;
-  double rounds_s = 0;  // the time that rounds took
+  GateSpent spent;
+  double ready_s = 0;                                   // the longest that a backend took to open and make its frames ready
+  std::map<std::string, TimerRounds> certified_so_far;  // by backend, where the certificate is still open
+  std::set<std::string> out_of_time;                    // backends on which the budget left no time for rounds
 
-  // The backend's certificate, the last one: an earlier one that failed was asked again. Null: none.
+  // The backend's certificate, one: a later process goes on with it. Null: none.
   const TimerRow* timer(const std::string& backend) const;
   bool certified(const std::string& backend) const;  // by that one
 };
@@ -144,8 +161,8 @@ int run_against_record(GateOptions options, const Stopwatch& watch);
 // Appends the rows, each with its sentence.
 void append_verdicts(RecordWriter& record, std::vector<VerdictRow> rows);
 
-// Reports from the record in `out`; prints the table. Returns the exit status that the record holds, or the signal's that has
-// stopped the gate.
-int finish_gate(const std::filesystem::path& out);
+// Reports from the record in `out`; prints the table, and where the time went since `watch` began. Returns the exit status that
+// the record holds, or the signal's that has stopped the gate.
+int finish_gate(const GateOptions& options, GateSpent spent, const Stopwatch& watch);
 
 }  // namespace lamina

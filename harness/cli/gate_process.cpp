@@ -11,17 +11,22 @@ namespace lamina {
 namespace {
 
 constexpr double enough_of_margin = 0.3;
-constexpr double max_certificate_share = 0.2;  // of the budget; the next process asks again
+constexpr double max_certificate_share = 0.4;  // of a process, before its rounds
+constexpr double report_s = 1;                 // of the budget: writing the record and the report
+constexpr double least_rounds_s = 1;           // of a process, at a guess
 
 }  // namespace
 
-GateProcess::GateProcess(const GateTask& of_task, const std::filesystem::path& shaders, const GateOptions& given,
-                         const EmitLine& emit)
+GateProcess::GateProcess(const GateTask& of_task, const std::filesystem::path& shaders, const GateOptions& given)
     : task(of_task),
       options(given),
       backend(open_backend(task.backend, {options.compare.device, options.compare.validation})),
-      certified(!task.certify || certify(*backend, shaders, given, emit)),
-      random(options.seed + 7919 * task.process) {}
+      random(options.seed + 7919 * task.process) {
+  if (!task.certify) return;
+  const auto stop = [] { return StopSignals::stopped_by() != 0; };
+  certificate = std::make_unique<PendingCertificate>(*backend, shaders, options.compare.cache, stop, task.certified_so_far);
+  certificate->measure_alone(std::min(certificate_alone_s, max_certificate_share * task.until_s));
+}
 
 GateProcess::SceneThere::SceneThere(Backend& backend, const Tree& tree, const CellOptions& options)
     : bakes(*tree.scene, *tree.library.code, DiskCache(options.cache)),
@@ -33,14 +38,18 @@ SceneOnDevice GateProcess::scene_of(const Tree& tree) {
   return {tree.scene.get(), &tree.plan, &there->bakes, &there->resources};
 }
 
-bool GateProcess::certify(Backend& backend, const std::filesystem::path& shaders, const GateOptions& options,
-                          const EmitLine& emit) {
-  const TimerRow timer = certified_timer(backend, shaders, options.compare.cache, options.budget_s * max_certificate_share);
-  emit({{"timer", to_json(timer)}});
-  return timer.ok;
+void GateProcess::end(const EmitLine& emit) {
+  if (certificate) certificate->measure_alone(certificate->spent_s() + task.until_s - watch.elapsed_s());
+  if (certificate) emit({{"timer", to_json(certificate->row())}});
+  if (certificate && certificate->is_open()) {
+    const TimerRounds rounds = certificate->rounds();
+    emit({{"certified", {{"effort", rounds.effort}, {"times_ms", rounds.times_ms}, {"wall_ms", rounds.wall_ms}}}});
+  }
+  emit({{"messages", backend->take_messages()},
+        {"rounds_s", rounds_s},
+        {"certifying_s", certificate ? certificate->spent_s() : 0.0},
+        {"ready_s", ready_s}});
 }
-
-void GateProcess::end(const EmitLine& emit) { emit({{"messages", backend->take_messages()}, {"rounds_s", rounds_s}}); }
 
 ReadyFrame& ProcessFrames::get(Tree& tree, const VariantManifest& variant, size_t copy) {
   std::unique_ptr<ReadyFrame>& ready = made_[{&tree, &variant, copy}];
@@ -68,6 +77,7 @@ std::vector<PairsRow> rows_of(const std::vector<TimedFrames>& all, const GatePro
 
 void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const Enough& enough, const PieceOptions& pieces) {
   const Stopwatch watch;
+  double certifying_s = 0;
   for (TimedFrames& each : all)
     if (each.paired)
       each.paired->start_again();
@@ -82,10 +92,15 @@ void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const Enou
       for (TimedFrames* timed : unsure) timed->paired->run_round(process.random);
     }
     const double further_s = whole_frame.elapsed_s();
+    if (process.certificate) {
+      const Stopwatch certifying;
+      process.certificate->run_round();
+      certifying_s += certifying.elapsed_s();
+    }
     std::erase_if(unsure,
                   [&](const TimedFrames* timed) { return StopSignals::stopped_by() != 0 || enough(*timed, further_s); });
   }
-  process.rounds_s += watch.elapsed_s();
+  process.rounds_s += watch.elapsed_s() - certifying_s;
 }
 
 bool precise_enough(const TimedFrames& timed, const GateProcess& process, const LimitsFile& limits) {
@@ -95,7 +110,7 @@ bool precise_enough(const TimedFrames& timed, const GateProcess& process, const 
 GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatch& watch,
                                       const std::function<void(const GateTask&, const EmitLine&)>& work,
                                       const std::function<bool(const GateMeasurements&)>& fails,
-                                      const std::function<std::set<std::string>(const std::vector<PairsRow>&)>& undecided) {
+                                      const std::function<std::set<TimedCell>(const std::vector<PairsRow>&)>& undecided) {
   GateMeasurements measured;
   std::set<std::string> broken;
   // Tasks that run at the same time, and what they gave.
@@ -108,39 +123,69 @@ GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatc
       if (!children[i].failure.empty()) broken.insert(tasks[i].backend);
     }
   };
+  const double end_s = options.budget_s - report_s;
   // A process on each of these backends, with an equal share of the time left for this and `rounds` - 1 more of the same.
+  std::set<TimedCell> only;
   const auto run_on = [&](std::vector<std::string> backends, bool exact, size_t rounds) {
     std::erase_if(backends, [&](const std::string& backend) { return broken.contains(backend); });
     std::vector<GateTask> tasks;
     for (size_t i = 0; i < backends.size(); ++i) {
       const double turns = static_cast<double>(options.side_by_side ? rounds : rounds * backends.size() - i);
-      tasks.push_back({backends[i], measured.processes, exact, !exact && !measured.certified(backends[i]),
-                       (options.budget_s - watch.elapsed_s()) / turns});
+      tasks.push_back({.backend = backends[i],
+                       .process = measured.processes,
+                       .processes = measured.processes + rounds,
+                       .exact = exact,
+                       .certify = !exact && !measured.certified(backends[i]),
+                       .until_s = std::max(0.0, end_s - watch.elapsed_s()) / turns,
+                       .only = only});
+      if (const auto open = measured.certified_so_far.find(backends[i]); open != measured.certified_so_far.end())
+        tasks.back().certified_so_far = open->second;
       if (!options.side_by_side || i + 1 == backends.size()) run_beside(tasks), tasks.clear();
     }
   };
   const auto stopped = [] { return StopSignals::stopped_by() != 0; };
+  const double begin_s = watch.elapsed_s();
   run_on(options.compare.backends, true, 1);
-  if (stopped() || (fails && fails(measured))) return measured;
-  double min_process_s = std::numeric_limits<double>::infinity();  // on all backends
-  // Two processes tell how far processes differ. Against a record all are needed: they share the rounds that give an interval.
-  const size_t least = undecided ? std::min<size_t>(2, options.processes) : options.processes;
-  for (; options.times && !stopped() && measured.processes < options.processes; ++measured.processes) {
-    const double begin_s = watch.elapsed_s();
-    if (measured.processes >= least && begin_s + min_process_s > options.budget_s) break;
-    run_on(options.compare.backends, false, options.processes - measured.processes);
-    min_process_s = std::min(min_process_s, watch.elapsed_s() - begin_s);
-  }
-  while (options.times && !stopped() && undecided && !measured.pairs.empty()) {
-    std::vector<std::string> backends;
-    for (const std::string& backend : undecided(measured.pairs))
-      if (!broken.contains(backend)) backends.push_back(backend);
+  measured.spent.exact = watch.elapsed_s() - begin_s;
+  if (!options.times || stopped() || (fails && fails(measured))) return measured;
+
+  // How long a process takes at least, on all backends: at first by what it took to make frames ready.
+  double process_s =
+      (measured.ready_s + least_rounds_s) * static_cast<double>(options.side_by_side ? 1 : options.compare.backends.size());
+  const auto fitting = [&] { return static_cast<size_t>(std::max(0.0, end_s - watch.elapsed_s()) / process_s); };
+  // Two processes tell how far processes differ; fewer tell nothing. Against a record they share the rounds that give an
+  // interval.
+  constexpr size_t least = 2;
+  size_t wanted = std::min(options.processes, fitting());
+  if (wanted < least) wanted = undecided ? 0 : std::min(least, options.processes);
+  if (wanted == 0) measured.out_of_time.insert(options.compare.backends.begin(), options.compare.backends.end());
+  const auto run_timed = [&](const std::vector<std::string>& backends, size_t rounds) {
+    const double process_begin_s = watch.elapsed_s();
+    run_on(backends, false, rounds);
+    ++measured.processes;
     const double share =
         options.side_by_side ? 1 : static_cast<double>(backends.size()) / static_cast<double>(options.compare.backends.size());
-    if (backends.empty() || options.budget_s - watch.elapsed_s() < min_process_s * share) break;
-    run_on(backends, false, 1);
-    ++measured.processes;
+    const double took_s = (watch.elapsed_s() - process_begin_s) / share;
+    process_s = measured.processes == 1 ? took_s : std::min(process_s, took_s);
+  };
+  while (!stopped() && measured.processes < wanted) {
+    if (undecided && measured.processes >= least && fitting() == 0) break;
+    run_timed(options.compare.backends, wanted - measured.processes);
+    wanted = std::max(wanted, std::min(options.processes, measured.processes + fitting()));
   }
+  while (!stopped() && undecided && !measured.pairs.empty()) {
+    only = undecided(measured.pairs);  // what is decided leaves its time to the rest
+    std::set<std::string> open;
+    for (const TimedCell& cell : only) open.insert(cell[0]);
+    for (const auto& [backend, rounds] : measured.certified_so_far) open.insert(backend);
+    std::erase_if(open, [&](const std::string& backend) { return broken.contains(backend); });
+    const double share =
+        options.side_by_side ? 1 : static_cast<double>(open.size()) / static_cast<double>(options.compare.backends.size());
+    if (open.empty() || end_s - watch.elapsed_s() < process_s * share) break;
+    run_timed({open.begin(), open.end()}, 1);
+  }
+  std::erase_if(measured.pairs, [&](const PairsRow& row) { return !measured.certified(row.backend); });
+  measured.spent.timing = watch.elapsed_s() - begin_s - measured.spent.exact;
   return measured;
 }
 

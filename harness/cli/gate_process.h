@@ -9,25 +9,31 @@
 #include "harness/backend/backend.h"
 #include "harness/cli/effect_run.h"
 #include "harness/cli/gate.h"
+#include "harness/record/kept_certificate.h"
 
 namespace lamina {
 
 // A backend with the scene on it, in the child.
 class GateProcess {
  public:
-  // Opens and, where the task says so, certifies, which emits {"timer":..}. Throws Error where the backend does not open.
-  // `shaders`: the folder of the certificate's.
-  GateProcess(const GateTask& task, const std::filesystem::path& shaders, const GateOptions& options, const EmitLine& emit);
-  // Emits {"messages":..}, what the API's checker said, and the seconds that rounds took. Nothing may follow.
+  // Opens and, where the task says so, certifies the timer, for a share of the budget: what is then open goes on between
+  // rounds. Throws Error where the backend does not open. `shaders`: the folder of the certificate's.
+  GateProcess(const GateTask& task, const std::filesystem::path& shaders, const GateOptions& options);
+  // Emits {"timer":..} where it was certified here, {"certified":..}, its rounds, where it is still open, and {"messages":..},
+  // what the API's checker said, with the seconds that rounds and the certificate took and after which frames were ready.
+  // Nothing may follow.
   void end(const EmitLine& emit);
+  // Whether the timer is certified, or may yet be.
+  bool may_time() const { return !certificate || certificate->is_open() || certificate->row().ok; }
 
   const GateTask& task;
   const GateOptions& options;
   const Stopwatch watch;
   std::unique_ptr<Backend> backend;
-  bool certified = true;
-  std::mt19937_64 random;  // of the orders: another seed in each process
-  double rounds_s = 0;
+  std::unique_ptr<PendingCertificate> certificate;  // null: none was asked for
+  std::mt19937_64 random;                           // of the orders: another seed in each process
+  double rounds_s = 0;                              // without the certificate's between them
+  double ready_s = 0;
 
   // A tree's scene on the device; trees with one scene share it.
   SceneOnDevice scene_of(const Tree& tree);
@@ -39,7 +45,6 @@ class GateProcess {
     SceneResources resources;
   };
   std::map<const Scene*, std::unique_ptr<SceneThere>> scenes_;
-  static bool certify(Backend& backend, const std::filesystem::path& shaders, const GateOptions& options, const EmitLine& emit);
 };
 
 // The frames of a process by tree and variant, each made when it is first asked for.
@@ -80,13 +85,14 @@ void time_rounds(GateProcess& process, std::vector<TimedFrames>& all, const Enou
 bool precise_enough(const TimedFrames& timed, const GateProcess& process, const LimitsFile& limits);
 
 // Runs `work` in children: one on every backend for counts and pictures; if options.times, and these do not fail the gate by
-// `fails`, options.processes that time, each with its share of the budget, or fewer where the budget ends before; then, while
-// `undecided` names backends and there is time for as short a process as has been, more of them there. Backends take turns, or
-// run side by side where the options say so. One on which a process fails is left alone after it. A signal to stop ends what
-// runs, and no more is run.
+// `fails`, options.processes that time, each with its share of the budget, or as few as fit into it; then, while `undecided`
+// names cells or a timer's certificate is open, and there is time for as short a process as has been, more of them for these.
+// Without `undecided` two run in any case. The report is written within the budget too. Backends take turns, or run side by
+// side where the options say so. One on which a process fails is left alone after it. A signal to stop ends what runs, and no
+// more is run. Pairs are of backends whose timers were certified.
 GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatch& watch,
                                       const std::function<void(const GateTask&, const EmitLine&)>& work,
                                       const std::function<bool(const GateMeasurements&)>& fails,
-                                      const std::function<std::set<std::string>(const std::vector<PairsRow>&)>& undecided);
+                                      const std::function<std::set<TimedCell>(const std::vector<PairsRow>&)>& undecided);
 
 }  // namespace lamina

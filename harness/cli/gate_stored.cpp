@@ -22,7 +22,7 @@ namespace {
 // each effect paired with each other.
 void measure_state(Tree& tree, const std::vector<const EffectManifest*>& effects, const GateTask& task,
                    const GateOptions& options, const EmitLine& emit) {
-  GateProcess process(task, tree.library.shaders, options, emit);
+  GateProcess process(task, tree.library.shaders, options);
   ShaderCache& shaders = tree.shaders.at(process.backend->info().api);
   Progress progress(task.backend);
   std::vector<std::unique_ptr<EffectRun>> runs;
@@ -31,8 +31,10 @@ void measure_state(Tree& tree, const std::vector<const EffectManifest*>& effects
       runs.push_back(
           std::make_unique<EffectRun>(*process.backend, *effect, shaders, options.compare, "images", progress.tell_or_stop()));
       EffectRun& run = *runs.back();
+      const Stopwatch preparing;
       run.start(process.scene_of(tree), {.judged = false});
       run.prepare();
+      process.ready_s += preparing.elapsed_s();
       if (!task.exact) continue;
       run.count(), run.score();
       for (const CellRow& row : run.rows()) emit({{"cell", to_json(row)}});
@@ -42,14 +44,14 @@ void measure_state(Tree& tree, const std::vector<const EffectManifest*>& effects
   }
   if (task.exact) return process.end(emit);
   std::vector<TimedFrames> all;
-  for (size_t i = 0; i < effects.size() && process.certified; ++i) {
+  for (size_t i = 0; i < effects.size() && process.may_time(); ++i) {
     TimedFrames timed{effects[i]->name, "", {}, {}, nullptr};
     for (const VariantManifest& variant : effects[i]->variants)
       if (ReadyFrame* frame = runs[i]->frame(variant.name)) timed.add(variant.name, *frame);
     if (!timed.frames.empty()) all.push_back(std::move(timed));
   }
   // However short the budget, as many whole frames from all processes as give an interval.
-  const size_t min_rounds = rounds_a_frame * ((min_rounds_for_95 + options.processes - 1) / options.processes);
+  const size_t min_rounds = rounds_a_frame * ((min_rounds_for_95 + task.processes - 1) / task.processes);
   if (!all.empty())
     time_rounds(process, all, [&](const TimedFrames& timed, double further_s) {
       return process.watch.elapsed_s() + further_s > task.until_s && timed.paired->rounds() >= min_rounds;
@@ -178,9 +180,11 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
   RecordWriter record =
       begin_record("gate", options.compare.out, run, plan_row(tree.plan, scene, tree.shaders.begin()->second, options.compare));
   const StopSignals signals(report_on_stop);
+  const double loading_s = watch.elapsed_s();
   GateMeasurements measured = measure_in_processes(
       options, watch, [&](const GateTask& task, const EmitLine& emit) { measure_state(tree, effects, task, options, emit); },
       {}, {});
+  measured.spent.loading = loading_s;
   for (const std::string& backend : options.compare.backends)
     add_times(measured.cells_after, measured.pairs, measured.certified(backend), backend);
   for (const TimerRow& timer : measured.timers) record.append(to_json(timer));
@@ -212,7 +216,7 @@ int run_against_record(GateOptions options, const Stopwatch& watch) {
   record.append(to_json(GateRow{"baseline", fmt::format("the record {}", file.string()), outcome.verdict, outcome.status,
                                 measured.processes, rounds_in(measured.pairs), static_cast<size_t>(comparisons),
                                 watch.elapsed_s(), limits.of("", "", "").max_drift, 1 - options.family_error}));
-  return finish_gate(options.compare.out);
+  return finish_gate(options, measured.spent, watch);
 }
 
 }  // namespace lamina

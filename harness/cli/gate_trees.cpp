@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two trees of variants and shaders: paired, measured by processes, judged.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -62,21 +63,34 @@ Tree load_tree(Library library, const CellOptions& options, const Tree* known) {
   return tree;
 }
 
+bool GateTask::times(const std::string& effect, const std::string& variant) const {
+  return only.contains({backend, effect, variant}) ||
+         std::ranges::none_of(only, [&](const TimedCell& cell) { return cell[0] == backend; });
+}
+
 const TimerRow* GateMeasurements::timer(const std::string& backend) const {
-  const TimerRow* last = nullptr;
-  for (const TimerRow& timer : timers)
-    if (timer.backend == backend) last = &timer;
-  return last;
+  const auto found = std::ranges::find(timers, backend, &TimerRow::backend);
+  return found == timers.end() ? nullptr : &*found;
 }
 
 bool GateMeasurements::certified(const std::string& backend) const {
-  const TimerRow* last = timer(backend);
-  return last && last->ok;
+  const TimerRow* of_backend = timer(backend);
+  return of_backend && of_backend->ok;
 }
 
 void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements& measured) {
   for (const nlohmann::json& line : child.lines) {
-    if (line.contains("timer")) measured.timers.push_back(row_of<TimerRow>(line["timer"], task.backend));
+    if (line.contains("timer")) {  // it takes the place of an earlier process's, with which it went on
+      std::erase_if(measured.timers, [&](const TimerRow& timer) { return timer.backend == task.backend; });
+      measured.timers.push_back(row_of<TimerRow>(line["timer"], task.backend));
+      measured.certified_so_far.erase(task.backend);
+    }
+    if (line.contains("certified")) {
+      const nlohmann::json& there = line["certified"];
+      measured.certified_so_far[task.backend] = {there.at("effort").get<size_t>(),
+                                                 there.at("times_ms").get<std::vector<std::vector<double>>>(),
+                                                 there.at("wall_ms").get<std::vector<double>>()};
+    }
     if (line.contains("cell"))
       (line.value("side", "after") == "before" ? measured.cells_before : measured.cells_after)
           .push_back(row_of<CellRow>(line["cell"], task.backend));
@@ -86,7 +100,9 @@ void take_lines(const ChildResult& child, const GateTask& task, GateMeasurements
       measured.changes[{task.backend, of.at("effect"), of.at("variant"), of.at("view")}] = of.at("most");
     }
     if (!line.contains("messages")) continue;
-    measured.rounds_s += line["rounds_s"].get<double>();
+    measured.spent.rounds += line["rounds_s"].get<double>();
+    measured.spent.certifying += line["certifying_s"].get<double>();
+    measured.ready_s = std::max(measured.ready_s, line["ready_s"].get<double>());
     for (const nlohmann::json& message : line["messages"]) {
       VerdictRow& row = measured.failures.emplace_back();
       row.backend = task.backend, row.what = "api", row.verdict = Verdict::failed;
@@ -251,6 +267,12 @@ GateResult judge_trees(const TreePair& trees, const GateMeasurements& measured, 
   if (!options.times) return result;
   result.times = judge_pairs(measured.pairs, limits, options.family_error);
   result.rows.insert(result.rows.end(), result.times.rows.begin(), result.times.rows.end());
+  for (const std::string& backend : measured.out_of_time)
+    for (const VariantPair& pair : trees.variants)
+      if (pair.before && pair.after && pair.failure.empty() && !pair.same_code)
+        result.rows.push_back(
+            row_about(backend, pair, "time", Verdict::ambiguous, Cause::out_of_time,
+                      {fmt::format("{:.0f}", options.budget_s), fmt::format("{:.0f}", std::ceil(2 * (measured.ready_s + 1)))}));
   let_counts_decide(result.rows, limits);
   if (measured.processes == 0 && outcome_of(result.rows).verdict == Verdict::failed) {
     VerdictRow& row = result.rows.emplace_back();

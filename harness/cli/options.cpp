@@ -90,7 +90,7 @@ void add_truth(CLI::App& command, CellOptions& options) {
 }
 
 void add_cache(CLI::App& command, std::filesystem::path& cache) {
-  command.add_option("--cache", cache, "Folder that keeps bakes, truths and cost models; \"\": none")
+  command.add_option("--cache", cache, "Folder that keeps bakes, truths, cost models and timers' certificates; \"\": none")
       ->capture_default_str()
       ->type_name(placeholder::directory);
 }

@@ -14,8 +14,8 @@
 #include "harness/cli/run_line.h"
 #include "harness/core/text.h"
 #include "harness/manifest/effect_code.h"
-#include "harness/measure/timer_certificate.h"
 #include "harness/record/function_rows.h"
+#include "harness/record/kept_certificate.h"
 #include "harness/stress/pictures.h"
 #include "harness/stress/point_sets.h"
 #include "reports/reports.h"
@@ -30,6 +30,7 @@ struct StressOptions : DeviceOptions {
   size_t count = 100000;         // inputs a set
   std::vector<std::string> variants;
   std::filesystem::path out = "lamina-out";
+  std::filesystem::path cache = default_cache_folder();  // of certificates; empty: none
   uint64_t seed = 1;
   std::string command;  // as the user typed it
 };
@@ -151,8 +152,9 @@ std::vector<FunctionTimeRow> time_functions(Backend& backend, const TimerRow& ti
   return times;
 }
 
-// The family's functions on a backend that is open; what comes out is added to `run`.
-void run_functions(Backend& backend, const std::filesystem::path& shaders, const StressOptions& options, FamilyRun& run) {
+// The family's functions on a backend that is open and has this timer; what comes out is added to `run`.
+void run_functions(Backend& backend, const TimerRow& timer, const std::filesystem::path& shaders, const StressOptions& options,
+                   FamilyRun& run) {
   const DeviceInfo info = backend.info();
   const Family& family = run.family;
   Progress progress(info.backend);
@@ -180,7 +182,7 @@ void run_functions(Backend& backend, const std::filesystem::path& shaders, const
                               .image = "images/" + files[i],
                               .full_error = run.slices[i].full_error});
   }
-  const TimerRow& timer = run.timers.emplace_back(certify_timer(backend, shaders));
+  run.timers.push_back(timer);
   const std::vector<FunctionTimeRow> timed = time_functions(backend, timer, shaders, subjects, run, options.seed);
   run.times.insert(run.times.end(), timed.begin(), timed.end());
 }
@@ -259,7 +261,8 @@ int run_stress(const StressOptions& options) {
   bool complained = false;
   for (const DeviceInfo& device : devices) {
     const auto backend = open_backend(device.backend, {options.device, options.validation});
-    for (FamilyRun& run : runs) run_functions(*backend, shaders, options, run);
+    const TimerRow timer = certified_timer(*backend, shaders, options.cache);
+    for (FamilyRun& run : runs) run_functions(*backend, timer, shaders, options, run);
     for (const std::string& message : backend->take_messages()) {
       fmt::print(stderr, "lamina: {}: {}\n", device.backend, message);
       complained = true;
@@ -311,6 +314,7 @@ Command add_stress(CLI::App& program) {
   add_variant(command, options->variants, "Only this function (may be given again)", placeholder::function);
   add_backends(command, *options);
   add_out(command, options->out, "Folder of a run, or a new one: functions are added to its record and report");
+  add_cache(command, options->cache);
   add_seed(command, options->seed, "Seed of the inputs");
   add_validation(command, *options);
   return {&command, [=](const std::string& typed) {

@@ -181,16 +181,23 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
   if (cells_left(sweep, name) == 0) return true;
   const std::unique_ptr<Backend> backend = open_backend(name, {options.compare.device, options.compare.validation});
   bool timer_ok = false;
-  if (options.time.every > 0) {
-    progress.show(0, "certifying the timer");
-    const TimerRow timer = certified_timer(*backend, sweep.library.shaders, options.compare.cache);
+  std::optional<PendingCertificate> certificate;  // until it is known
+  const auto settle = [&] {
+    const TimerRow timer = certificate->measure_alone(certificate_most_s);
     sweep.record.append(to_json(timer));
     timer_ok = timer.ok;
+    certificate.reset();
     if (!timer_ok)
       fmt::print(stderr,
                  "lamina: {}: the timer's certificate failed ({}), so these cells get errors and no times; for times run again "
                  "into another folder, on a machine that is less busy\n",
                  name, timer.reason);
+  };
+  if (options.time.every > 0) {
+    progress.show(0, "certifying the timer");
+    certificate.emplace(*backend, sweep.library.shaders, options.compare.cache, [] { return StopSignals::stopped_by() != 0; });
+    certificate->measure_alone(certificate_alone_s);
+    if (!certificate->is_open()) settle();
   }
   SweptSceneOnDevice there(*backend, sweep.scenes, sweep.library, options.compare);
   ShaderCache shaders(backend->info().api, sweep.library.shaders);
@@ -208,10 +215,15 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
       } catch (const std::exception& error) {
         failure = error.what();
       }
-      run.start(there.here(), measured_point(sweep, point, timer_ok), failure);
+      run.start(there.here(), measured_point(sweep, point, timer_ok || certificate), failure);
       run.prepare();
       run.count();
-      run.time(options.rounds);
+      RoundOptions rounds = options.rounds;
+      if (certificate) rounds.beside = [&] { certificate->run_round(); };
+      if (run.time(rounds).rounds > 0 && certificate) {
+        settle();
+        if (!timer_ok) run.forget_times();
+      }
       const auto wanted = [&](const std::string& variant, const std::string& view) {
         return is_left(sweep, name, *effect, variant, view, point);
       };
@@ -230,6 +242,7 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
                run.spent().read_back / 1000, run.spent().metrics / 1000);
     if (!go_on) break;
   }
+  if (certificate) settle();  // nothing was timed
   for (const std::string& message : backend->take_messages()) {
     fmt::print(stderr, "lamina: {}: {}\n", name, message);
     ++sweep.tally.messages;

@@ -180,8 +180,11 @@ TimeReport judge_pairs(const std::vector<PairsRow>& pairs, const LimitsFile& lim
       row.cause = Cause::arm_differs, row.details = {std::string(name_of(row.verdict))};
       row.verdict = Verdict::ambiguous;
     }
-    if (row.verdict == Verdict::ambiguous) report.undecided.insert(row.backend);
+    if (row.verdict == Verdict::ambiguous) report.undecided.insert({row.backend, row.effect, row.variant});
   }
+  if (!report.undecided.empty())
+    for (const SameArmRow& arm : report.same_arms)
+      if (arm.verdict != Verdict::same) report.undecided.insert({arm.backend, arm.effect, arm.variant});
   judge_frame_ms(report.rows, by_cell, limits);
   report.comparisons = comparisons.size();
   return report;

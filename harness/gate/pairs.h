@@ -2,6 +2,7 @@
 // Verdicts on the times of paired frames from several processes.
 #pragma once
 
+#include <array>
 #include <set>
 #include <string>
 #include <vector>
@@ -12,11 +13,14 @@
 
 namespace lamina {
 
+// Its backend, effect and variant.
+using TimedCell = std::array<std::string, 3>;
+
 struct TimeReport {
   std::vector<VerdictRow> rows;  // of frames (pass "") and of passes
   std::vector<SameArmRow> same_arms;
   size_t rounds = 0, comparisons = 0;
-  std::set<std::string> undecided;  // backends with an ambiguous row
+  std::set<TimedCell> undecided;  // what has an ambiguous row, and then the A/A arms that are not known to be the same
 };
 // All rows belong to one gate. A row's time before is the median over processes; its time after is that times the ratio, since
 // absolute times wander more than the ratio. `family_error` as for judge_times(). Where an A/A arm reads as slower or faster,

@@ -18,9 +18,9 @@ void PicturesBefore::add(const std::string& variant, size_t view, Image picture,
   drawn_[{variant, view}] = {std::move(picture), std::move(covered)};
 }
 
-const Image* PicturesBefore::of(const std::string& variant, size_t view) const {
+const PicturesBefore::Drawn* PicturesBefore::of(const std::string& variant, size_t view) const {
   const auto was = drawn_.find({variant, view});
-  return was == drawn_.end() ? nullptr : &was->second.picture;
+  return was == drawn_.end() ? nullptr : &was->second;
 }
 
 bool PicturesBefore::same_errors(const std::string& variant, bool baseline, size_t view, const Image& picture,

@@ -12,19 +12,19 @@ namespace lamina {
 
 class PicturesBefore {
  public:
+  struct Drawn {
+    Image picture;
+    Mask covered;
+  };
   void add(const std::string& variant, size_t view, Image picture, Mask covered);
   // Null: there was none.
-  const Image* of(const std::string& variant, size_t view) const;
+  const Drawn* of(const std::string& variant, size_t view) const;
 
   // Takes what the changed tree has drawn; in each view the baseline first. Returns whether the errors to the baseline are the
   // same as before: the picture, the pixels that it covers, and both of the baseline are equal to the bit.
   bool same_errors(const std::string& variant, bool baseline, size_t view, const Image& picture, const Mask& covered);
 
  private:
-  struct Drawn {
-    Image picture;
-    Mask covered;
-  };
   std::map<std::pair<std::string, size_t>, Drawn> drawn_;  // by variant and view
   std::map<size_t, bool> same_baseline_;                   // by view
 };

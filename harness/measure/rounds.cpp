@@ -41,22 +41,30 @@ RoundsResult run_rounds(const std::vector<Arm>& arms, const RoundOptions& option
                         const std::function<void(double)>& progress) {
   RoundsResult result;
   result.arms.resize(arms.size());
-  std::vector<size_t> order(arms.size());
+  std::vector<size_t> order(arms.size() + (options.beside ? 1 : 0));  // what is beside is the last
   std::iota(order.begin(), order.end(), size_t{0});
   std::mt19937_64 random(options.seed);
   const size_t least = std::max(options.min_rounds, min_rounds_for_95);
   const Stopwatch watch;
+  double beside_s = 0;
   while (result.rounds < options.max_rounds) {
-    const double elapsed_s = watch.elapsed_s();
+    const double elapsed_s = watch.elapsed_s() - beside_s;
     if (result.rounds >= least && (elapsed_s > options.budget_s || precise_enough(arms, result.arms, options.precision))) break;
     if (result.rounds > 0 && options.stop && options.stop()) break;
     if (progress) progress(std::max(elapsed_s / options.budget_s, 0.0));
     for (size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);  // Fisher and Yates
-    for (const size_t arm : order)
-      if (result.arms[arm].failure.empty()) run_arm(arms[arm], result.arms[arm], result.device_ms);
+    for (const size_t arm : order) {
+      if (arm == arms.size()) {
+        const Stopwatch beside;
+        options.beside();
+        beside_s += beside.elapsed_s();
+      } else if (result.arms[arm].failure.empty()) {
+        run_arm(arms[arm], result.arms[arm], result.device_ms);
+      }
+    }
     ++result.rounds;
   }
-  result.wall_ms = watch.elapsed_ms();
+  result.wall_ms = watch.elapsed_ms() - 1000 * beside_s;
   return result;
 }
 

@@ -32,12 +32,15 @@ struct RoundOptions {
   double precision = 0.01;       // half width of every ratio's 95% interval, relative to its median
   uint64_t seed = 1;             // of the order
   std::function<bool()> stop{};  // asked between rounds: true ends them, however few they are; not asked where empty
+  // Work of its own, such as a timer's certificate: done once in each round, somewhere among the arms. Its time is neither of
+  // the budget nor of the result's.
+  std::function<void()> beside{};
 };
 
 struct RoundsResult {
   std::vector<ArmSamples> arms;
   size_t rounds = 0;
-  double wall_ms = 0;    // of all rounds, host clock
+  double wall_ms = 0;    // of all rounds, host clock, without what was done beside them
   double device_ms = 0;  // sum of all samples
 };
 

@@ -49,6 +49,7 @@ constexpr std::array<std::string_view, 35> cause_names = {"figures",
                                                           "timed_once",
                                                           "another_machine",
                                                           "exact_failed",
+                                                          "out_of_time",
                                                           "stopped",
                                                           "arm_differs"};
 constexpr std::array verdicts_on_times = {Verdict::same, Verdict::faster, Verdict::slower, Verdict::ambiguous};

@@ -63,6 +63,7 @@ enum class Cause : uint8_t {
   timed_once,       // which has times: "before" or "after"
   another_machine,  // what differs
   exact_failed,     // so nothing was timed
+  out_of_time,      // the budget, s; how long two processes that time would take, s
   stopped,
   arm_differs,  // the verdict on the figures: the A/A arm differs from itself, so no time is believed
 };

@@ -10,8 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/core/disk_cache.h"
+#include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
-#include "harness/measure/timer_certificate.h"
+#include "harness/measure/timer_work.h"
 #include "harness/record/record.h"
 
 namespace lamina {
@@ -33,28 +34,71 @@ std::string cache_key(const DeviceInfo& info, const std::filesystem::path& shade
 
 }  // namespace
 
+CertificateCache::CertificateCache(const DeviceInfo& device, const std::filesystem::path& shaders, std::filesystem::path cache)
+    : cache_(std::move(cache)), key_(cache_key(device, shaders)) {}
+
+std::optional<TimerRow> CertificateCache::find() const {
+  DiskCache kept(cache_);
+  const std::optional<std::string> bytes = kept.find(key_);
+  if (!bytes) return std::nullopt;
+  try {
+    const nlohmann::json there = nlohmann::json::parse(*bytes);
+    TimerRow row = row_of<TimerRow>(there.at("timer"), kept.file_of(key_).string());
+    row.age_s = now_s() - there.at("measured_at_s").get<double>();
+    if (row.ok && *row.age_s >= 0 && *row.age_s < max_age_s) return row;
+  } catch (const std::exception&) {
+    // of another release: measured again
+  }
+  return std::nullopt;
+}
+
+void CertificateCache::keep(const TimerRow& row) const {
+  DiskCache kept(cache_);
+  if (row.ok) kept.keep(key_, nlohmann::ordered_json{{"measured_at_s", now_s()}, {"timer", to_json(row)}}.dump());
+}
+
 TimerRow certified_timer(const DeviceInfo& device, const std::filesystem::path& shaders, const std::filesystem::path& cache,
                          const std::function<TimerRow()>& measure) {
-  DiskCache kept(cache);
-  const std::string key = cache_key(device, shaders);
-  if (const std::optional<std::string> bytes = kept.find(key)) {
-    try {
-      const nlohmann::json there = nlohmann::json::parse(*bytes);
-      TimerRow row = row_of<TimerRow>(there.at("timer"), kept.file_of(key).string());
-      row.age_s = now_s() - there.at("measured_at_s").get<double>();
-      if (row.ok && *row.age_s >= 0 && *row.age_s < max_age_s) return row;
-    } catch (const std::exception&) {
-      // of another release: measured again
-    }
-  }
+  const CertificateCache kept(device, shaders, cache);
+  if (const std::optional<TimerRow> row = kept.find()) return *row;
   const TimerRow row = measure();
-  if (row.ok) kept.keep(key, nlohmann::ordered_json{{"measured_at_s", now_s()}, {"timer", to_json(row)}}.dump());
+  kept.keep(row);
   return row;
+}
+
+PendingCertificate::PendingCertificate(Backend& backend, const std::filesystem::path& shaders,
+                                       const std::filesystem::path& cache, std::function<bool()> stop, TimerRounds so_far)
+    : backend_(backend.info().backend), kept_(backend.info(), shaders, cache), stop_(std::move(stop)) {
+  if (const std::optional<TimerRow> row = kept_.find()) {
+    row_ = *row;
+    return;
+  }
+  certificate_ = std::make_unique<TimerCertificate>(timer_work(backend, shaders), std::move(so_far));
+  take_row();
+}
+
+void PendingCertificate::take_row() {
+  row_ = certificate_->row();
+  row_.backend = backend_;
+  if (row_.ok) kept_.keep(row_);
+}
+
+void PendingCertificate::run_round() {
+  if (!is_open()) return;
+  const Stopwatch watch;
+  certificate_->run_round();
+  spent_s_ += watch.elapsed_s();
+  take_row();
+}
+
+const TimerRow& PendingCertificate::measure_alone(double until_spent_s) {
+  while (is_open() && spent_s_ < until_spent_s && !(stop_ && stop_())) run_round();
+  return row_;
 }
 
 TimerRow certified_timer(Backend& backend, const std::filesystem::path& shaders, const std::filesystem::path& cache,
                          double max_s) {
-  return certified_timer(backend.info(), shaders, cache, [&] { return certify_timer(backend, shaders, max_s); });
+  return PendingCertificate(backend, shaders, cache).measure_alone(max_s);
 }
 
 }  // namespace lamina

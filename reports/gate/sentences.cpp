@@ -109,8 +109,10 @@ std::string words_for_cause(const VerdictRow& row) {
     case Cause::certificate_holds:
       return row.backend + ": the timer's certificate holds";
     case Cause::certificate_failed:
-      return fmt::format("{}: the timer's certificate failed ({}), so no time is judged; run again on a quieter machine",
-                         row.backend, detail(0));
+      return fmt::format(
+          "{}: the timer's certificate failed ({}), so no time is judged; run again on a quieter machine, "
+          "or with a longer --budget",
+          row.backend, detail(0));
     case Cause::error_lost:
       return fmt::format("{}: its error to the {} could be measured before, now it cannot", cell, detail(0));
     case Cause::beyond_bound:
@@ -154,6 +156,11 @@ std::string words_for_cause(const VerdictRow& row) {
           row.backend, detail(0));
     case Cause::exact_failed:
       return "times were not measured, since counts or pictures fail the gate";
+    case Cause::out_of_time:
+      return fmt::format(
+          "{}: no time was measured, since counts and pictures took the budget of {} s; two processes that time "
+          "take about {} s more",
+          variant, detail(0), detail(1));
     case Cause::stopped:
       return "stopped before everything was measured, so nothing is judged; the record holds what was measured";
     case Cause::arm_differs:

@@ -168,6 +168,31 @@ TEST_F(Gate, AVariantIsDrawnWhereItsBaselineChanged) {
     if (row.variant == "vertex_normal") judged.insert(row.what);
   EXPECT_TRUE(judged.contains("code"));
   EXPECT_TRUE(judged.contains("psnr_db")) << testing::PrintToString(judged);
+  for (const CellRow& cell : record().cells) {  // what was taken from the tree before is as whole as what was drawn
+    EXPECT_GT(cell.covered_pixels.value_or(0), 0u) << cell.variant;
+    EXPECT_TRUE(cell.fetches.has_value()) << cell.variant;
+    EXPECT_FALSE(cell.passes.empty()) << cell.variant;
+    EXPECT_FALSE(cell.shader_hashes.empty()) << cell.variant;
+    EXPECT_TRUE(std::filesystem::is_regular_file(out() / cell.image)) << cell.image;
+  }
+}
+
+// Counts and pictures are a gate's least; what is then left of a second is not enough for times, and the gate says so.
+TEST_F(Gate, WhatTheBudgetLeavesNoTimeForIsSaid) {
+  copy_tree();
+  replace(composite, "out_color = vec4(color, 1.0)", "out_color = vec4(color.rg, color.b, 1.0)");
+  ::setenv("LAMINA_HOME", tree().c_str(), 1);
+  const Outcome outcome = lamina_program("gate " + square_model() +
+                                         " --against " LAMINA_SOURCE_DIR
+                                         " --size 64x64 --budget 1 --cache \"\" --backend osmesa --truth-rays 0 --variant "
+                                         "vertex_normal --out " +
+                                         out().string());
+  ::unsetenv("LAMINA_HOME");
+  EXPECT_EQ(outcome.status, 0) << "counts decide\n" << outcome.output;
+  EXPECT_SAYS(outcome.output, "no time was measured, since counts and pictures took the budget of 1 s");
+  EXPECT_SAYS(outcome.output, "s of 1: loading and comparing code");
+  EXPECT_TRUE(record().pairs.empty());
+  EXPECT_TRUE(record().timers.empty());
 }
 
 // The pictures are the same; what the truth is told of them is not.

@@ -38,7 +38,8 @@ class PicturesBeforeTest : public testing::Test {
 
 TEST_F(PicturesBeforeTest, TheSamePicturesHaveTheSameErrors) {
   EXPECT_TRUE(same({}, cheap_));
-  EXPECT_EQ(before_.of("cheap", 1)->rgba, cheap_.picture.rgba);
+  EXPECT_EQ(before_.of("cheap", 1)->picture.rgba, cheap_.picture.rgba);
+  EXPECT_EQ(before_.of("cheap", 1)->covered.on, cheap_.covered.on);
   EXPECT_EQ(before_.of("cheap", 2), nullptr);
 }
 

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 namespace lamina {
 namespace {
@@ -83,6 +85,32 @@ TEST(Rounds, StopsAtTheBudgetButNotBeforeAnIntervalIsPossible) {
   options.budget_s = -1;
   options.min_rounds = 1;
   EXPECT_EQ(run_rounds(arms, options).rounds, 6u);
+}
+
+TEST(Rounds, WhatIsBesideIsDoneOnceARoundAndIsNoArm) {
+  std::string calls;
+  const auto arm = [&](char name) {
+    return Arm{[&calls, name] {
+                 calls += name;
+                 return frame({1});
+               },
+               0};
+  };
+  RoundOptions options;
+  options.min_rounds = options.max_rounds = 60;
+  options.beside = [&] { calls += '-'; };
+  const RoundsResult result = run_rounds({arm('a'), arm('b')}, options);
+  ASSERT_EQ(calls.size(), 180u);
+  std::set<std::string> orders;
+  for (size_t round = 0; round < 60; ++round) {
+    std::string one = calls.substr(3 * round, 3);
+    orders.insert(one);
+    std::ranges::sort(one);
+    EXPECT_EQ(one, "-ab");
+  }
+  EXPECT_EQ(orders.size(), 6u) << "all orders";
+  EXPECT_EQ(result.arms.size(), 2u);
+  EXPECT_EQ(result.device_ms, 120);
 }
 
 TEST(Rounds, AnArmThatFailsIsLeftOutAndTheOthersGoOn) {
