@@ -2,7 +2,7 @@
 // What may lie under water: how far it is along the view's axis, which share of its light comes from the sun, the first light of the
 // scene, and its light in the air, as plain diffuse surfaces have it. Sun and sky lose their light over different ways in water, and
 // waves gather the sun's alone. What stands over the water is left out: it hides nothing from a ray that is refracted. HIDDEN: the
-// nearest surface some way behind what that picture shows, which a ray that bends may see past it.
+// nearest surface some way behind what that picture shows, by this much at least, which a ray that bends may see past it.
 #include "../common/frame.glsl"
 #include "../common/surface.glsl"
 #include "../common/mesh_in.glsl"
@@ -29,7 +29,7 @@ void main() {
 #endif
 #ifdef HIDDEN
   float shown = texelFetch(below, ivec2(gl_FragCoord.xy), 0).r;
-  if (shown <= 0.0 || 1.0 / gl_FragCoord.w <= 1.01 * shown + 0.03) discard;
+  if (shown <= 0.0 || 1.0 / gl_FragCoord.w <= shown + float(HIDDEN) * (0.01 * shown + 0.03)) discard;
 #endif
   vec3 normal = normalize(in_normal), all = diffuse_light(normal, in_position);
   vec3 sun = light_count.x > 0 ? light_radiance[0].rgb * max(dot(normal, light_position[0].xyz), 0.0) : vec3(0.0);

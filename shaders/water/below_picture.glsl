@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// The picture of what may lie under water, as refracted rays look it up: two layers, the nearest surfaces and those that they hide. It
-// is wider than the frame by GUARD to the left and right, and by GUARD_DOWN of the frame's height below: rays bend there. With
-// FRAME_BELOW it is the frame, one layer. The places of the frame are 0 to 1, the top first; beside it less and more.
+// The picture of what may lie under water, as refracted rays look it up: the nearest surfaces, those that they hide, and those behind
+// them that look away from the eye, which a ray that bends may meet over a round thing's edge. It is wider than the frame by GUARD to
+// the left and right, and by GUARD_DOWN of the frame's height below: rays bend there. With FRAME_BELOW it is the frame, one layer. The
+// places of the frame are 0 to 1, the top first; beside it less and more.
 #include "common/looks.glsl"
 #if defined(FRAME_BELOW) || REFRACTION != marched
 #define BELOW_LAYERS 1
 #elif !defined(BELOW_LAYERS)
-#define BELOW_LAYERS 2
+#define BELOW_LAYERS 3
 #endif
+const int first_layer = 0, hidden_layer = 1, turned_layer = 2;
 
 // Metres along the view's axis, 0 where there is nothing; then the sun's share of the light.
 layout(binding = 7) uniform sampler2D below;
-#if BELOW_LAYERS == 2
+#if BELOW_LAYERS > 1
 layout(binding = 14) uniform sampler2D below_hidden;
 layout(binding = 15) uniform sampler2D below_hidden_color;
+layout(binding = 18) uniform sampler2D below_turned;
+layout(binding = 19) uniform sampler2D below_turned_color;
 #endif
 #ifndef FRAME_BELOW
 #include "below_place.glsl"
@@ -35,8 +39,9 @@ struct Behind {
 
 vec4 below_texel(int layer, ivec2 texel) {
   texel = clamp(texel, ivec2(0), textureSize(below, 0) - 1);
-#if BELOW_LAYERS == 2
-  if (layer == 1) return texelFetch(below_hidden, texel, 0);
+#if BELOW_LAYERS > 1
+  if (layer == hidden_layer) return texelFetch(below_hidden, texel, 0);
+  if (layer == turned_layer) return texelFetch(below_turned, texel, 0);
 #endif
   return texelFetch(below, texel, 0);
 }
@@ -56,6 +61,22 @@ float smooth_depth_at(int layer, vec2 place) {
   return 1.0 / (most < 1.05 * least ? mix(rows.x, rows.y, share.y) : nearest);
 }
 
+// Whether the four texels around a place are not of one surface. There the nearest one alone is read.
+bool is_mixed_at(int layer, vec2 place) {
+  ivec2 low = ivec2(floor(below_place(place) * vec2(textureSize(below, 0)) - 0.5));
+  vec4 four = vec4(far_where_nothing(below_texel(layer, low).r), far_where_nothing(below_texel(layer, low + ivec2(1, 0)).r),
+                   far_where_nothing(below_texel(layer, low + ivec2(0, 1)).r), far_where_nothing(below_texel(layer, low + 1).r));
+  return max(max(four.x, four.y), max(four.z, four.w)) > 1.05 * min(min(four.x, four.y), min(four.z, four.w));
+}
+vec2 texel_middle(vec2 place) {
+  vec2 size = vec2(textureSize(below, 0)), apart = (floor(below_place(place) * size) + 0.5) / size - below_place(place);
+#ifdef FRAME_BELOW
+  return place + apart;
+#else
+  return place + apart * below_size;
+#endif
+}
+
 Behind behind_at(int layer, vec2 place) {
   vec4 texel = below_texel(layer, ivec2(floor(below_place(place) * vec2(textureSize(below, 0)))));
   vec4 far = world_from_clip * vec4(place * 2.0 - 1.0, 1.0, 1.0);
@@ -70,11 +91,12 @@ vec3 below_light(int layer, vec2 place, float level) {
   return textureLod(frame, place, level).rgb;
 #else
   vec2 at = below_place(place);
-#if BELOW_LAYERS == 2
-  vec4 seen = layer == 1 ? textureLod(below_hidden_color, at, level) : textureLod(below_color, at, level);
-#else
-  vec4 seen = textureLod(below_color, at, level);
+  vec4 seen = vec4(0.0);
+#if BELOW_LAYERS > 1
+  if (layer == hidden_layer) seen = textureLod(below_hidden_color, at, level);
+  if (layer == turned_layer) seen = textureLod(below_turned_color, at, level);
 #endif
+  if (layer == first_layer) seen = textureLod(below_color, at, level);
   return seen.a > 0.05 ? seen.rgb / seen.a : background.rgb;  // beside nothing a surface keeps its colour
 #endif
 }

@@ -60,6 +60,9 @@ MetLight met_over_pixel(Behind found, vec2 red, vec2 blue, float pixel_m, float 
 // Over what a pixel of the frame shows of it. `red`, `blue`: how far from green's place these are seen.
 MetLight met_over_pixel(Behind found, vec2 red, vec2 blue, float pixel_m) {
   Looks looks = looks_below(found);
+  bool is_mixed = is_mixed_at(found.layer, found.place);
+  vec2 place = is_mixed ? texel_middle(found.place) : found.place;
+  if (is_mixed) looks = one_look(looks.texel);
   vec3 right_m = dFdx(found.position), down_m = dFdy(found.position);
   bool is_one = !is_seen_on(found);
   // Each look sees a quarter of the pixel, or of its longer side.
@@ -69,15 +72,15 @@ MetLight met_over_pixel(Behind found, vec2 red, vec2 blue, float pixel_m) {
   vec3 sum = vec3(0.0), sunlit = vec3(0.0);
   float gathered = 0.0;
   for (int i = 0; i < 4; ++i) {
-    vec3 color = colours_below(found.layer, found.place + look_at(looks, i), red, blue, 0.0);
+    vec3 color = colours_below(found.layer, place + look_at(looks, i), red, blue, 0.0);
     float here = gathered_at(found.position + looks_at[i].x * right_m + looks_at[i].y * down_m, level_width * width_m);
     sum += 0.25 * color, sunlit += 0.25 * here * color, gathered += 0.25 * here;
   }
   vec3 sharper = vec3(0.0);
   for (int axis = 0; axis < 2; ++axis) {
     vec2 beside = axis == 0 ? vec2(looks.texel.x, 0.0) : vec2(0.0, looks.texel.y);
-    sharper += looks.sharpened[axis] * (2.0 * sum - colours_below(found.layer, found.place - beside, red, blue, 0.0) -
-                                        colours_below(found.layer, found.place + beside, red, blue, 0.0));
+    sharper += looks.sharpened[axis] * (2.0 * sum - colours_below(found.layer, place - beside, red, blue, 0.0) -
+                                        colours_below(found.layer, place + beside, red, blue, 0.0));
   }
   return MetLight(max(sunlit + gathered * sharper, vec3(0.0)) * found.sun_share, max(sum + sharper, vec3(0.0)) * (1.0 - found.sun_share));
 }

@@ -45,7 +45,7 @@ float reflected_way(vec3 from, vec3 along) {
   vec2 first = mirror_place(from), last = mirror_place(from + reach * along);
   float before = 0.0, behind = 1.0;
   bool is_found = false;
-  for (int i = 1; i <= MIRROR_STEPS; ++i) {
+  for (int i = 1; i <= MIRROR_STEPS && !is_found; ++i) {
     float t = float(i) / float(MIRROR_STEPS), depth = 1.0 / mix(1.0 / start, 1.0 / end, t);
     float seen = mirrored_depth_at(mix(first, last, t));
     bool is_behind = depth >= seen && seen > start && seen < mirrored_far_m;

@@ -38,14 +38,18 @@ struct PictureRay {
 vec2 place_on(PictureRay ray, float t) { return mix(ray.first, ray.last, t); }
 float depth_on(PictureRay ray, float t) { return 1.0 / mix(ray.first_inverse, ray.last_inverse, t); }
 float way_on(PictureRay ray, float t) { return ray.reach * t * ray.last_inverse * depth_on(ray, t); }
-// How far behind a layer's surface it is. either_layer: behind the hidden one where it is behind the first, and there is one.
-const int either_layer = 2;
+// How far behind a layer's surface it is; of one that is turned away from the eye, how far before. either_layer: behind the hidden one
+// where it is behind the first, and there is one.
+const int either_layer = 3;
 float behind_by(PictureRay ray, int layer, float t) {
-  float depth = depth_on(ray, t), off = depth - smooth_depth_at(layer == 1 ? 1 : 0, place_on(ray, t));
+  float depth = depth_on(ray, t), off = depth - smooth_depth_at(layer == either_layer ? first_layer : layer, place_on(ray, t));
+  if (layer == turned_layer) return -off;
   if (layer != either_layer || off <= 0.0) return off;
-  float hidden = smooth_depth_at(1, place_on(ray, t));
+  float hidden = smooth_depth_at(hidden_layer, place_on(ray, t));
   return hidden < bottom_far_m ? depth - hidden : off;
 }
+
+const float touch_share = 0.01;  // of a depth: what is next to nothing
 
 // Where, from `before` to `after`, the ray crosses the layer's surface; below 0 where it only passes behind its edge: there the
 // distance to the surface jumps, however short the step.
@@ -64,8 +68,32 @@ float crossing(PictureRay ray, int layer, float before, float after) {
       before = middle, off_before = off;
     }
   }
-  return off_after - off_before < 0.25 * whole ? mix(before, after, off_before / min(off_before - off_after, -1e-9)) : -1.0;
+  // Where it jumps, but from or to next to nothing, an edge stands just where the ray meets the surface.
+  bool touches = min(-off_before, off_after) < touch_share * depth_on(ray, before);
+  float met = off_after - off_before < 0.25 * whole ? mix(before, after, off_before / min(off_before - off_after, -1e-9)) : -1.0;
+  return met < 0.0 && touches ? (-off_before < off_after ? before : after) : met;
 }
+#if BELOW_LAYERS > 1
+
+// Behind the first surface and before what looks away from the eye behind it: within a thing.
+bool is_within(float depth, vec2 place) {
+  float turned = below_depth_at(turned_layer, place);
+  return depth > below_depth_at(first_layer, place) && depth < turned && turned < bottom_far_m;
+}
+// Where, from `before` to `after`, the ray comes into a thing over its edge, on the side that looks away from the eye; below 0 where
+// neither of its faces is near.
+float entering(PictureRay ray, float before, float after, out int layer) {
+  for (int i = 0; i < 6; ++i) {
+    float middle = 0.5 * (before + after);
+    bool is_in = is_within(depth_on(ray, middle), place_on(ray, middle));
+    before = is_in ? before : middle;
+    after = is_in ? middle : after;
+  }
+  float off = abs(behind_by(ray, first_layer, after)), off_turned = abs(behind_by(ray, turned_layer, after));
+  layer = off_turned < off ? turned_layer : first_layer;
+  return min(off, off_turned) < 5.0 * touch_share * depth_on(ray, after) ? after : -1.0;
+}
+#endif
 
 // The share of the way from one place of the picture to another that lies within it.
 float share_within(vec2 first, vec2 last) {
@@ -84,8 +112,9 @@ float marched_way(vec3 from, vec3 along, vec2 from_place, out int layer) {
   float found = -1.0, within = share_within(below_place(ray.first), below_place(ray.last));
   layer = 0;
   bool was_behind = start > below_depth_at(0, ray.first);
-#if BELOW_LAYERS == 2
+#if BELOW_LAYERS > 1
   float was_hidden_by = start - below_depth_at(1, ray.first);
+  bool was_in = false;
 #endif
   for (int i = 1; i <= MARCH_STEPS && found < 0.0; ++i) {
     float before = within * float(i - 1) / float(MARCH_STEPS), t = within * float(i) / float(MARCH_STEPS), depth = depth_on(ray, t);
@@ -93,7 +122,7 @@ float marched_way(vec3 from, vec3 along, vec2 from_place, out int layer) {
     bool is_behind = depth > below_depth_at(0, place);
     bool is_crossed = is_behind && !was_behind;
     if (is_crossed) found = crossing(ray, 0, before, t);
-#if BELOW_LAYERS == 2
+#if BELOW_LAYERS > 1
     // A surface that was hidden may not be any more: what hid it ends here. Or it is hidden from here on.
     float hidden_by = depth - below_depth_at(1, place);
     bool was_between = was_behind && was_hidden_by <= 0.0 && was_hidden_by > -0.5 * bottom_far_m;
@@ -103,6 +132,13 @@ float marched_way(vec3 from, vec3 along, vec2 from_place, out int layer) {
       layer = found >= 0.0 && abs(behind_by(ray, 1, found)) < abs(behind_by(ray, 0, found)) ? 1 : 0;
     }
     was_hidden_by = hidden_by;
+    bool is_in = is_within(depth, place);
+    if (found < 0.0 && is_in && !was_in) {
+      int entered = 0;
+      found = entering(ray, before, t, entered);
+      layer = found >= 0.0 ? entered : layer;
+    }
+    was_in = is_in;
 #endif
     was_behind = is_behind;
   }
