@@ -11,6 +11,7 @@
 #include "harness/core/disk_cache.h"
 #include "harness/core/text.h"
 #include "harness/scene/textures.h"
+#include "tests/folder.h"
 
 namespace lamina {
 namespace {
@@ -35,7 +36,6 @@ class Kept : public InFolder<> {
   std::filesystem::path entry() const { return std::filesystem::directory_iterator(folder_)->path(); }
 
   std::optional<std::string> before_;
-  std::filesystem::path folder_;
 };
 
 TEST_F(Kept, IsMadeOnce) { EXPECT_EQ(makings(), 1u); }
