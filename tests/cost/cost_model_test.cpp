@@ -67,7 +67,9 @@ TEST(NonnegativeFit, MeetsTheConditionsOfTheLeastOnRandomRows) {
       gradient /= std::sqrt(length) + 1e-300;
       EXPECT_GE(x[j], 0);
       EXPECT_GE(gradient, -1e-7) << problem << " " << j;
-      if (x[j] > 0) EXPECT_LE(gradient, 1e-7) << problem << " " << j;
+      if (x[j] > 0) {
+        EXPECT_LE(gradient, 1e-7) << problem << " " << j;
+      }
     }
   }
 }
