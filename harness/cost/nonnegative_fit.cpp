@@ -121,7 +121,7 @@ void check_rows(std::span<const std::vector<double>> rows, std::span<const doubl
 
 // `weights`: of the squares, beside the rows. Columns are scaled to one length, so that one tolerance fits all.
 std::vector<double> fit_weighted(std::span<const std::vector<double>> rows, std::span<const double> targets,
-                                 std::span<const double> weights) {
+                                 std::span<const double> weights, double ridge) {
   const size_t columns = rows.front().size();
   std::vector<double> scale(columns, 0), right(columns, 0);
   for (size_t i = 0; i < rows.size(); ++i)
@@ -136,6 +136,7 @@ std::vector<double> fit_weighted(std::span<const std::vector<double>> rows, std:
       for (size_t k = 0; k < columns; ++k)
         if (scale[k] > 0) matrix[j][k] += scaled * rows[i][k] / scale[k];
     }
+  for (size_t j = 0; j < columns; ++j) matrix[j][j] += scale[j] > 0 ? ridge : 0;
   std::vector<double> x = ActiveSet(matrix, right).solution();
   for (size_t j = 0; j < columns; ++j) x[j] = scale[j] > 0 ? x[j] / scale[j] : 0;
   return x;
@@ -145,16 +146,16 @@ std::vector<double> fit_weighted(std::span<const std::vector<double>> rows, std:
 
 std::vector<double> fit_nonnegative(std::span<const std::vector<double>> rows, std::span<const double> targets) {
   check_rows(rows, targets);
-  return fit_weighted(rows, targets, std::vector<double>(rows.size(), 1));
+  return fit_weighted(rows, targets, std::vector<double>(rows.size(), 1), 0);
 }
 
-std::vector<double> fit_least_absolute(std::span<const std::vector<double>> rows, std::span<const double> targets,
-                                       double small) {
+std::vector<double> fit_least_absolute(std::span<const std::vector<double>> rows, std::span<const double> targets, double small,
+                                       double ridge) {
   check_rows(rows, targets);
   constexpr int turns = 10;
   std::vector<double> weights(rows.size(), 1), x;
   for (int turn = 0; turn < turns; ++turn) {
-    x = fit_weighted(rows, targets, weights);
+    x = fit_weighted(rows, targets, weights, ridge);
     for (size_t i = 0; i < rows.size(); ++i) {
       double error = -targets[i];
       for (size_t j = 0; j < x.size(); ++j) error += rows[i][j] * x[j];

@@ -14,9 +14,10 @@ namespace lamina {
 std::vector<double> fit_nonnegative(std::span<const std::vector<double>> rows, std::span<const double> targets);
 
 // Likewise of the sum of |rows[i] . x - targets[i]|, by least squares whose weights are made again from the errors: errors
-// below `small` count as their squares. Source: E. Schlossmacher, "An Iterative Technique for Absolute Deviations Curve
-// Fitting", JASA 68 (1973).
-std::vector<double> fit_least_absolute(std::span<const std::vector<double>> rows, std::span<const double> targets,
-                                       double small);
+// below `small` count by their squares. `ridge`: added to the squared length of every column, which is 1 after scaling, so that
+// columns which the rows hardly tell apart share what they explain rather than take it all.
+// Source: E. Schlossmacher, "An Iterative Technique for Absolute Deviations Curve Fitting", JASA 68 (1973).
+std::vector<double> fit_least_absolute(std::span<const std::vector<double>> rows, std::span<const double> targets, double small,
+                                       double ridge);
 
 }  // namespace lamina

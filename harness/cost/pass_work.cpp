@@ -9,20 +9,42 @@
 namespace lamina {
 namespace {
 
-// Classes of operations (shader/operations.h) that cost alike.
-std::string group_of(const std::string& operation) {
-  static const std::map<std::string, std::vector<std::string>> groups = {
-      {"plain operation", {"add", "multiply", "fma", "compare", "select", "integer", "convert"}},
-      {"division or root", {"divide", "root"}},
-      {"exponential", {"exp", "log", "pow"}},
-      {"trigonometric operation", {"sin", "cos", "tan", "asin", "acos", "atan", "hyperbolic"}},
-      {"interpolated input", {"interpolation", "input", "derivative"}},
-      {"uniform read", {"uniform"}},
-      {"memory access", {"storage", "image", "query"}},
-      {"branch", {"branch"}}};
-  for (const auto& [name, operations] : groups)
-    if (std::ranges::find(operations, operation) != operations.end()) return name;
-  return operation;
+// Classes of operations (shader/operations.h): what one costs beside an addition, about, and the kind of those whose price
+// differs so much from device to device that they have one of their own besides.
+struct OperationPrice {
+  double additions = 1;
+  const char* kind = nullptr;
+};
+OperationPrice price_of(const std::string& operation) {
+  static const std::map<std::string, OperationPrice> prices = {
+      {"divide", {3}},
+      {"root", {3}},
+      {"exp", {6, "exponential"}},
+      {"log", {6, "exponential"}},
+      {"pow", {6, "exponential"}},
+      {"sin", {12, "trigonometric operation"}},
+      {"cos", {12, "trigonometric operation"}},
+      {"tan", {12, "trigonometric operation"}},
+      {"asin", {12, "trigonometric operation"}},
+      {"acos", {12, "trigonometric operation"}},
+      {"atan", {12, "trigonometric operation"}},
+      {"hyperbolic", {12, "trigonometric operation"}},
+      {"uniform", {0.5}},
+      {"storage", {4}},
+      {"image", {4}},
+      {"query", {4}},
+  };
+  const auto found = prices.find(operation);
+  return found == prices.end() ? OperationPrice() : found->second;
+}
+// Fragments are drawn by all threads of a software rasterizer, vertices by one: of two threads, as measured.
+constexpr double vertex_price = 2;
+
+// Formats that are decoded alike.
+std::string decoding_of(const std::string& format) {
+  if (format == "rgba8_srgb") return "sRGB";
+  if (format.find("16_float") != std::string::npos) return "half floats";
+  return format.find("8_unorm") != std::string::npos ? "8 bits" : "floats";
 }
 
 double as_double(const std::optional<uint64_t>& count) { return static_cast<double>(count.value_or(0)); }
@@ -58,15 +80,15 @@ class Adding {
   }
 
   void add_operations() {
-    for (const auto& [operation, count] : pass_.vertex_issued) {
-      const std::string group = group_of(operation);
-      const bool dear = group == "division or root" || group == "exponential" || group == "trigonometric operation";
-      add(dear ? "vertex's dear operation" : "vertex's plain operation", static_cast<double>(count));
-    }
+    for (const auto& [operation, count] : pass_.vertex_issued)
+      add("operation", vertex_price * price_of(operation).additions * static_cast<double>(count));
     for (const auto& [operation, count] : counted_ == CountedWork::issued ? pass_.issued : pass_.operations) {
       const auto of_vertices = pass_.vertex_issued.find(operation);
       const uint64_t vertices = of_vertices == pass_.vertex_issued.end() ? 0 : std::min(count, of_vertices->second);
-      add(group_of(operation), a_fragment_ * static_cast<double>(count - vertices));
+      const double of_fragments = a_fragment_ * static_cast<double>(count - vertices);
+      const OperationPrice price = price_of(operation);
+      add("operation", price.additions * of_fragments);
+      if (price.kind) add(price.kind, of_fragments);
     }
   }
 
@@ -80,7 +102,7 @@ class Adding {
     const double unfiltered = std::min(as_double(texture.unfiltered) / executed, 1.0);
     add("fetch, " + texture.filter, fetches * (1 - unfiltered));
     add("fetch, a texel", fetches * unfiltered);
-    add("fetch, " + texture.format, fetches);
+    add("fetch, of " + decoding_of(texture.format), fetches);
     if (texture.levels.empty()) return;
     const auto reads = std::accumulate(texture.levels.begin(), texture.levels.end(), 0.0,
                                        [](double sum, uint64_t count) { return sum + static_cast<double>(count); });

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a pass does, as amounts of kinds of work that each have a price on a device.
 //
-// A kind is wide enough to be met in several variants: formats and filters have prices of their own that add up, and classes of
-// operations that cost alike are one kind. Fragments count as the device issues them, in whole blocks, where it tells how many:
-// a shader of small triangles pays for the block. Vertex shaders have prices of their own, since few devices run them as they
-// run fragments.
+// A kind is wide enough to be met in several variants. Decoding and filtering have prices of their own that add up. Operations
+// are one kind, each worth about as many additions as it takes; exponentials and trigonometry have a further price. Fragments
+// count as the device issues them, in whole blocks, where it tells how many: a shader of small triangles pays for the block.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +16,7 @@ namespace lamina {
 
 enum class CountedWork : uint8_t { executed, issued };
 
-// Amounts by kind: "run", "fragment", "vertex", "plain operation", "fetch, trilinear", "fetch, rgba8_unorm", ...
+// Amounts by kind: "run", "fragment", "vertex", "operation", "fetch, trilinear", "fetch, of half floats", ...
 using PassWork = std::map<std::string, double>;
 PassWork work_of(const PassRow& pass, CountedWork counted);
 
