@@ -9,7 +9,7 @@
 namespace lamina {
 namespace {
 
-constexpr uint64_t all = run_width_px * run_height_px;
+constexpr uint64_t each = run_width_px * run_height_px;
 using Levels = std::vector<uint64_t>;
 
 class LevelsRead : public CountingRun {
@@ -29,64 +29,64 @@ void main() { vec2 px = gl_FragCoord.xy; o = vec4(0); )" +
 };
 
 TEST_P(LevelsRead, AreTheStepFromAPixelToTheNext) {
-  EXPECT_EQ(levels_of("o = texture(t, px * 4.0 / 16.0);"), (Levels{0, 0, all, 0, 0}));
-  EXPECT_EQ(levels_of("o = texture(t, px / 16.0);"), (Levels{all, 0, 0, 0, 0}));
-  EXPECT_EQ(levels_of("o = texture(t, px / 64.0);"), (Levels{all, 0, 0, 0, 0})) << "magnified";
-  EXPECT_EQ(levels_of("o = texture(t, px * vec2(2, 8) / 16.0);"), (Levels{0, 0, 0, all, 0})) << "the longer way";
-  EXPECT_EQ(levels_of("o = texture(t, px * 300.0 / 16.0);"), (Levels{0, 0, 0, 0, all})) << "there is no coarser one";
-  EXPECT_EQ(levels_of("o = texture(t, px * 2.828427 / 16.0);"), (Levels{0, all, all, 0, 0})) << "halfway between two";
+  EXPECT_EQ(levels_of("o = texture(t, px * 4.0 / 16.0);"), (Levels{0, 0, each, 0, 0}));
+  EXPECT_EQ(levels_of("o = texture(t, px / 16.0);"), (Levels{each, 0, 0, 0, 0}));
+  EXPECT_EQ(levels_of("o = texture(t, px / 64.0);"), (Levels{each, 0, 0, 0, 0})) << "magnified";
+  EXPECT_EQ(levels_of("o = texture(t, px * vec2(2, 8) / 16.0);"), (Levels{0, 0, 0, each, 0})) << "the longer way";
+  EXPECT_EQ(levels_of("o = texture(t, px * 300.0 / 16.0);"), (Levels{0, 0, 0, 0, each})) << "there is no coarser one";
+  EXPECT_EQ(levels_of("o = texture(t, px * 2.828427 / 16.0);"), (Levels{0, each, each, 0, 0})) << "halfway between two";
 }
 
 TEST_P(LevelsRead, AreThoseThatTheShaderNames) {
-  const uint64_t quarter = all / 4;
+  const uint64_t quarter = each / 4;
   EXPECT_EQ(levels_of("o = textureLod(t, px, float(int(px.x) % 4));"), (Levels{quarter, quarter, quarter, quarter, 0}));
-  EXPECT_EQ(levels_of("o = textureLod(t, px, 3.0);"), (Levels{0, 0, 0, all})) << "told without running";
+  EXPECT_EQ(levels_of("o = textureLod(t, px, 3.0);"), (Levels{0, 0, 0, each})) << "told without running";
   EXPECT_EQ(levels_of("o = textureLod(t, px, 0.5) + textureLod(t, px, 0.5 + px.x * 0.0);"),
-            (Levels{2 * all, 2 * all, 0, 0, 0}));
-  EXPECT_EQ(levels_of("o = textureLod(t, px, 99.0 + px.x) + textureLod(t, px, -px.x);"), (Levels{all, 0, 0, 0, all}));
+            (Levels{2 * each, 2 * each, 0, 0, 0}));
+  EXPECT_EQ(levels_of("o = textureLod(t, px, 99.0 + px.x) + textureLod(t, px, -px.x);"), (Levels{each, 0, 0, 0, each}));
   EXPECT_EQ(levels_of("for (int i = 0; i < int(px.x) % 4; ++i) o += textureLod(t, px, float(i));"),
             (Levels{3 * quarter, 2 * quarter, quarter, 0, 0}));
-  EXPECT_EQ(levels_of("o = textureLod(t, px, sqrt(-px.x));")[0], all) << "what is not a number";
+  EXPECT_EQ(levels_of("o = textureLod(t, px, sqrt(-px.x));")[0], each) << "what is not a number";
 }
 
 TEST_P(LevelsRead, OfTexelFetchesDoNotAskTheSampler) {
-  const uint64_t quarter = all / 4;
+  const uint64_t quarter = each / 4;
   for (const Filter filter : {Filter::nearest, Filter::trilinear}) {
     const Counts counts =
         read("o = texelFetch(t, ivec2(0), int(px.x) % 4) + texelFetch(t, ivec2(1), 2) + texture(t, px / 16.0);", filter);
-    EXPECT_EQ(counts.levels.at(0), (Levels{quarter + all, quarter, quarter + all, quarter, 0}));
-    EXPECT_EQ(counts.unfiltered.at(0), 2 * all);
-    EXPECT_EQ(counts.fetches.at(0), 3 * all);
+    EXPECT_EQ(counts.levels.at(0), (Levels{quarter + each, quarter, quarter + each, quarter, 0}));
+    EXPECT_EQ(counts.unfiltered.at(0), 2 * each);
+    EXPECT_EQ(counts.fetches.at(0), 3 * each);
   }
 }
 
 TEST_P(LevelsRead, ObeyBiasGradientsAndProjection) {
-  EXPECT_EQ(levels_of("o = texture(t, px / 16.0, 1.0);"), (Levels{0, all, 0, 0, 0}));
-  EXPECT_EQ(levels_of("o = texture(t, px / 64.0, 1.0);"), (Levels{all, 0, 0, 0, 0})) << "-2 and 1 is -1";
-  EXPECT_EQ(levels_of("o = textureGrad(t, px, vec2(4.0, 0) / 16.0, vec2(0, 2.0) / 16.0);"), (Levels{0, 0, all, 0, 0}));
-  EXPECT_EQ(levels_of("o = textureGrad(t, px, vec2(0), vec2(3.0, 4.0) * 1.6 / 16.0);"), (Levels{0, 0, 0, all, 0}));
-  EXPECT_EQ(levels_of("o = textureGrad(t, px, vec2(0), vec2(0));"), (Levels{all, 0, 0, 0, 0}));
-  EXPECT_EQ(levels_of("o = textureProj(t, vec3(px * 4.0 / 16.0 * 2.0, 2.0));"), (Levels{0, 0, all, 0, 0}));
-  EXPECT_EQ(levels_of("o = textureProj(t, vec4(px * 2.0 / 16.0 * 0.5, 7.0, 0.5));"), (Levels{0, all, 0, 0, 0}));
-  EXPECT_EQ(levels_of("o = textureOffset(t, px * 4.0 / 16.0, ivec2(3, -2));"), (Levels{0, 0, all, 0, 0}));
+  EXPECT_EQ(levels_of("o = texture(t, px / 16.0, 1.0);"), (Levels{0, each, 0, 0, 0}));
+  EXPECT_EQ(levels_of("o = texture(t, px / 64.0, 1.0);"), (Levels{each, 0, 0, 0, 0})) << "-2 and 1 is -1";
+  EXPECT_EQ(levels_of("o = textureGrad(t, px, vec2(4.0, 0) / 16.0, vec2(0, 2.0) / 16.0);"), (Levels{0, 0, each, 0, 0}));
+  EXPECT_EQ(levels_of("o = textureGrad(t, px, vec2(0), vec2(3.0, 4.0) * 1.6 / 16.0);"), (Levels{0, 0, 0, each, 0}));
+  EXPECT_EQ(levels_of("o = textureGrad(t, px, vec2(0), vec2(0));"), (Levels{each, 0, 0, 0, 0}));
+  EXPECT_EQ(levels_of("o = textureProj(t, vec3(px * 4.0 / 16.0 * 2.0, 2.0));"), (Levels{0, 0, each, 0, 0}));
+  EXPECT_EQ(levels_of("o = textureProj(t, vec4(px * 2.0 / 16.0 * 0.5, 7.0, 0.5));"), (Levels{0, each, 0, 0, 0}));
+  EXPECT_EQ(levels_of("o = textureOffset(t, px * 4.0 / 16.0, ivec2(3, -2));"), (Levels{0, 0, each, 0, 0}));
 }
 
 TEST_P(LevelsRead, AreTheBaseWhereTheSamplerOrTheTextureHasNoOther) {
   for (const Filter filter : {Filter::nearest, Filter::linear})
-    EXPECT_EQ(levels_of("o = texture(t, px) + textureLod(t, px, 2.0) + textureLod(t, px, px.x);", filter), Levels{3 * all});
-  EXPECT_EQ(levels_of("o = textureGather(t, px * 4.0 / 16.0, 1);"), Levels{all});
+    EXPECT_EQ(levels_of("o = texture(t, px) + textureLod(t, px, 2.0) + textureLod(t, px, px.x);", filter), Levels{3 * each});
+  EXPECT_EQ(levels_of("o = textureGather(t, px * 4.0 / 16.0, 1);"), Levels{each});
   const Counts counts = run({.fragment = R"(
 layout(binding = 2) uniform sampler3D volume;
 layout(location = 0) out vec4 o;
 void main() { o = texture(volume, gl_FragCoord.xyz) + textureLod(volume, gl_FragCoord.xyz, gl_FragCoord.x); }
 )"});
-  EXPECT_EQ(counts.levels.at(2), Levels{2 * all}) << "a 3D texture has one level";
+  EXPECT_EQ(counts.levels.at(2), Levels{2 * each}) << "a 3D texture has one level";
 }
 
 TEST_P(LevelsRead, CountUntilAFragmentIsDiscardedAndInEveryStage) {
   EXPECT_EQ(levels_of("o = textureLod(t, px, px.x * 0.0 + 1.0); if (int(px.x) % 4 == 1) discard; o += textureLod(t, px, px.x * "
                       "0.0 + 2.0);"),
-            (Levels{0, all, all * 3 / 4, 0, 0}));
+            (Levels{0, each, each * 3 / 4, 0, 0}));
   const Counts counts = run({.vertex = R"(
 layout(binding = 0) uniform sampler2D t;
 void main() {
