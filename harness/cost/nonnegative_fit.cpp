@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "harness/core/error.h"
 
@@ -152,10 +153,13 @@ std::vector<double> fit_nonnegative(std::span<const std::vector<double>> rows, s
 std::vector<double> fit_least_absolute(std::span<const std::vector<double>> rows, std::span<const double> targets, double small,
                                        double ridge) {
   check_rows(rows, targets);
-  constexpr int turns = 10;
+  constexpr int max_turns = 100;
+  constexpr double settled = 1e-6;  // relative
   std::vector<double> weights(rows.size(), 1), x;
-  for (int turn = 0; turn < turns; ++turn) {
-    x = fit_weighted(rows, targets, weights, ridge);
+  for (int turn = 0; turn < max_turns; ++turn) {
+    const std::vector<double> before = std::exchange(x, fit_weighted(rows, targets, weights, ridge));
+    const auto is_settled = [](double a, double b) { return std::abs(a - b) <= settled * std::abs(a); };
+    if (std::ranges::equal(x, before, is_settled)) break;
     for (size_t i = 0; i < rows.size(); ++i) {
       double error = -targets[i];
       for (size_t j = 0; j < x.size(); ++j) error += rows[i][j] * x[j];

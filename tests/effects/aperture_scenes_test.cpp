@@ -39,7 +39,7 @@ class ApertureScenes : public EachBackend {
     const Configuration configuration = configuration_with(plan, variant(name));
     const Graph graph = make_graph(plan, configuration, scene, shaders),
                 truth = make_graph(plan, configuration_with(plan, variant(teller)), scene, shaders, &variant(teller));
-    Frame frame(resources, graph, Build::timed), told(resources, truth, Build::timed);
+    Frame frame(resources, graph, Build::timed), told(resources, truth, Build::timed, TargetSharing::off);
     frame.run(0, Timing::off);
     told.run(0, Timing::off);
     const ApertureKind kind = aperture_kind(variant(name).bake);

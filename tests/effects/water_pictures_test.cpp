@@ -233,7 +233,7 @@ TEST_P(WaterPictures, TheTruthTellsWhatCosts) {
   DiskCache cache("");
   const TruthAnswer answer =
       water_rays({scene, drawn.bakes.occluders(), cache, 1})->answer({targets, scene.views[0], {}}, [](double) {});
-  ASSERT_EQ(answer.steps.size(), 3u);
+  ASSERT_EQ(answer.steps.size(), 5u);
   EXPECT_GT(answer.pixels.size(), 400u);
   for (const TruthStep& step : answer.steps)
     for (const glm::vec3& light : step.light)

@@ -276,7 +276,7 @@ TEST(CellsCsv, FetchesOfTheFrameByKindAndLevel) {
   PassRow once = cells[0].passes[0];
   once.once = true;
   cells[0].passes.push_back(once);
-  cells[1].passes[0].by_texture = {textures[0]};
+  cells[1].passes[0].by_texture = {once.by_texture[0]};
   cells[1].passes[0].by_texture[0].levels.clear();
   const auto csv = parse_csv(cells_csv(example_record(cells)));
   EXPECT_EQ(field(csv, 0, "fetches.unfiltered"), "300") << "without what is done once";
