@@ -75,7 +75,9 @@ TEST_P(CountedLevels, OfAWalkUpAndOfMips) {
   write("top/add.frag",
         "layout(binding = 4) uniform sampler2D pyramid;\nlayout(location = 0) out vec4 value;\nvoid main() {\n"
         "  value = textureLod(pyramid, gl_FragCoord.xy / 8.0, 0.0);\n}\n");
-  write("top/show.frag", "layout(location = 0) out vec4 color;\nvoid main() { color = vec4(1); }\n");
+  write("top/show.frag",
+        "layout(binding = 4) uniform sampler2D pyramid;\nlayout(location = 0) out vec4 color;\n"
+        "void main() { color = texelFetch(pyramid, ivec2(0), 0); }\n");
   const auto counts = counts_of(fullscreen_pass("base", "base.frag", "pyramid") +
                                 pass_text("mips", "draw = \"mips\"\nwrite = [\"pyramid\"]\n") +
                                 fullscreen_pass("up", "add.frag", "pyramid", "levels = \"up\"\n") + objects_pass("show.frag"));
