@@ -184,4 +184,15 @@ Mask either(const Mask& a, const Mask& b) {
 
 uint64_t count_on(const Mask& mask) { return static_cast<uint64_t>(std::count(mask.on.begin(), mask.on.end(), 1)); }
 
+void note_unfinished(CellRow& row, const Frame& frame, size_t view) {
+  for (const GraphPass* pass : frame.unfinished(view)) {
+    std::string note =
+        fmt::format("pass '{}' still drew something in the last of its repetitions: the rest is not drawn", pass->pass->name);
+    if (!pass->pass->repeat.parameter.empty())
+      note += fmt::format("; raise {}.{}", pass->variant->name, pass->pass->repeat.parameter);
+    fmt::print(stderr, "lamina: note: {}, view {}: {}\n", row.variant, row.view, note);
+    row.notes.push_back(std::move(note));
+  }
+}
+
 }  // namespace lamina

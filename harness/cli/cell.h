@@ -48,4 +48,7 @@ void copy_errors(CellRow& row, const CellRow& same);
 Mask either(const Mask& a, const Mask& b);
 uint64_t count_on(const Mask& mask);  // its pixels
 
+// A pass that repeats until nothing is left, and was stopped before: said, for nothing in the picture shows it.
+void note_unfinished(CellRow& row, const Frame& frame, size_t view);
+
 }  // namespace lamina

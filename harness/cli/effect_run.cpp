@@ -52,18 +52,6 @@ Parameters own_parameters(const Configuration& configuration, const std::map<std
   return own;
 }
 
-// A pass that repeats until nothing is left, and was stopped before: said, for nothing in the picture shows it.
-void note_unfinished(CellRow& row, const Frame& frame, size_t view) {
-  for (const GraphPass* pass : frame.unfinished(view)) {
-    std::string note =
-        fmt::format("pass '{}' still drew something in the last of its repetitions: the rest is not drawn", pass->pass->name);
-    if (!pass->pass->repeat.parameter.empty())
-      note += fmt::format("; raise {}.{}", pass->variant->name, pass->pass->repeat.parameter);
-    fmt::print(stderr, "lamina: note: {}, view {}: {}\n", row.variant, row.view, note);
-    row.notes.push_back(std::move(note));
-  }
-}
-
 // The passes done once, repeated: [pass][repetition].
 std::vector<std::vector<double>> time_once(Frame& frame) {
   std::vector<std::vector<double>> once_ms(frame.once_names().size());
