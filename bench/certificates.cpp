@@ -46,7 +46,7 @@ int run(const std::string& name, int count, int loops) {
   int held = 0;
   for (int i = 0; i < count; ++i) {
     PendingCertificate certificate(*backend, LAMINA_SOURCE_DIR "/shaders", "");
-    const TimerRow& row = certificate.measure_alone(certificate_most_s);
+    const TimerRow& row = certificate.measure_alone(max_certificate_s);
     held += row.ok;
     fmt::print(
         "{:>3} {} after {:.1f} s, {} rounds of passes of {:.0f} ms: {:.3f} of linear, fixed {:.3f}, sum over wall {:.3f} {}\n",

@@ -16,6 +16,7 @@
 #include "harness/cli/effect_run.h"
 #include "harness/cli/planned.h"
 #include "harness/cli/run_line.h"
+#include "harness/cli/run_timer.h"
 #include "harness/core/stop_signals.h"
 #include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
@@ -78,47 +79,6 @@ void append_rows_so_far(const EffectRun& run, RecordWriter& record) {
 
 bool stopped_by_signal() { return StopSignals::stopped_by() != 0; }
 
-// The certificate of a backend's timer. What stays open goes on between the rounds of the first effect that is timed, and is
-// settled after them: whether there are times is known before the effect's rows are written.
-class BackendTimer {
- public:
-  BackendTimer(Backend& backend, const std::filesystem::path& shaders, const CompareOptions& options, RecordWriter& record,
-               WallTimes& spent)
-      : certificate_(backend, shaders, options.cache, stopped_by_signal), record_(record), spent_(spent) {
-    const Stopwatch watch;
-    certificate_.measure_alone(certificate_alone_s);
-    spent_.certifying += watch.elapsed_s();
-    if (!certificate_.is_open()) write();
-  }
-  bool is_open() const { return !is_written_; }
-  bool may_be_good() const { return is_open() || certificate_.row().ok; }
-  std::function<void()> beside() {
-    if (!is_open()) return {};
-    return [this] {
-      const Stopwatch watch;
-      certificate_.run_round();
-      spent_.certifying += watch.elapsed_s();
-    };
-  }
-  // Returns whether times count.
-  bool settle() {
-    const Stopwatch watch;
-    if (is_open()) certificate_.measure_alone(certificate_most_s), write();
-    spent_.certifying += watch.elapsed_s();
-    return certificate_.row().ok;
-  }
-
- private:
-  void write() {
-    record_.append(to_json(certificate_.row()));
-    is_written_ = true;
-  }
-  PendingCertificate certificate_;
-  RecordWriter& record_;
-  WallTimes& spent_;
-  bool is_written_ = false;
-};
-
 // What is known of each cell.
 enum class Known : uint8_t { costs, costs_and_errors };
 
@@ -128,10 +88,11 @@ size_t run_backend(const std::string& name, const Compared& compared, Known want
                    Bakes& bakes, const CompareOptions& options, RecordWriter& record, WallTimes& spent) {
   const std::unique_ptr<Backend> backend = open_backend(name, {options.device, options.validation});
   Progress progress(name);
-  std::optional<BackendTimer> timer;
+  std::optional<RunTimer> timer;
   if (options.times) {
     progress.show(0, "certifying the timer");
-    timer.emplace(*backend, compared.library.shaders, options, record, spent);
+    timer.emplace(*backend, compared.library.shaders, options.cache, spent.certifying,
+                  [&](const TimerRow& row) { record.append(to_json(row)); });
   }
   SceneResources resources(*backend, compared.scene, compared.library, options.width_px, options.height_px, &bakes);
   const std::optional<CostModel> cost_model = kept_cost_model(options.cache, name, backend->info().device);

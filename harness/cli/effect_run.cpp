@@ -101,6 +101,7 @@ void EffectRun::take(const std::string& name, Known known) {
       row.cold_ms = there.cold_ms;
       row.fetches = there.fetches, row.fetches_per_pixel = there.fetches_per_pixel;
       row.covered_pixels = there.covered_pixels, row.target_bytes = there.target_bytes;
+      row.memory_bytes = there.memory_bytes, row.memory_bytes_alone = there.memory_bytes_alone;
       row.shader_hashes = std::move(there.shader_hashes);
     }
     variant.known = std::move(known.drawn);

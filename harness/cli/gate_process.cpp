@@ -13,7 +13,7 @@ namespace {
 constexpr double enough_of_margin = 0.3;
 constexpr double max_certificate_share = 0.4;  // of a process, before its rounds
 constexpr double report_s = 1;                 // of the budget: writing the record and the report
-constexpr double least_rounds_s = 1;           // of a process, at a guess
+constexpr double min_rounds_s = 1;             // of a process, at a guess
 
 }  // namespace
 
@@ -151,13 +151,13 @@ GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatc
 
   // How long a process takes at least, on all backends: at first by what it took to make frames ready.
   double process_s =
-      (measured.ready_s + least_rounds_s) * static_cast<double>(options.side_by_side ? 1 : options.compare.backends.size());
+      (measured.ready_s + min_rounds_s) * static_cast<double>(options.side_by_side ? 1 : options.compare.backends.size());
   const auto fitting = [&] { return static_cast<size_t>(std::max(0.0, end_s - watch.elapsed_s()) / process_s); };
   // Two processes tell how far processes differ; fewer tell nothing. Against a record they share the rounds that give an
   // interval.
-  constexpr size_t least = 2;
+  constexpr size_t min_processes = 2;
   size_t wanted = std::min(options.processes, fitting());
-  if (wanted < least) wanted = undecided ? 0 : std::min(least, options.processes);
+  if (wanted < min_processes) wanted = undecided ? 0 : std::min(min_processes, options.processes);
   if (wanted == 0) measured.out_of_time.insert(options.compare.backends.begin(), options.compare.backends.end());
   const auto run_timed = [&](const std::vector<std::string>& backends, size_t rounds) {
     const double process_begin_s = watch.elapsed_s();
@@ -169,7 +169,7 @@ GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatc
     process_s = measured.processes == 1 ? took_s : std::min(process_s, took_s);
   };
   while (!stopped() && measured.processes < wanted) {
-    if (undecided && measured.processes >= least && fitting() == 0) break;
+    if (undecided && measured.processes >= min_processes && fitting() == 0) break;
     run_timed(options.compare.backends, wanted - measured.processes);
     wanted = std::max(wanted, std::min(options.processes, measured.processes + fitting()));
   }

@@ -13,11 +13,11 @@
 #include "harness/cli/effect_run.h"
 #include "harness/cli/planned.h"
 #include "harness/cli/run_line.h"
+#include "harness/cli/run_timer.h"
 #include "harness/cli/sweep_end.h"
 #include "harness/core/stop_signals.h"
 #include "harness/core/stopwatch.h"
 #include "harness/core/text.h"
-#include "harness/record/kept_certificate.h"
 #include "harness/scene/digest.h"
 #include "harness/sweep/answers.h"
 #include "harness/sweep/sweep_record.h"
@@ -164,11 +164,11 @@ size_t cells_left(const Sweep& sweep, const std::string& backend) {
   return cells;
 }
 
-MeasuredPoint measured_point(const Sweep& sweep, size_t point, bool timer_ok) {
+MeasuredPoint measured_point(const Sweep& sweep, size_t point, bool times_may_count) {
   const SweepOptions& options = sweep.options;
   return {.params = sweep.scenes.params(point),
           .words = sweep.scenes.words_at(point),
-          .timed = options.time.has(point) && timer_ok,
+          .timed = options.time.has(point) && times_may_count,
           .counted = options.fetches.has(point) || options.time.has(point),
           .pictured = options.pictures.has(point),
           .picture_suffix = fmt::format("-{}", point)};
@@ -180,24 +180,18 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
   const SweepOptions& options = sweep.options;
   if (cells_left(sweep, name) == 0) return true;
   const std::unique_ptr<Backend> backend = open_backend(name, {options.compare.device, options.compare.validation});
-  bool timer_ok = false;
-  std::optional<PendingCertificate> certificate;  // until it is known
-  const auto settle = [&] {
-    const TimerRow timer = certificate->measure_alone(certificate_most_s);
-    sweep.record.append(to_json(timer));
-    timer_ok = timer.ok;
-    certificate.reset();
-    if (!timer_ok)
-      fmt::print(stderr,
-                 "lamina: {}: the timer's certificate failed ({}), so these cells get errors and no times; for times run again "
-                 "into another folder, on a machine that is less busy\n",
-                 name, timer.reason);
-  };
+  std::optional<RunTimer> timer;
+  double certifying_s = 0;  // which no line of a sweep tells
   if (options.time.every > 0) {
     progress.show(0, "certifying the timer");
-    certificate.emplace(*backend, sweep.library.shaders, options.compare.cache, [] { return StopSignals::stopped_by() != 0; });
-    certificate->measure_alone(certificate_alone_s);
-    if (!certificate->is_open()) settle();
+    timer.emplace(*backend, sweep.library.shaders, options.compare.cache, certifying_s, [&](const TimerRow& row) {
+      sweep.record.append(to_json(row));
+      if (!row.ok)
+        fmt::print(stderr,
+                   "lamina: {}: the timer's certificate failed ({}), so these cells get errors and no times; for times run "
+                   "again into another folder, on a machine that is less busy\n",
+                   name, row.reason);
+    });
   }
   SweptSceneOnDevice there(*backend, sweep.scenes, sweep.library, options.compare);
   ShaderCache shaders(backend->info().api, sweep.library.shaders);
@@ -215,15 +209,12 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
       } catch (const std::exception& error) {
         failure = error.what();
       }
-      run.start(there.here(), measured_point(sweep, point, timer_ok || certificate), failure);
+      run.start(there.here(), measured_point(sweep, point, timer && timer->may_be_good()), failure);
       run.prepare();
       run.count();
       RoundOptions rounds = options.rounds;
-      if (certificate) rounds.beside = [&] { certificate->run_round(); };
-      if (run.time(rounds).rounds > 0 && certificate) {
-        settle();
-        if (!timer_ok) run.forget_times();
-      }
+      if (timer) rounds.beside = timer->beside();
+      if (run.time(rounds).rounds > 0 && timer && !timer->settle()) run.forget_times();
       const auto wanted = [&](const std::string& variant, const std::string& view) {
         return is_left(sweep, name, *effect, variant, view, point);
       };
@@ -242,7 +233,7 @@ bool run_backend(const std::string& name, const Sweep& sweep, Progress& progress
                run.spent().read_back / 1000, run.spent().metrics / 1000);
     if (!go_on) break;
   }
-  if (certificate) settle();  // nothing was timed
+  if (timer) timer->settle();  // nothing was timed
   for (const std::string& message : backend->take_messages()) {
     fmt::print(stderr, "lamina: {}: {}\n", name, message);
     ++sweep.tally.messages;

@@ -102,7 +102,7 @@ Frame::Step& FrameBuilder::begin_step(const PlannedSequence::Step& planned, Fram
   sequence.names.push_back(step.pass->pass->name);
   sequence.stops_early = sequence.stops_early || step.pass->pass->until_empty;
   next_word_ = counter_header_words;
-  if (writes_frame(*step.pass)) {
+  if (writes(*step.pass->pass, "frame")) {
     step.coverage_word = next_word_;
     next_word_ += resources_.width_px() * resources_.height_px();
   }

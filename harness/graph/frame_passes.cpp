@@ -109,7 +109,7 @@ class PassPlanner {
   void clear_unwritten(const Repetition& repetition, const GraphDraw& draw) {
     for (const ResolvedRead& read : draw.reads) {
       const bool depth = read.source.kind == Source::Kind::depth;
-      if (!depth && (read.source.kind != Source::Kind::frame || writes_frame(repetition.pass))) continue;
+      if (!depth && (read.source.kind != Source::Kind::frame || writes(*repetition.pass.pass, "frame"))) continue;
       FrameTarget& target = depth ? targets_.depth() : targets_.frame();
       if (target.written) continue;
       target.written = true;
@@ -215,7 +215,7 @@ class PassPlanner {
         const FrameTarget& target = targets_.source_target(pass, draw, read.source);
         binding.texture = target.buffers[target.current];
         if (manifest.levels != LevelWalk::none && read.source.kind == Source::Kind::target &&
-            std::find(manifest.writes.begin(), manifest.writes.end(), read.source.name) != manifest.writes.end())
+            writes(manifest, read.source.name))
           binding.level = read_level(manifest.levels, repetition.index, target.levels);
       }
       command.textures.push_back(binding);
@@ -253,10 +253,6 @@ FramePasses make_frame_passes(const Graph& graph, const Scene& scene, FramePx si
   passes.frame_buffers = planner.frame().buffers;
   passes.picture = planner.frame().buffers[planner.frame().current];
   return passes;
-}
-
-bool writes_frame(const GraphPass& pass) {
-  return std::find(pass.pass->writes.begin(), pass.pass->writes.end(), "frame") != pass.pass->writes.end();
 }
 
 std::string pass_label(const GraphPass& pass, const GraphDraw& draw, const Scene& scene, bool with_object) {

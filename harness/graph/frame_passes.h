@@ -49,7 +49,6 @@ struct FramePasses {
 // target_size().
 FramePasses make_frame_passes(const Graph& graph, const Scene& scene, FramePx size);
 
-bool writes_frame(const GraphPass& pass);
 // "variant.pass", with the names of the draw's object, where asked for, and light.
 std::string pass_label(const GraphPass& pass, const GraphDraw& draw, const Scene& scene, bool with_object);
 

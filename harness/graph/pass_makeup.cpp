@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "harness/manifest/read_pass.h"
+
 namespace lamina {
 namespace {
 
@@ -11,22 +13,6 @@ uint64_t texels_of(const TextureDesc& target, uint32_t level) {
 }
 
 std::string_view name_of_load(Load load) { return load == Load::clear ? "clear" : load == Load::keep ? "keep" : "discard"; }
-
-std::string_view name_of_blend(Blend blend) {
-  switch (blend) {
-    case Blend::none:
-      return "none";
-    case Blend::alpha:
-      return "alpha";
-    case Blend::premultiplied:
-      return "premultiplied";
-    case Blend::additive:
-      return "additive";
-    case Blend::multiplied:
-      return "multiplied";
-  }
-  return "none";
-}
 
 void add_written(PassCounts& of, std::string_view format, std::string_view load, std::string_view combine, uint64_t texels) {
   const auto same = std::ranges::find_if(
@@ -48,7 +34,7 @@ void add_makeup(PassCounts& of, const Pass& pass, const PassManifest& manifest,
     const Attachment& color = pass.colors[i];
     const TextureDesc& target = targets.at(color.texture);
     const Blend blend = pass.draws.empty() || i >= manifest.blend.size() ? Blend::none : manifest.blend[i];
-    add_written(of, name_of(target.format), name_of_load(color.load), name_of_blend(blend), texels_of(target, color.level));
+    add_written(of, name_of(target.format), name_of_load(color.load), name_of(blend), texels_of(target, color.level));
   }
   if (pass.depth) {
     const TextureDesc& target = targets.at(pass.depth->texture);

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 
+#include "harness/backend/common/shared_memory.h"
+
 namespace lamina {
-namespace {
 
 bool writes(const PassManifest& pass, std::string_view name) {
   return std::find(pass.writes.begin(), pass.writes.end(), name) != pass.writes.end();
 }
-
-}  // namespace
 
 uint32_t frame_buffers(const Graph& graph) {
   for (const GraphPass& pass : graph.passes)
@@ -107,10 +106,8 @@ std::pair<uint32_t, uint32_t> target_size(const Graph& graph, const Scene& scene
 }
 
 uint64_t texel_bytes(uint32_t width, uint32_t height, bool mips, Format format) {
-  uint64_t texels = 0;
-  for (uint32_t level = 0; level < (mips ? full_mip_levels(width, height) : 1); ++level)
-    texels += uint64_t{std::max(width >> level, 1u)} * std::max(height >> level, 1u);
-  return texels * bytes_per_texel(format);
+  return texture_bytes(
+      {.width = width, .height = height, .levels = mips ? full_mip_levels(width, height) : 1, .format = format});
 }
 
 uint64_t buffer_bytes(const BufferManifest& buffer, const Scene& scene, FramePx frame, std::optional<size_t> object) {

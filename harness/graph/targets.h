@@ -66,6 +66,8 @@ bool reads_back(const GraphPass& pass, const GraphDraw& draw, const std::string&
 // ---- What targets take, known without a device --------------------------------------------------------------------------
 
 inline constexpr Format frame_format = Format::rgba16_float, frame_depth_format = Format::d32_float;
+// Whether it is one of the colour targets, or of the images of a compute pass.
+bool writes(const PassManifest& pass, std::string_view name);
 // 2 where some pass reads the frame that it writes, else 1.
 uint32_t frame_buffers(const Graph& graph);
 // Of a pass's target, in texels: as its rule says, of the frame's size, of a texture of the object, or fixed. Throws

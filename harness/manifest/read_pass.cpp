@@ -168,6 +168,8 @@ void check_view(const TomlTable& table, const PassManifest& pass) {
 
 }  // namespace
 
+std::string_view name_of(Blend blend) { return blend_names.at(static_cast<size_t>(blend)); }
+
 const ParameterManifest& parameter_named(const TomlTable& table, std::string_view key, const VariantManifest& variant,
                                          const std::string& reference) {
   const std::string name = reference.substr(1);

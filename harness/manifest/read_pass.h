@@ -21,6 +21,9 @@ std::optional<Setting> read_setting(const TomlTable& table, std::string_view key
 // A list of them: of numbers, or of "$NAME".
 std::vector<Setting> read_settings(const TomlTable& table, std::string_view key, const VariantManifest& variant);
 
+// As manifests and records name it.
+std::string_view name_of(Blend blend);
+
 // "$NAME", for forms.
 inline constexpr const char* parameter_pattern = "^\\$.+";
 // What a [[pass]] may hold. Not `whole`: of a manifest that is like another, whose pass may say the rest.

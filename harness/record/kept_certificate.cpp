@@ -57,15 +57,6 @@ void CertificateCache::keep(const TimerRow& row) const {
   if (row.ok) kept.keep(key_, nlohmann::ordered_json{{"measured_at_s", now_s()}, {"timer", to_json(row)}}.dump());
 }
 
-TimerRow certified_timer(const DeviceInfo& device, const std::filesystem::path& shaders, const std::filesystem::path& cache,
-                         const std::function<TimerRow()>& measure) {
-  const CertificateCache kept(device, shaders, cache);
-  if (const std::optional<TimerRow> row = kept.find()) return *row;
-  const TimerRow row = measure();
-  kept.keep(row);
-  return row;
-}
-
 PendingCertificate::PendingCertificate(Backend& backend, const std::filesystem::path& shaders,
                                        const std::filesystem::path& cache, std::function<bool()> stop, TimerRounds so_far)
     : backend_(backend.info().backend), kept_(backend.info(), shaders, cache), stop_(std::move(stop)) {
@@ -80,7 +71,7 @@ PendingCertificate::PendingCertificate(Backend& backend, const std::filesystem::
 void PendingCertificate::take_row() {
   row_ = certificate_->row();
   row_.backend = backend_;
-  if (row_.ok) kept_.keep(row_);
+  kept_.keep(row_);
 }
 
 void PendingCertificate::run_round() {

@@ -28,12 +28,8 @@ class CertificateCache {
   std::string key_;
 };
 
-// The one that is kept, else `measure`'s, which is then kept.
-TimerRow certified_timer(const DeviceInfo& device, const std::filesystem::path& shaders, const std::filesystem::path& cache,
-                         const std::function<TimerRow()>& measure);
-
 // What a certificate may take by itself, s, before the run's own rounds begin, and in all.
-inline constexpr double certificate_alone_s = 12, certificate_most_s = 90;
+inline constexpr double certificate_alone_s = 12, max_certificate_s = 90;
 
 // The certificate of a run's timer: the one that is kept, or one that is measured.
 class PendingCertificate {
@@ -65,6 +61,6 @@ class PendingCertificate {
 
 // Measured by itself, where it is not kept, until it is known or has taken so long.
 TimerRow certified_timer(Backend& backend, const std::filesystem::path& shaders, const std::filesystem::path& cache,
-                         double max_s = certificate_most_s);
+                         double max_s = max_certificate_s);
 
 }  // namespace lamina

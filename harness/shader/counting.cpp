@@ -2,13 +2,14 @@
 // The counting build: rewrites SPIR-V so that a shader counts its invocations, its texture operations and its operations by
 // class.
 //
-// In: a module of compile_shader(). Out: the same module, all functions inlined into main. Each invocation counts in variables
+// In: a module of compile_shader(). Out: the same module, all functions inlined into main. Each invocation counts in an array
 // of its own how often it runs some of the basic blocks, as few as tell about all (block_flow.h). Where it ends (returns or is
-// discarded) it adds these to the counters. The invocation itself is counted at main's beginning. The host multiplies by what
-// a block does (block_work.h), which is exact through loops and branches. Levels of textures that only running tells are
+// discarded) a loop adds these to the counters. The invocation itself is counted at main's beginning. The host multiplies by
+// what a block does (block_work.h), which is exact through loops and branches. Levels of textures that only running tells are
 // counted too (level_counting.h). What is counted is what the source says: an operation whose result nothing uses still counts,
 // though a driver leaves it out of the timed build.
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -41,7 +42,8 @@ class Instrumenter {
         stage_(stage),
         layout_(layout),
         code_(module_, spirv[bound_word]),
-        levels_(code_, stage, layout.textures) {}
+        sums_(code_),
+        levels_(code_, sums_, stage, layout.textures) {}
 
   CountingShader instrument() {
     read();
@@ -79,7 +81,6 @@ class Instrumenter {
     float_ = code_.type(spv::OpTypeFloat, {32});
     uint_pointer_ = code_.type(spv::OpTypePointer, {spv::StorageClassUniform, uint_});
     declare_sums();
-    levels_.declare(work_.counted_levels());
     const uint32_t array = code_.new_id(), block = code_.new_id(), pointer = code_.new_id();
     counters_ = code_.new_id();
     emit(code_.globals, spv::OpTypeRuntimeArray, {array, uint_});
@@ -101,14 +102,15 @@ class Instrumenter {
     emit(decorations_, spv::OpDecorate, {frag_coord_, spv::DecorationBuiltIn, spv::BuiltInFragCoord});
   }
 
-  // A private variable for every block that is counted: how often this invocation has run it so far.
+  // A private counter for every block that is counted, and behind them for every level.
   void declare_sums() {
-    if (counter_of_.empty()) return;
-    const uint32_t pointer = code_.type(spv::OpTypePointer, {spv::StorageClassPrivate, uint_});
-    while (sums_.size() < counter_of_.size()) {
-      sums_.push_back(code_.new_id());
-      emit(code_.globals, spv::OpVariable, {pointer, sums_.back(), spv::StorageClassPrivate, code_.constant(0)});
-    }
+    const size_t counters = work_.counters();
+    if (counters == 0) return;
+    sums_.declare(static_cast<uint32_t>(counters));
+    levels_.place(work_.counted_levels(), static_cast<uint32_t>(counter_of_.size()));
+    index_ = code_.new_id();
+    emit(code_.globals, spv::OpVariable,
+         {code_.type(spv::OpTypePointer, {spv::StorageClassPrivate, uint_}), index_, spv::StorageClassPrivate});
   }
 
   uint32_t word_pointer(uint32_t index) {
@@ -122,34 +124,72 @@ class Instrumenter {
                        {pointer, code_.constant(spv::ScopeDevice), code_.constant(spv::MemorySemanticsMaskNone), amount});
   }
 
-  // Adds to the 64-bit counter at `word`: the one addition that makes the low word wrap carries. There is no branch, so the
-  // shader's blocks, and with them its phis and merges, stay as they are.
+  void begin_block(uint32_t label) { emit(code_.body, spv::OpLabel, {label}); }
+  void go_to(uint32_t label) { emit(code_.body, spv::OpBranch, {label}); }
+
+  // Runs work() where the condition holds. The block that is being written is cut in two.
+  void where(uint32_t condition, const std::function<void()>& work) {
+    const uint32_t body = code_.new_id(), merge = code_.new_id();
+    emit(code_.body, spv::OpSelectionMerge, {merge, spv::SelectionControlMaskNone});
+    emit(code_.body, spv::OpBranchConditional, {condition, body, merge});
+    begin_block(body);
+    work();
+    go_to(merge);
+    begin_block(merge);
+  }
+
+  // Adds to the 64-bit counter at `word`, an id: the one addition that makes the low word wrap carries.
   void count(uint32_t word, uint32_t amount) {
-    const uint32_t before = atomic_add(code_.constant(word), amount);
+    const uint32_t before = atomic_add(word, amount);
     const uint32_t after = code_.value(spv::OpIAdd, uint_, {before, amount});
-    const uint32_t wraps = code_.value(spv::OpULessThan, bool_, {after, before});
-    const uint32_t carry = code_.value(spv::OpSelect, uint_, {wraps, code_.constant(1), code_.constant(0)});
-    atomic_add(code_.constant(word + 1), carry);
+    where(code_.value(spv::OpULessThan, bool_, {after, before}), [&] {
+      atomic_add(code_.value(spv::OpIAdd, uint_, {word, code_.constant(1)}), code_.constant(1));
+    });
   }
 
-  void add_to_sum(uint32_t counter) {
-    const uint32_t sum =
-        code_.value(spv::OpIAdd, uint_, {code_.value(spv::OpLoad, uint_, {sums_[counter]}), code_.constant(1)});
-    emit(code_.body, spv::OpStore, {sums_[counter], sum});
+  uint32_t index() { return code_.value(spv::OpLoad, uint_, {index_}); }
+  // Runs work(index) for each private counter. Ends the block that is being written; what follows is the block `merge`.
+  void for_each_sum(uint32_t merge, const std::function<void(uint32_t)>& work) {
+    const uint32_t head = code_.new_id(), test = code_.new_id(), body = code_.new_id(), next = code_.new_id();
+    emit(code_.body, spv::OpStore, {index_, code_.constant(0)});
+    go_to(head);
+    begin_block(head);
+    emit(code_.body, spv::OpLoopMerge, {merge, next, spv::LoopControlDontUnrollMask});
+    go_to(test);
+    begin_block(test);
+    const uint32_t more = code_.value(spv::OpULessThan, bool_, {index(), code_.constant(sums_.count())});
+    emit(code_.body, spv::OpBranchConditional, {more, body, merge});
+    begin_block(body);
+    work(index());
+    go_to(next);
+    begin_block(next);
+    emit(code_.body, spv::OpStore, {index_, code_.value(spv::OpIAdd, uint_, {index(), code_.constant(1)})});
+    go_to(head);
+    begin_block(merge);
   }
 
-  // What an invocation has run, into the counters; before it ends.
-  void count_sums() {
-    uint32_t word = layout_.first_word + 2;
-    for (const uint32_t sum : sums_) {
-      count(word, code_.value(spv::OpLoad, uint_, {sum}));
-      word += 2;
+  // The invocation, of which nothing else is counted yet. An array's initial value would be written element by element.
+  void begin_main(uint32_t first) {
+    count(code_.constant(layout_.first_word), code_.constant(1));
+    if (maps_coverage_) map_coverage();
+    if (sums_.count() > 0) {
+      for_each_sum(first, [&](uint32_t at) { sums_.set(at, code_.constant(0)); });
+    } else {
+      go_to(first);
+      begin_block(first);
     }
-    for (const auto& [binding, levels] : work_.counted_levels())
-      for (uint32_t level = 0; level < levels; ++level) {
-        count(word, levels_.sum(binding, level));
-        word += 2;
-      }
+  }
+
+  // What an invocation has run, into the counters; before it ends. Nothing follows the block that ends it, so no phi knows it.
+  void count_sums() {
+    if (sums_.count() == 0) return;
+    for_each_sum(code_.new_id(), [&](uint32_t at) {
+      const uint32_t times = sums_.value(at);
+      where(code_.value(spv::OpINotEqual, bool_, {times, code_.constant(0)}), [&] {
+        const uint32_t words = code_.value(spv::OpIMul, uint_, {at, code_.constant(2)});
+        count(code_.value(spv::OpIAdd, uint_, {words, code_.constant(layout_.first_word + 2)}), times);
+      });
+    });
   }
 
   void map_coverage() {
@@ -177,19 +217,23 @@ class Instrumenter {
 
   void write_functions(std::span<const SpirvInstruction> instructions) {
     bool in_main = false, begins = false;  // begins: main's first block has not begun
+    uint32_t first = 0;                    // its label
     std::optional<uint32_t> entered;       // counter of the block whose label was written, until it is counted
     for (const SpirvInstruction& i : instructions) {
       const spv::Op op = i.op();
       if (says_a_place(op)) continue;
       if (op == spv::OpFunction) in_main = begins = i.result == main_;
+      if (op == spv::OpLabel && begins) {
+        // main begins in a block of its own; its first one keeps its name, and phis know it by that.
+        first = i.result;
+        begin_block(code_.new_id());
+        continue;
+      }
       if (op == spv::OpLabel) {
         if (const auto found = counter_of_.find(i.result); found != counter_of_.end()) entered = found->second;
       } else if (op != spv::OpPhi && op != spv::OpVariable && op != spv::OpFunction && op != spv::OpFunctionParameter) {
-        if (std::exchange(begins, false)) {
-          count(layout_.first_word, code_.constant(1));
-          if (maps_coverage_) map_coverage();
-        }
-        if (entered) add_to_sum(*std::exchange(entered, std::nullopt));
+        if (std::exchange(begins, false)) begin_main(first);
+        if (entered) sums_.add(code_.constant(*std::exchange(entered, std::nullopt)), code_.constant(1));
       }
       if (is_texture_operation(i)) levels_.count(i);
       if (op == spv::OpKill || (in_main && op == spv::OpReturn)) count_sums();
@@ -237,11 +281,12 @@ class Instrumenter {
   const Stage stage_;
   const CountingLayout& layout_;
   SpirvWriter code_;
+  PrivateCounters sums_;  // of the blocks that are counted, then of levels
   LevelCounting levels_;
+  uint32_t index_ = 0;  // the variable that goes over them where an invocation ends
   uint32_t main_ = 0, frag_coord_ = 0;
   BlockWork work_;
   std::map<uint32_t, uint32_t> counter_of_;  // label -> counter
-  std::vector<uint32_t> sums_;               // beside the counters: the variable
   bool early_ = false, maps_coverage_ = false;
   uint32_t uint_ = 0, bool_ = 0, float_ = 0, float4_ = 0, uint_pointer_ = 0, counters_ = 0;
   Words decorations_, out_;

@@ -5,14 +5,10 @@
 
 namespace lamina {
 
-void LevelCounting::declare(const std::map<uint32_t, uint32_t>& counted) {
+void LevelCounting::place(const std::map<uint32_t, uint32_t>& counted, uint32_t first) {
   for (const auto& [binding, levels] : counted) {
-    const uint32_t array = code_.type(spv::OpTypeArray, {code_.uint_type(), code_.constant(levels)});
-    const uint32_t pointer = code_.type(spv::OpTypePointer, {spv::StorageClassPrivate, array});
-    const uint32_t zeros = code_.new_id(), sums = code_.new_id();
-    emit(code_.globals, spv::OpConstantNull, {array, zeros});
-    emit(code_.globals, spv::OpVariable, {pointer, sums, spv::StorageClassPrivate, zeros});
-    sums_[binding] = sums;
+    first_of_[binding] = first;
+    first += levels;
   }
 }
 
@@ -22,20 +18,8 @@ bool LevelCounting::needs_query() const {
          });
 }
 
-uint32_t LevelCounting::pointer_to(uint32_t binding, uint32_t level) {
-  const uint32_t pointer = code_.type(spv::OpTypePointer, {spv::StorageClassPrivate, code_.uint_type()});
-  return code_.value(spv::OpAccessChain, pointer, {sums_.at(binding), level});
-}
-
-uint32_t LevelCounting::sum(uint32_t binding, uint32_t level) {
-  return code_.value(spv::OpLoad, code_.uint_type(), {pointer_to(binding, code_.constant(level))});
-}
-
 void LevelCounting::add(uint32_t binding, uint32_t level, uint32_t amount) {
-  const uint32_t of_type = code_.uint_type(), pointer = pointer_to(binding, level);
-  const uint32_t before = code_.value(spv::OpLoad, of_type, {pointer});
-  const uint32_t after = code_.value(spv::OpIAdd, of_type, {before, amount});
-  emit(code_.body, spv::OpStore, {pointer, after});
+  counters_.add(code_.value(spv::OpIAdd, code_.uint_type(), {level, code_.constant(first_of_.at(binding))}), amount);
 }
 
 void LevelCounting::count(const SpirvInstruction& operation) {
@@ -44,7 +28,7 @@ void LevelCounting::count(const SpirvInstruction& operation) {
   if (texture == textures_.end()) return;
   if (level_reads(code_.module(), operation, stage_, texture->second).told != LevelReads::Told::by_running) return;
   const uint32_t levels = texture->second.levels, of_type = code_.uint_type(), real = code_.float_type();
-  // Nothing may reach beyond the array, whatever a shader asks for.
+  // Nothing may reach beyond the counters, whatever a shader asks for.
   const auto within = [&](uint32_t level) { return code_.glsl(GLSLstd450UMin, of_type, {level, code_.constant(levels - 1)}); };
   const uint32_t one = code_.constant(1);
   if (is_texel_fetch(operation)) {

@@ -3,25 +3,18 @@
 
 #include <algorithm>
 
+#include "harness/backend/common/pass_counts.h"
+
 namespace lamina::gl {
 namespace {
 
 // Of OpenGL 4.6, and of GL_ARB_pipeline_statistics_query before it, which need no entry point of their own.
 constexpr GLenum fragment_shader_invocations = 0x82F4;
 
-using Asks = bool (*)(const Pass& pass);
-
-// One for each pass, 0 where it does not ask; none where no pass does.
-std::vector<uint64_t> results(const std::vector<QueryObject>& queries, std::span<const Pass> passes, Asks asks) {
-  if (std::none_of(passes.begin(), passes.end(), asks)) return {};
-  std::vector<uint64_t> counts(passes.size());
-  for (size_t pass = 0; pass < passes.size(); ++pass) {
-    if (!asks(passes[pass])) continue;
-    GLuint64 count = 0;
-    glGetQueryObjectui64v(queries[pass].name(), GL_QUERY_RESULT, &count);
-    counts[pass] = count;
-  }
-  return counts;
+uint64_t result_of(const QueryObject& query) {
+  GLuint64 count = 0;
+  glGetQueryObjectui64v(query.name(), GL_QUERY_RESULT, &count);
+  return count;
 }
 
 }  // namespace
@@ -58,8 +51,9 @@ void SampleCounts::end(const Pass& pass) const {
 }
 
 void SampleCounts::read(std::span<const Pass> passes, RunTimes& times) const {
-  times.samples = results(queries_, passes, counts_samples);
-  if (tells_issued_) times.issued_fragments = results(issued_, passes, counts_issued_fragments);
+  times.samples = counts_of(passes, counts_samples, [&](size_t pass) { return result_of(queries_[pass]); });
+  if (!tells_issued_) return;
+  times.issued_fragments = counts_of(passes, counts_issued_fragments, [&](size_t pass) { return result_of(issued_[pass]); });
 }
 
 }  // namespace lamina::gl

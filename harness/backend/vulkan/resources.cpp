@@ -73,8 +73,7 @@ void check_on_device(const Device& device, const TextureDesc& desc) {
   check(vkGetPhysicalDeviceImageFormatProperties(device.physical(), vk_format(desc.format), image_type(desc),
                                                  VK_IMAGE_TILING_OPTIMAL, usage_of(desc), 0, &format_limits),
         desc.name, "vkGetPhysicalDeviceImageFormatProperties");
-  size_t size_bytes = 0;
-  for (uint32_t level = 0; level < desc.levels; ++level) size_bytes += level_bytes(desc, level);
+  const uint64_t size_bytes = texture_bytes(desc);
   if (size_bytes > format_limits.maxResourceSize)
     throw_failed(desc.name, fmt::format("it takes {} bytes and {} makes textures of at most {}; use a smaller size", size_bytes,
                                         device.info().device, format_limits.maxResourceSize));

@@ -3,18 +3,15 @@
 
 #include <algorithm>
 
+#include "harness/backend/common/pass_counts.h"
+
 namespace lamina::vulkan {
 namespace {
 
-using Asks = bool (*)(const Pass& pass);
-
-// One for each pass, 0 where it does not ask; none where no pass does.
-std::vector<uint64_t> results(const QueryPool& queries, std::span<const Pass> passes, Asks asks) {
-  if (std::none_of(passes.begin(), passes.end(), asks)) return {};
-  std::vector<uint64_t> counts(passes.size());
-  for (uint32_t pass = 0; pass < passes.size(); ++pass)
-    if (asks(passes[pass])) queries.read(pass, 1, &counts[pass]);
-  return counts;
+uint64_t result_of(const QueryPool& queries, size_t pass) {
+  uint64_t count = 0;
+  queries.read(static_cast<uint32_t>(pass), 1, &count);
+  return count;
 }
 
 }  // namespace
@@ -40,8 +37,9 @@ void SampleCounts::end(VkCommandBuffer commands, const Pass& pass, uint32_t inde
 }
 
 void SampleCounts::read(std::span<const Pass> passes, RunTimes& times) const {
-  times.samples = results(queries_, passes, counts_samples);
-  if (tells_issued()) times.issued_fragments = results(issued_, passes, counts_issued_fragments);
+  times.samples = counts_of(passes, counts_samples, [&](size_t pass) { return result_of(queries_, pass); });
+  if (!tells_issued()) return;
+  times.issued_fragments = counts_of(passes, counts_issued_fragments, [&](size_t pass) { return result_of(issued_, pass); });
 }
 
 }  // namespace lamina::vulkan
