@@ -15,8 +15,6 @@ int repeated(int at, int count) { return ((at % count) + count) % count; }
 LayerLight::LayerLight(const Scene& scene, const Object& object, const TextureImage& normals)
     : scene_(scene),
       normals_(normals),
-      world_from_object_(object.world_from_object),
-      normal_matrix_(glm::transpose(glm::inverse(glm::dmat3(world_from_object_)))),
       width_(static_cast<int>(normals.width)),
       height_(static_cast<int>(normals.height)),
       chart_of_(size_t(width_) * size_t(height_), -1) {
@@ -26,26 +24,34 @@ LayerLight::LayerLight(const Scene& scene, const Object& object, const TextureIm
     chart_of_.assign(size_t(width_) * size_t(height_), -1);
   }
   const Mesh& mesh = object.mesh;
+  const glm::dmat4 world_from_object(object.world_from_object);
+  const glm::dmat3 turned(world_from_object), normal_matrix = glm::transpose(glm::inverse(turned));
+  const double side = glm::determinant(turned) < 0 ? -1 : 1;
   for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    std::array<glm::dvec2, 3> uv;
     Chart chart;
-    for (size_t c = 0; c < 3; ++c) chart.corner[c] = &mesh.vertices[mesh.indices[i + c]];
-    chart.first_uv = glm::dvec2(chart.corner[0]->uv);
-    const glm::dmat2 uv_from_weights(glm::dvec2(chart.corner[1]->uv) - chart.first_uv,
-                                     glm::dvec2(chart.corner[2]->uv) - chart.first_uv);
+    for (size_t c = 0; c < 3; ++c) {
+      const Vertex& vertex = mesh.vertices[mesh.indices[i + c]];
+      uv[c] = glm::dvec2(vertex.uv);
+      chart.position[c] = glm::dvec3(world_from_object * glm::dvec4(vertex.position, 1));
+      chart.normal[c] = normal_matrix * glm::dvec3(vertex.normal);
+      chart.tangent[c] = turned * glm::dvec3(vertex.tangent);
+    }
+    chart.handedness = double(mesh.vertices[mesh.indices[i]].tangent.w) * side < 0 ? -1 : 1;
+    chart.first_uv = uv[0];
+    const glm::dmat2 uv_from_weights(uv[1] - uv[0], uv[2] - uv[0]);
     if (std::abs(glm::determinant(uv_from_weights)) < 1e-14) continue;
     chart.weights_from_uv = glm::inverse(uv_from_weights);
     charts_.push_back(chart);
-    cover(static_cast<uint32_t>(charts_.size() - 1));
+    cover(static_cast<uint32_t>(charts_.size() - 1), glm::min(uv[0], glm::min(uv[1], uv[2])),
+          glm::max(uv[0], glm::max(uv[1], uv[2])));
   }
   spread();
 }
 
-// Texels whose middle lies in the triangle.
-void LayerLight::cover(uint32_t triangle) {
+// Texels whose middle lies in the triangle, which reaches from `low` to `high`.
+void LayerLight::cover(uint32_t triangle, glm::dvec2 low, glm::dvec2 high) {
   const Chart& chart = charts_[triangle];
-  glm::dvec2 low(1e30), high(-1e30);
-  for (const Vertex* vertex : chart.corner)
-    low = glm::min(low, glm::dvec2(vertex->uv)), high = glm::max(high, glm::dvec2(vertex->uv));
   const int left = std::max(static_cast<int>(std::floor(low.x * width_)), 0),
             right = std::min(static_cast<int>(std::ceil(high.x * width_)), width_);
   const int top = std::max(static_cast<int>(std::floor(low.y * height_)), 0),
@@ -104,22 +110,15 @@ std::optional<LayerPlace> LayerLight::place(glm::dvec2 uv) const {
   if (size_t(nearest) != texel) uv = {(nearest % width_ + 0.5) / width_, (nearest / width_ + 0.5) / height_};
   const Chart& chart = charts_[size_t(chart_of_[size_t(nearest)])];
   const glm::dvec2 w = chart.weights_from_uv * (uv - chart.first_uv);
-  const auto mixed = [&](const auto& of) {
-    return (1 - w.x - w.y) * of(*chart.corner[0]) + w.x * of(*chart.corner[1]) + w.y * of(*chart.corner[2]);
-  };
-  LayerPlace there{uv, {}, {}, {}, {}};
-  there.position =
-      glm::dvec3(world_from_object_ * glm::dvec4(mixed([](const Vertex& v) { return glm::dvec3(v.position); }), 1));
-  there.normal = glm::normalize(normal_matrix_ * mixed([](const Vertex& v) { return glm::dvec3(v.normal); }));
+  const auto mixed = [&](const std::array<glm::dvec3, 3>& of) { return (1 - w.x - w.y) * of[0] + w.x * of[1] + w.y * of[2]; };
+  LayerPlace there{uv, mixed(chart.position), {}, {}, glm::normalize(mixed(chart.normal))};
   const glm::dvec3& normal = there.normal;
-  glm::dvec3 along = glm::dmat3(world_from_object_) * mixed([](const Vertex& v) { return glm::dvec3(v.tangent); });
+  glm::dvec3 along = mixed(chart.tangent);
   along -= normal * glm::dot(normal, along);
   there.along = glm::dot(along, along) > 1e-12
                     ? glm::normalize(along)
                     : glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
-  const double handedness =
-      double(chart.corner[0]->tangent.w) * (glm::determinant(glm::dmat3(world_from_object_)) < 0 ? -1 : 1);
-  there.across = glm::cross(normal, there.along) * (handedness < 0 ? -1.0 : 1.0);
+  there.across = glm::cross(normal, there.along) * chart.handedness;
   return there;
 }
 

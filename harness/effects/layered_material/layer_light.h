@@ -44,15 +44,14 @@ class LayerLight {
   struct Chart {
     glm::dmat2 weights_from_uv;  // of the second and third corner
     glm::dvec2 first_uv;
-    std::array<const Vertex*, 3> corner;
+    std::array<glm::dvec3, 3> position, normal, tangent;  // of the corners, in the world; the last two of any length
+    double handedness;                                    // 1, or -1 where the texture is mirrored
   };
-  void cover(uint32_t triangle);
+  void cover(uint32_t triangle, glm::dvec2 low, glm::dvec2 high);
   void spread();
 
   const Scene& scene_;
   FilteredTexture normals_;
-  glm::dmat4 world_from_object_;
-  glm::dmat3 normal_matrix_;
   int width_, height_;
   std::vector<Chart> charts_;
   std::vector<int32_t> chart_of_;    // by texel: a triangle, or -1
