@@ -12,7 +12,7 @@ packages=(
   libglm-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev
   libembree-dev libtbb-dev                                                # casting rays for bakes and truths
   libboost-dev                                                            # references to hundreds of bits
-  libgtest-dev libbenchmark-dev libxml2-utils python3-yaml time          # tests, benchmarks
+  libgtest-dev libgmock-dev libbenchmark-dev libxml2-utils python3-yaml time          # tests, benchmarks
 )
 
 install_missing_packages() {
