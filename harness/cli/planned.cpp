@@ -32,7 +32,7 @@ std::vector<PlanRow::Pass> planned_passes(const std::vector<GraphPass>& passes, 
 // The frame in which each effect stands as it is chosen, else at its baseline.
 PlanRow::Frame planned_frame(const Plan& plan, const Scene& scene, ShaderCache& shaders, const FrameSize& size) {
   Graph graph = make_graph(plan, configuration_of(plan, {}), scene, shaders);
-  std::ranges::stable_partition(graph.passes, [](const GraphPass& pass) { return pass.once; });
+  std::stable_partition(graph.passes.begin(), graph.passes.end(), [](const GraphPass& pass) { return pass.once; });
   PlanRow::Frame frame;
   frame.width = size.width_px, frame.height = size.height_px;
   frame.passes = planned_passes(graph.passes, scene, true, true);

@@ -124,7 +124,7 @@ std::vector<FamilyFunction> read_functions(const TomlTable& root, const std::vec
   }
   if (!baseline)
     throw root.error("functions", "none of the functions has baseline = true: the others' times are compared to it");
-  std::ranges::stable_partition(functions, &FamilyFunction::baseline);
+  std::stable_partition(functions.begin(), functions.end(), [](const FamilyFunction& function) { return function.baseline; });
   return functions;
 }
 
