@@ -147,7 +147,9 @@ class Instrumenter {
     });
   }
 
+  // Of the private counter that for_each_sum() is at.
   uint32_t index() { return code_.value(spv::OpLoad, uint_, {index_}); }
+
   // Runs work(index) for each private counter. Ends the block that is being written; what follows is the block `merge`.
   void for_each_sum(uint32_t merge, const std::function<void(uint32_t)>& work) {
     const uint32_t head = code_.new_id(), test = code_.new_id(), body = code_.new_id(), next = code_.new_id();

@@ -99,6 +99,21 @@ void main() {
   EXPECT_EQ(counts.levels.at(0), (Levels{1, 1, 1, 0, 0}));
 }
 
+TEST_P(LevelsRead, OfEachTextureAreItsOwn) {
+  const Counts counts = run({.fragment = R"(
+layout(binding = 0) uniform sampler2D first;
+layout(binding = 1) uniform sampler2D second;
+layout(location = 0) out vec4 o;
+void main() {
+  vec2 px = gl_FragCoord.xy;
+  o = textureLod(first, px, float(int(px.x) % 4));
+  if (int(px.x) % 2 == 0) o += textureLod(second, px, px.x * 0.0 + 4.0);
+}
+)"});
+  EXPECT_EQ(counts.levels.at(0), (Levels{each / 4, each / 4, each / 4, each / 4, 0}));
+  EXPECT_EQ(counts.levels.at(1), (Levels{0, 0, 0, 0, each / 2}));
+}
+
 // The edge cuts quads, whose helpers read too, and do not count.
 TEST_P(LevelsRead, LeaveHelpersOut) {
   const Counts counts = run({.vertex = R"(
