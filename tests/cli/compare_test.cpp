@@ -64,7 +64,7 @@ TEST_F(Compare, QuickNamesAreOfTheirOwnEffect) {
 }
 
 TEST_F(Compare, HeartOnEveryDefaultBackend) {
-  const Outcome outcome = compare("heart", "--quick --budget 0.1 --variant normal_map_taps --variant vertex_normal");
+  const Outcome outcome = compare("heart", std::string("--quick --budget 0.1") + few_variants);
   const Record record = this->record();
   // A machine that is busy with other tests can fail the timer's certificate; then times are refused and the status says so.
   EXPECT_EQ(outcome.status, std::ranges::all_of(record.timers, &TimerRow::ok) ? 0 : 1) << outcome.output;
@@ -189,7 +189,7 @@ TEST_F(Compare, AnEffectThatIsInNoViewGetsNoTimeAndNoRatio) {
   const std::string scene =
       write("away.toml", "[scene]\nmodel = \"square.gltf\"\n[views.away]\neye = [0, 0, 5]\ntarget = [0, 0, 10]\n").string();
   const Outcome outcome =
-      lamina_program("compare " + scene + " --no-time --backend vulkan --size 64x64 --out " + out().string());
+      lamina_program("compare " + scene + few_variants + " --no-time --backend vulkan --size 64x64 --out " + out().string());
   EXPECT_SAYS(outcome.output, "layered_material covers no pixel in any view, so no time or ratio is given; check the views");
   const Record run = record();
   ASSERT_FALSE(run.cells.empty());
@@ -212,7 +212,7 @@ TEST_F(Compare, AnEffectThatIsInNoViewGetsNoTimeAndNoRatio) {
 TEST_F(Compare, HelmetRendersWhereItIsThere) {
   const std::filesystem::path helmet = std::filesystem::path(LAMINA_DATA_DIR) / "models/DamagedHelmet.glb";
   if (!std::filesystem::exists(helmet)) GTEST_SKIP() << helmet << " is absent: the real model is not part of the product";
-  const Outcome outcome = compare(helmet.string() + " --backend vulkan");
+  const Outcome outcome = compare(helmet.string() + " --backend vulkan" + few_variants);
   const Record record = this->record();
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   ASSERT_FALSE(record.cells.empty());

@@ -46,7 +46,7 @@ class Gate : public ProgramTest {
   std::string unless_said(const std::string& more) const {
     const auto says = [&](const char* option) { return more.find(option) != std::string::npos; };
     return std::string(says("--truth-rays") ? "" : " --truth-rays 0") +
-           (says("--variant") || all_variants_ ? "" : " --variant normal_map_taps --variant vertex_normal");
+           (says("--variant") || all_variants_ ? "" : few_variants);
   }
   Outcome against_record(const std::string& record, const std::string& more = "") {
     return lamina_program("gate " + square_model() + " --baseline " + record +
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(Each, GateMutations, testing::ValuesIn(mutations),
 TEST_P(GateMutations, IsCaught) {
   copy_tree();
   replace(GetParam().file, GetParam().from, GetParam().to);
-  const Outcome outcome = gate();
+  const Outcome outcome = gate("--variant normal_map_taps");
   EXPECT_EQ(outcome.status, 1) << outcome.output;
   const Record record = this->record();
   for (const char* backend : {"vulkan", "osmesa"})
@@ -125,7 +125,7 @@ TEST_F(Gate, WhatExecutesTheSamePassesUnmeasured) {
 TEST_F(Gate, OtherCodeForTheSamePicturePasses) {
   copy_tree();
   replace(composite, "out_color = vec4(color, 1.0)", "out_color = vec4(color.rg, color.b, 1.0)");
-  const Outcome outcome = gate("--backend osmesa --variant normal_map_taps --variant vertex_normal", "heart");
+  const Outcome outcome = gate(std::string("--backend osmesa") + few_variants, "heart");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   const Record record = this->record();
   EXPECT_GE(record.cells.size(), 9u) << "three variants in three views";
@@ -194,8 +194,7 @@ TEST_F(Gate, WhatTheBudgetLeavesNoTimeForIsSaid) {
   const Record record = this->record();
   EXPECT_TRUE(record.pairs.empty());
   EXPECT_TRUE(record.timers.empty());
-  EXPECT_TRUE(
-      std::ranges::any_of(record.verdicts, [](const VerdictRow& row) { return row.verdict == Verdict::time_open; }));
+  EXPECT_TRUE(std::ranges::any_of(record.verdicts, [](const VerdictRow& row) { return row.verdict == Verdict::time_open; }));
 }
 
 // The pictures are the same; what the truth is told of them is not.

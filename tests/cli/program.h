@@ -44,6 +44,8 @@ class ProgramTest : public InFolder<> {
     const Texels texels = load_texels(out() / cell.image, /*srgb_colour=*/true);
     return to_display(image_of(texels));
   }
+  // The layered material's baseline and two more, for what is the same with all of its variants.
+  static constexpr const char* few_variants = " --variant normal_map_taps --variant vertex_normal";
   // A model that loads in no time: one square, without textures.
   std::string square_model() {
     const float corners[4][8] = {

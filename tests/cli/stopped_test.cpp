@@ -17,9 +17,9 @@ class Surroundings : public ProgramTest {
     outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     return outcome;
   }
+  static constexpr const char* small = " --variant vertex_normal --backend vulkan --size 32x32 --truth-rays 0";
   std::string compare_square(const std::string& more) {
-    return std::string(LAMINA_PROGRAM) + " compare " + square_model() + " --backend vulkan --size 32x32 --truth-rays 0 --out " +
-           out().string() + " " + more;
+    return std::string(LAMINA_PROGRAM) + " compare " + square_model() + small + " --out " + out().string() + " " + more;
   }
 };
 
@@ -37,9 +37,8 @@ TEST_F(Surroundings, CtrlCLeavesTheReportOfWhatWasMeasured) {
 }
 
 TEST_F(Surroundings, CtrlCEndsAGateWithItsReportAndKeepsItsBaseline) {
-  const std::string gate = std::string(LAMINA_PROGRAM) + " gate " + square_model() +
-                           " --backend vulkan --size 32x32 --truth-rays 0 --budget 300 --out " + out().string() +
-                           " --baseline " + (folder_ / "stored").string();
+  const std::string gate = std::string(LAMINA_PROGRAM) + " gate " + square_model() + small + " --budget 300 --out " +
+                           out().string() + " --baseline " + (folder_ / "stored").string();
   const std::string stop = " & pid=$!; until grep -qs '\"plan\"' " + (out() / "record.jsonl").string() +
                            "; do kill -0 $pid || exit 99; sleep 0.1; done; sleep 3; kill -INT $pid; wait $pid";
   const Outcome first = shell(gate + " --update" + stop);
@@ -106,8 +105,8 @@ TEST_F(OwnMounts, AHomeThatCannotBeWrittenCostsOnlyTheCache) {
 TEST_F(OwnMounts, AFullDiskIsOneMessage) {
   const Outcome outcome =
       shell("OWN=" + (folder_ / "own").string() + "; unshare --mount sh -c 'mount -t tmpfs -o size=16k none " +
-            (folder_ / "own").string() + " && exec " + LAMINA_PROGRAM + " compare " + square_model() +
-            " --backend vulkan --size 32x32 --truth-rays 0 --no-time --out " + (folder_ / "own/out").string() + "'");
+            (folder_ / "own").string() + " && exec " + LAMINA_PROGRAM + " compare " + square_model() + small +
+            " --no-time --out " + (folder_ / "own/out").string() + "'");
   EXPECT_EQ(outcome.status, 1) << outcome.output;
   EXPECT_SAYS(outcome.output, "No space left on device");
 }

@@ -102,7 +102,7 @@ class ApertureKinds : public EachBackend {
     return pixel(picture(scene, name, 16), 8, 8).r;
   }
 };
-INSTANTIATE_TEST_SUITE_P(Backends, ApertureKinds, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, ApertureKinds, api_parameters, backend_test_name);
 
 // Beside a wall: of a sun within the circle the edge takes its share, as a hard edge takes of a sun as wide.
 TEST_P(ApertureKinds, ASoftEdgeFadesTheSun) {

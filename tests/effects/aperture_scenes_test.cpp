@@ -154,7 +154,7 @@ TEST_P(ApertureScenes, EveryVariantIsFiniteWhateverTheMeshAndLights) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, ApertureScenes, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, ApertureScenes, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

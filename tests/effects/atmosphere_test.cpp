@@ -265,7 +265,7 @@ TEST(AtmosphereScenes, MistakesAreRefused) {
           "'far'");  // planes are fitted, so none lies before another
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, Atmosphere, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, Atmosphere, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

@@ -238,7 +238,7 @@ TEST(CapFamily, SeedsMeanTheSamePoints) {
   EXPECT_EQ(make_sets(caps(), 1000, 1)[1].points[999][0], make_sets(caps(), 2000, 1)[1].points[999][0]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, CapShaders, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, CapShaders, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

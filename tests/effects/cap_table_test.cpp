@@ -156,7 +156,7 @@ TEST_P(LutCap, DoesNotDependOnTheOrderOfTheCaps) {
         << there[i][0] << " " << there[i][1] << " " << there[i][2];
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, LutCap, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, LutCap, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

@@ -178,8 +178,8 @@ TEST(DepthOracle, SumsWhatTheDefinitionSays) {
       ASSERT_EQ(oracle.refusal(std::vector<double>(set.points[i].begin(), set.points[i].end())), "") << set.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, FogCodes, backend_parameters, backend_test_name);
-INSTANTIATE_TEST_SUITE_P(Backends, DepthEncodings, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, FogCodes, api_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, DepthEncodings, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

@@ -133,7 +133,7 @@ TEST_P(FogPictures, HullsAreDrawnWhereAViewSeesThem) {
 
 TEST(FogBackends, AgreeAndHaveNoNaN) { expect_backends_agree("volume_fog", {ball_in_fog(0.9f)}); }
 
-INSTANTIATE_TEST_SUITE_P(Backends, FogPictures, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, FogPictures, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

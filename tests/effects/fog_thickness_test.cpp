@@ -192,7 +192,7 @@ TEST(HullShapes, AreToldFromOtherMeshes) {
   EXPECT_EQ(hull_shape(turned), HullShape::any) << "inside out";
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, FogThickness, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, FogThickness, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

@@ -167,7 +167,7 @@ TEST_P(GlassPictures, BothParitiesShowTheExactPictureReconstructed) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, GlassPictures, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, GlassPictures, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

@@ -246,7 +246,7 @@ TEST(GlossyBackends, AgreeAndHaveNoNaN) {
   expect_backends_agree("glossy_reflection", {load_scene("glossy_floor", builtin_library())});
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, GlossyFloor, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, GlossyFloor, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

@@ -140,7 +140,7 @@ TEST_P(HairFunctions, KarisFirstReflectionHasALimitBehindTheStrand) {
   EXPECT_TRUE(std::isnan(one("karis_reflection", "plain_lobe", {0, 0, 0, .04f})));
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, HairFunctions, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, HairFunctions, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

@@ -55,7 +55,7 @@ fov_y_degrees = 5.7248
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, HairModels, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, HairModels, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

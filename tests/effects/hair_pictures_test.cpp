@@ -224,7 +224,7 @@ TEST(HairBackends, AgreeAndHaveNoNaN) {
   expect_backends_agree("hair", {load_scene("hair_head", builtin_library())}, 48, {{"layers", 48}});
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, HairPictures, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, HairPictures, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

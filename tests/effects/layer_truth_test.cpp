@@ -100,7 +100,7 @@ TEST(LayerLight, BeyondTheChartsItIsTheNearestTexels) {
 }
 
 class LayerTruthPictures : public EachBackend {};
-INSTANTIATE_TEST_SUITE_P(Backends, LayerTruthPictures, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, LayerTruthPictures, api_parameters, backend_test_name);
 
 // Bumps, three layers and shadows seen at a slant: 13 evenly spread taps come near to many. A turned frame, another sign of v
 // or a ray bent the wrong way would not.

@@ -228,7 +228,7 @@ TEST(RoughGlassBackends, AgreeAndHaveNoNaN) {
   expect_backends_agree("rough_refraction", {load_scene("rough_glass", builtin_library())});
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, RoughGlass, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, RoughGlass, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

@@ -141,7 +141,7 @@ TEST(ScatteringOracles, RefuseWhatHasNoValue) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, ScatteringShaders, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, ScatteringShaders, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

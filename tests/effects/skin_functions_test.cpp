@@ -93,7 +93,7 @@ TEST_P(SkinFunctions, BurleysRadiusIsTheTable) {
   for (size_t i = 0; i < 5; ++i) EXPECT_NEAR(found[i], right[i], 1e-4f * right[i]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, SkinFunctions, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, SkinFunctions, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

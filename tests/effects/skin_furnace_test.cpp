@@ -106,7 +106,7 @@ TEST_P(SkinFurnace, NoModelSendsBackMoreThanComes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, SkinFurnace, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, SkinFurnace, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

@@ -189,7 +189,7 @@ TEST_P(SkinLooks, WhatIsNotThereReadsNoTexture) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, SkinLooks, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, SkinLooks, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

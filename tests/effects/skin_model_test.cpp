@@ -111,7 +111,7 @@ TEST_P(SkinModels, AWrongProfileIsRefusedByFileOrObject) {
     expect_refused([&] { picture(with(line), "spherical_gaussians", 8); }, {"object 'plate'", says});
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, SkinModels, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, SkinModels, api_parameters, backend_test_name);
 
 // Levels of a light map that has none: the manifest is refused, by file and line.
 TEST(SkinVariants, LevelsOfAMapWithoutMipsAreRefused) {

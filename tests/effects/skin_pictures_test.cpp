@@ -190,7 +190,7 @@ TEST_P(SkinPictures, AWrongProfileIsBadInput) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, SkinPictures, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, SkinPictures, api_parameters, backend_test_name);
 
 // An edge of light, highlights and all that can be asked for.
 TEST(SkinBackends, AgreeAndHaveNoNaN) {

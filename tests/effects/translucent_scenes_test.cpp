@@ -325,7 +325,7 @@ TEST_P(TranslucentScenes, VariantsRefuseWhatTheyCannotDo) {
   refused(inside, "one_sample", "light 'lamp' stands among the objects");
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, TranslucentScenes, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, TranslucentScenes, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

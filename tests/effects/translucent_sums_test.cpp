@@ -125,7 +125,7 @@ TEST_P(TranslucentSums, AreRightToAHundredthOfTheSizeButAtSilhouettes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, TranslucentSums, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, TranslucentSums, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

@@ -109,7 +109,7 @@ TEST_P(TransparencyShaders, WeightsLeakBehindAnOpaqueLayer) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, TransparencyShaders, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, TransparencyShaders, api_parameters, backend_test_name);
 
 TEST(TransparencyOracles, GiveTheFiguresThatAreKnown) {
   const Family layers = family_in("compositing"), moments = family_in("moment_transmittance"),

@@ -188,7 +188,7 @@ TEST_P(TransparentLayers, MoreLayersThanTheLimitAreSaid) {
   expect_near(all->frame.picture(), glm::vec3(float(1 - std::pow(0.95, 20))), half_error, "all 20");
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, TransparentLayers, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, TransparentLayers, api_parameters, backend_test_name);
 
 TEST(Compositing, GoesFrontToBackAsFarAsAsked) {
   std::vector<PremultipliedLayer> layers;

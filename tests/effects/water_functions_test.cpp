@@ -297,7 +297,7 @@ TEST(WaterTables, HaveTheMeansThatShadersCountOn) {
   EXPECT_NEAR(lesser, caustic_lesser_mean, 4e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, WaterShaders, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, WaterShaders, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

@@ -190,7 +190,7 @@ TEST_P(WaterMaps, TheMeshGoesWithTheEye) {
   EXPECT_GT(worst_of(0), 3 * followed);
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, WaterMaps, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, WaterMaps, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

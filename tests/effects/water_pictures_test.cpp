@@ -257,7 +257,7 @@ TEST(WaterNumbers, AreRefusedOutsideTheirRanges) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, WaterPictures, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, WaterPictures, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

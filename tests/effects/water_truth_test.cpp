@@ -167,9 +167,9 @@ TEST_P(WaterTruth, WhatIsHiddenInAPixelIsNotTold) {
   for (int y = 10; y < 38; ++y) EXPECT_GT(beside.light(4, first, y).g, 0.8f * beside.light(4, first + 1, y).g) << y;
 }
 
-// However far the pattern of caustics is, its mean is nearly the even light's: on the way to the smallest level the lesser of two
-// patterns comes nearer to the mean of one. The table knows that mean at its texels alone; what is read between texels and between
-// levels is up to 3% brighter.
+// However far the pattern of caustics is, its mean is nearly the even light's: on the way to the smallest level the lesser of
+// two patterns comes nearer to the mean of one. The table knows that mean at its texels alone; what is read between texels and
+// between levels is up to 3% brighter.
 TEST_P(WaterTruth, CausticsFromAfarAreEvenLight) {
   const auto mean_of = [&](double contrast, double size_m) {
     const Image image = picture(still_pool(1, {{"caustics", contrast}, {"caustic_size", size_m}}), "full", water_size);
@@ -202,7 +202,7 @@ TEST(WaterTables, EachLevelKnowsTheMeanOfTheLesser) {
   EXPECT_LT(half_at(0, 1), half_at(level, 1));
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, WaterTruth, backend_parameters, backend_test_name);
+INSTANTIATE_TEST_SUITE_P(Backends, WaterTruth, api_parameters, backend_test_name);
 
 }  // namespace
 }  // namespace lamina

@@ -49,6 +49,8 @@ class EachBackend : public testing::TestWithParam<std::string_view> {
 
 inline const auto backend_parameters =
     testing::ValuesIn(std::vector<std::string_view>(backend_names().begin(), backend_names().end()));
+// One for each API: EGL runs the code of OSMesa on another context, which tests of backends, shaders and graphs look at.
+inline const auto api_parameters = testing::Values("vulkan", "osmesa");
 inline std::string backend_test_name(const testing::TestParamInfo<std::string_view>& info) { return std::string(info.param); }
 
 }  // namespace lamina

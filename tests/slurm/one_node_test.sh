@@ -60,7 +60,7 @@ slurmd || skip "slurmd does not start: $(tail -n 1 "$folder/slurmd.log")"
 for _ in $(seq 60); do [ "$(sinfo -h -o %t 2>/dev/null)" = idle ] && break; sleep 0.5; done
 [ "$(sinfo -h -o %t 2>/dev/null)" = idle ] || skip "the node does not become idle: $(sinfo -h -o '%t %E')"
 
-sweep=(open_plane --set lights.sun.intensity=0:4:1 --size 32x32 --backend vulkan --truth-rays 0 --view above --cache "$folder/cache")
+sweep=(open_plane --variant linear_cap --set lights.sun.intensity=0:4:1 --size 32x32 --backend vulkan --truth-rays 0 --view above --cache "$folder/cache")
 "$program" list --parameters open_plane >/dev/null || fail "the program does not run"
 "$program" sweep "${sweep[@]}" --out "$folder/alone" >"$folder/alone.log" 2>&1 || fail "one run alone ends with $?"
 merge=$(LAMINA=$program "$scripts/submit" 3 "$folder/out" "${sweep[@]}") || fail "the jobs are not taken"
