@@ -112,7 +112,7 @@ size_t run_backend(const std::string& name, const Compared& compared, Known want
       asked.stop = stopped_by_signal;
       if (timer) asked.beside = timer->beside();
       asked.budget_s = std::max(0.0, options.rounds.budget_s - timed_s) / static_cast<double>(left.size());
-      rounds = run.time(asked);
+      rounds = run.time(asked, cost_model ? &*cost_model : nullptr);
       if (timer && rounds.rounds > 0 && !timer->settle()) run.forget_times(), rounds = {};
     } catch (const StopRequested&) {
       append_rows_so_far(run, record);

@@ -244,7 +244,7 @@ bool EffectRun::note_nothing_covered() {
 }
 
 // Ratios are to the baseline, where it has not failed.
-RoundsResult EffectRun::time(const RoundOptions& rounds) {
+RoundsResult EffectRun::time(const RoundOptions& rounds, const CostModel* model) {
   const bool said = point_.timed || point_.params.empty();  // and not again at each point of a sweep of errors
   if ((said && note_nothing_covered()) || !point_.timed) return {};
   const Clock clock(spent_.device);
@@ -260,6 +260,7 @@ RoundsResult EffectRun::time(const RoundOptions& rounds) {
       if (variant.rows[view].failed) continue;                            // what is not a picture has no time worth measuring
       if (variant.manifest->baseline) baseline_arms[view] = arms.size();  // it is the first variant
       Arm& arm = arms.emplace_back(Arm{[&frame, view] { return frame.run(view, Timing::bracketed); }, std::nullopt});
+      if (model) arm.expected_ms = predicted_ms(*model, variant.rows[view].passes);
       if (const auto known = baseline_arms.find(view); known != baseline_arms.end()) arm.baseline = known->second;
       cells.emplace_back(&variant, &variant.rows[view]);
     }

@@ -15,6 +15,7 @@
 #include "harness/cli/ready_frame.h"
 #include "harness/cli/scene_on_device.h"
 #include "harness/cli/truth_run.h"
+#include "harness/cost/cost_model.h"
 #include "harness/measure/rounds.h"
 #include "harness/quality/judged_picture.h"
 
@@ -71,8 +72,8 @@ class EffectRun {
 
   void prepare();  // pipelines and targets, the first view; what is done once
   void count();    // by the counting build: covered pixels where they may have changed, and the counts that are asked for
-  // Interleaved rounds, where the point is timed; after count().
-  RoundsResult time(const RoundOptions& rounds);
+  // Interleaved rounds, where the point is timed; after count(). `model`, which may be null, tells how far the first round is.
+  RoundsResult time(const RoundOptions& rounds, const CostModel* model = nullptr);
   // The timer has turned out not to be trusted: no row keeps what time() measured.
   void forget_times();
 

@@ -35,7 +35,20 @@ void run_arm(const Arm& arm, ArmSamples& samples, double& device_ms) {
   }
 }
 
+size_t fewest(const RoundOptions& options) { return std::max(options.min_rounds, min_rounds_for_95); }
+
+double expected_round_s(const std::vector<Arm>& arms) {
+  double ms = 0;
+  for (const Arm& arm : arms) ms += arm.expected_ms;
+  return ms / 1000;
+}
+
 }  // namespace
+
+double part_done(double elapsed_s, double round_s, const RoundOptions& options) {
+  const double all_s = std::max(options.budget_s, static_cast<double>(fewest(options)) * round_s);
+  return all_s > 0 ? std::clamp(elapsed_s / all_s, 0.0, 1.0) : 1;
+}
 
 RoundsResult run_rounds(const std::vector<Arm>& arms, const RoundOptions& options,
                         const std::function<void(double)>& progress) {
@@ -44,14 +57,19 @@ RoundsResult run_rounds(const std::vector<Arm>& arms, const RoundOptions& option
   std::vector<size_t> order(arms.size() + (options.beside ? 1 : 0));  // what is beside is the last
   std::iota(order.begin(), order.end(), size_t{0});
   std::mt19937_64 random(options.seed);
-  const size_t least = std::max(options.min_rounds, min_rounds_for_95);
   const Stopwatch watch;
-  double beside_s = 0;
+  double beside_s = 0, round_s = expected_round_s(arms);
+  const auto tell = [&] {
+    if (progress) progress(part_done(watch.elapsed_s() - beside_s, round_s, options));
+  };
   while (result.rounds < options.max_rounds) {
     const double elapsed_s = watch.elapsed_s() - beside_s;
-    if (result.rounds >= least && (elapsed_s > options.budget_s || precise_enough(arms, result.arms, options.precision))) break;
+    if (result.rounds >= fewest(options) &&
+        (elapsed_s > options.budget_s || precise_enough(arms, result.arms, options.precision)))
+      break;
     if (result.rounds > 0 && options.stop && options.stop()) break;
-    if (progress) progress(std::max(elapsed_s / options.budget_s, 0.0));
+    if (result.rounds > 0) round_s = elapsed_s / static_cast<double>(result.rounds);
+    tell();
     for (size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);  // Fisher and Yates
     for (const size_t arm : order) {
       if (arm == arms.size()) {
@@ -60,6 +78,7 @@ RoundsResult run_rounds(const std::vector<Arm>& arms, const RoundOptions& option
         beside_s += beside.elapsed_s();
       } else if (result.arms[arm].failure.empty()) {
         run_arm(arms[arm], result.arms[arm], result.device_ms);
+        tell();
       }
     }
     ++result.rounds;

@@ -17,6 +17,7 @@ namespace lamina {
 struct Arm {
   std::function<FrameTimes()> run;  // one timed frame
   std::optional<size_t> baseline;   // the arm that its ratio is taken to
+  double expected_ms = 0;           // of a frame, for the progress of the first round; 0: not known
 };
 
 struct ArmSamples {
@@ -44,7 +45,12 @@ struct RoundsResult {
   double device_ms = 0;  // sum of all samples
 };
 
-// `progress` is called after each round with the fraction done.
+// What part of the rounds is done after `elapsed_s`, 0 to 1, where a round takes `round_s` (0: not known): of what the budget
+// holds, or of the fewest that are accepted where these take longer. Rounds may end sooner, where ratios are precise.
+double part_done(double elapsed_s, double round_s, const RoundOptions& options);
+
+// `progress` is called before each round and after each arm, with part_done(): of rounds as long as those before, and in the
+// first round as long as the arms are expected to take.
 RoundsResult run_rounds(const std::vector<Arm>& arms, const RoundOptions& options,
                         const std::function<void(double)>& progress = {});
 

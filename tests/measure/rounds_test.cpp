@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rounds over arms whose times are made up: order, pairing, stopping, failures. No clock is asked.
+// Rounds over arms whose times are made up: order, pairing, stopping, failures, progress.
 #include "harness/measure/rounds.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <set>
 #include <string>
 
@@ -40,6 +41,37 @@ TEST(Rounds, EveryRoundRunsEveryArmOnceInShuffledOrder) {
   EXPECT_EQ(result.arms[2].pass_ms, (std::vector<std::vector<double>>{std::vector<double>(50, 1), std::vector<double>(50, 2)}));
   EXPECT_EQ(result.arms[2].frame_ms, std::vector<double>(50, 3));
   EXPECT_EQ(result.device_ms, 600);
+}
+
+// Progress goes by the budget, or by the fewest rounds where these take longer; the end is never passed.
+TEST(Rounds, ThePartDoneIsOfTheBudgetOrOfTheFewestRounds) {
+  const RoundOptions options{.min_rounds = 10, .budget_s = 4};
+  EXPECT_EQ(part_done(0, 0, options), 0);
+  EXPECT_EQ(part_done(1, 0, options), 0.25) << "what a round takes is not known";
+  EXPECT_EQ(part_done(1, 0.3, options), 0.25) << "ten rounds fit into the budget";
+  EXPECT_EQ(part_done(1, 2, options), 0.05) << "ten rounds take 20 s";
+  EXPECT_EQ(part_done(25, 2, options), 1);
+  EXPECT_EQ(part_done(-1, 2, options), 0) << "what is beside took all of the time";
+}
+
+// Before the first round has ended, its arms' expected times are all that tells how long it will be.
+TEST(Rounds, TheFirstRoundIsAsLongAsItsArmsAreExpectedToTake) {
+  const auto first_told = [](double expected_ms) {
+    std::vector<double> told;
+    std::vector<Arm> arms(2, Arm{[] {
+                                   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(20);
+                                   while (std::chrono::steady_clock::now() < end) {
+                                   }
+                                   return frame({1});
+                                 },
+                                 {},
+                                 expected_ms});
+    run_rounds(arms, {.min_rounds = 10, .max_rounds = 1, .budget_s = 0.1}, [&](double part) { told.push_back(part); });
+    EXPECT_EQ(told.size(), 3u) << "before the round, and after each arm";
+    return told.at(1);
+  };
+  EXPECT_GE(first_told(0), 0.2) << "20 ms of a budget of 100";
+  EXPECT_LT(first_told(1e6), 1e-3) << "ten rounds of 2000 s";
 }
 
 TEST(Rounds, SameSeedSameOrder) {
