@@ -10,6 +10,7 @@ namespace {
 using lines::Json;
 using lines::Line;
 using lines::may_lack;
+using lines::refuse;
 
 bool is_moment(const Json& value) {
   if (!value.is_string()) return false;
