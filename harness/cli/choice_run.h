@@ -10,6 +10,7 @@
 
 #include "harness/choose/choice.h"
 #include "harness/cli/cell.h"
+#include "harness/cli/progress.h"
 #include "harness/cli/ready_frame.h"
 #include "harness/cli/scene_on_device.h"
 #include "harness/cli/truth_run.h"

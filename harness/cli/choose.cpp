@@ -14,6 +14,7 @@
 #include "harness/cli/common.h"
 #include "harness/cli/devices.h"
 #include "harness/cli/drawn_options.h"
+#include "harness/cli/progress.h"
 #include "harness/core/text.h"
 #include "harness/plan/configuration_file.h"
 #include "harness/record/kept_certificate.h"

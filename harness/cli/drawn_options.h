@@ -10,6 +10,7 @@
 
 #include "harness/choose/search.h"
 #include "harness/cli/choice_run.h"
+#include "harness/cli/progress.h"
 #include "harness/cost/cost_model.h"
 
 namespace lamina {
@@ -43,7 +44,7 @@ struct DrawnOptions {
 // Draws each option alone, and tells its time: by the model from its counts, or without a model by the fewest rounds. Options
 // that do not run, or leave no picture, are left out.
 DrawnOptions draw_options(const std::vector<const EffectManifest*>& effects, const Plan& plan, ChoiceRun& run,
-                           const std::optional<CostModel>& model, const RoundOptions& rounds, const Tell& tell);
+                          const std::optional<CostModel>& model, const RoundOptions& rounds, const Tell& tell);
 
 // Medians of the rounds, in units of one time of the baselines, so that batches that ran at another speed agree.
 void set_times(Outcome& outcome, const ChoiceRun::Times& times, const ChoiceRun::Times& baselines, const Outcome& of_baselines);
