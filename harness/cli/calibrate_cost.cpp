@@ -10,6 +10,7 @@
 #include <set>
 
 #include "harness/cli/commands.h"
+#include "harness/cli/common.h"
 #include "harness/cli/compare.h"
 #include "harness/core/disk_cache.h"
 #include "harness/core/stop_signals.h"
