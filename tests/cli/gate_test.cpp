@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(Each, GateMutations, testing::ValuesIn(mutations),
 TEST_P(GateMutations, IsCaught) {
   copy_tree();
   replace(GetParam().file, GetParam().from, GetParam().to);
-  const Outcome outcome = gate("--variant normal_map_taps");
+  const Outcome outcome = gate();
   EXPECT_EQ(outcome.status, 1) << outcome.output;
   const Record record = this->record();
   for (const char* backend : {"vulkan", "osmesa"})

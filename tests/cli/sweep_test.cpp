@@ -187,7 +187,7 @@ TEST_F(SweepTest, KilledAtAnyMomentNoCellIsLostOrDoubled) {
   const double run_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   std::mt19937_64 random(7);
   int kills = 0, finished = 0;
-  for (int round = 0; kills < 10; ++round) {
+  for (int round = 0; kills < 20; ++round) {
     ASSERT_LT(round, 50);
     const std::string out = fmt::format("killed-{}", round);
     for (bool done = false; !done;) {
