@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "harness/backend/backend.h"
+#include "harness/core/steady_heap.h"
 #include "harness/record/kept_certificate.h"
 
 namespace lamina {
@@ -66,5 +67,6 @@ int main(int count, char** arguments) {
     fmt::print(stderr, "usage: bench_certificates BACKEND CERTIFICATES BUSY_LOOPS\n");
     return 2;
   }
+  lamina::use_steady_heap();
   return lamina::run(arguments[1], std::atoi(arguments[2]), std::atoi(arguments[3]));
 }

@@ -7,6 +7,7 @@
 
 #include <memory>
 
+#include "harness/core/steady_heap.h"
 #include "harness/graph/frame.h"
 #include "harness/measure/rounds.h"
 #include "tests/graph/library_of.h"
@@ -17,9 +18,10 @@ using namespace lamina;
 
 constexpr uint32_t size_px = 256;
 
-// A frame with all that it needs, drawn once.
+// A frame with all that it needs, drawn once; in the targets of another one where they have the same, so that their place in
+// memory makes no difference.
 struct Side {
-  Side(Backend& backend, const std::string& name, Library of)
+  Side(Backend& backend, const std::string& name, Library of, const Side* like = nullptr)
       : library(std::move(of)),
         scene(load_scene(name, library)),
         plan(make_plan(library, scene, 1)),
@@ -27,7 +29,7 @@ struct Side {
         bakes(scene, *library.code, DiskCache("")),
         resources(backend, scene, library, size_px, size_px, &bakes),
         graph(make_graph(plan, configuration_of(plan, {}), scene, shaders)),
-        frame(resources, graph, Build::timed) {
+        frame(resources, graph, Build::timed, TargetSharing::on, like ? &like->frame : nullptr) {
     frame.run_once(Timing::off);
     frame.run(0, Timing::off);
   }
@@ -50,6 +52,7 @@ void print_ratio(const char* what, const std::vector<double>& samples, const std
 }  // namespace
 
 int main(int count, char** words) {
+  use_steady_heap();
   const std::string backend_name = count > 1 ? words[1] : "vulkan";
   std::vector<std::string> scenes(words + std::min(count, 2), words + count);
   if (scenes.empty()) scenes = {"heart", "leaf_pair", "glass_stack", "rough_glass"};
@@ -59,7 +62,7 @@ int main(int count, char** words) {
     for (const std::string& name : scenes) {
       const Scene scene = load_scene(name, library);
       const Library alone = library_called_for(library, make_plan(library, scene, 1));
-      Side all(*backend, name, library), one(*backend, name, alone), again(*backend, name, alone);
+      Side all(*backend, name, library), one(*backend, name, alone, &all), again(*backend, name, alone, &all);
       std::vector<Arm> arms;
       for (Side* side : {&one, &all, &again})
         arms.push_back(

@@ -62,6 +62,7 @@ struct TextureDesc {
   bool target = false;   // drawn into (colour or depth, by format), or has its mips generated
   bool storage = false;  // written by compute as an image
   uint32_t depth = 1;    // above 1: a 3D texture, sampled only: one level, no target, no storage, no r32_uint, no d32_float
+  bool operator==(const TextureDesc&) const = default;
 };
 inline bool is_3d(const TextureDesc& desc) { return desc.depth > 1; }
 
@@ -77,6 +78,7 @@ inline bool overlap(const Lifetime& a, const Lifetime& b) { return a.first <= b.
 struct TransientDesc {
   TextureDesc texture;
   std::optional<Lifetime> lifetime;
+  bool operator==(const TransientDesc&) const = default;
 };
 struct PlacedTextures {
   std::vector<TextureId> textures;  // beside what was asked for; several may be one: destroy each once

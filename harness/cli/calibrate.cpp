@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // lamina gate --calibrate: the gate's own error rates on this machine. It runs many gates over equal trees, each of which
 // should find nothing, and over trees in which one pass is slower by a known share. Each gate has its own rounds in several
-// processes on every backend, for as long as a gate within the budget has, and is judged as a gate is. Gates of one kind share
-// no process, since a process's layout of code and memory moves all of its ratios; gates of different kinds do. Counts and
-// pictures are left out, and an ambiguous gate gets no further processes, though a real gate would. calibration.jsonl holds
-// every gate, and the same command resumes after the last.
+// processes on every backend, for as long as a gate within the budget has, and is judged as a gate is; while it is ambiguous,
+// further processes run within that time. Gates of one kind share no process, since a process's layout of code and memory moves
+// all of its ratios; gates of different kinds do, and each counts the opening of the process as its own. Counts and pictures
+// are left out. calibration.jsonl holds every gate, and the same command resumes after the last. alarms.jsonl holds the rounds
+// of each false alarm, for whoever asks what raised it.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <set>
 #include <thread>
 
 #include "harness/cli/gate_process.h"
@@ -44,7 +45,13 @@ struct Bench {
   explicit Bench(const GateOptions& given)
       : options(given),
         tree(load_tree(load_library(home_folder(), effect_code()), given.compare)),
-        effect(effect_with_variants(tree.plan, *tree.scene)) {}
+        effect(effect_with_variants(tree.plan, *tree.scene)) {
+    std::vector<std::string> names;
+    for (const VariantManifest& variant : effect.variants) names.push_back(variant.name);
+    check_variant_names("gate", options.compare.variants, names);
+    for (const VariantManifest& variant : effect.variants)
+      if (is_compared(variant, options.compare)) variants.push_back(&variant);
+  }
 
   const VariantManifest& baseline_of(const Tree& of) const { return of.library.effect(effect.name).baseline(); }
   // Puts a tree for each number of extra taps into `slower`.
@@ -58,6 +65,7 @@ struct Bench {
   const GateOptions& options;
   Tree tree;
   const EffectManifest& effect;
+  std::vector<const VariantManifest*> variants;  // of the effect, that are compared
   std::vector<std::unique_ptr<Tree>> slower;
 };
 
@@ -68,18 +76,26 @@ class BenchFrames {
 
   // The baseline against itself made slower.
   TimedFrames pair(size_t dose) {
+    frames_.make(
+        {{&bench_.tree, &bench_.effect.baseline()}, {bench_.slower[dose].get(), &bench_.baseline_of(*bench_.slower[dose])}});
     TimedFrames timed = of(bench_.effect.baseline());
     timed.add(frame_after, frames_.get(*bench_.slower[dose], bench_.baseline_of(*bench_.slower[dose])));
     return timed;
   }
   // And against itself, as a gate does.
   TimedFrames slower(size_t dose) {
+    frames_.make({{&bench_.tree, &bench_.effect.baseline()},
+                  {bench_.slower[dose].get(), &bench_.baseline_of(*bench_.slower[dose])},
+                  {&bench_.tree, &bench_.effect.baseline(), 2}});
     TimedFrames timed = pair(dose);
     timed.add(frame_again, frames_.get(bench_.tree, bench_.effect.baseline(), 2));
     return timed;
   }
   // A variant against itself, as a gate does where its code is not known to be the same.
   TimedFrames equal(const VariantManifest& variant) {
+    std::vector<ProcessFrames::Wanted> wanted{{&bench_.tree, &variant}, {&bench_.tree, &variant, 1}};
+    if (variant.baseline) wanted.push_back({&bench_.tree, &variant, 2});
+    frames_.make(std::move(wanted));
     TimedFrames timed = of(variant);
     timed.add(frame_after, frames_.get(bench_.tree, variant, 1));
     if (variant.baseline) timed.add(frame_again, frames_.get(bench_.tree, variant, 2));
@@ -192,22 +208,17 @@ std::vector<uint32_t> find_taps(Bench& bench, const std::string& pass) {
   return taps;
 }
 
-// The seconds that a process has for rounds in a gate within the budget, by one real gate in which every variant with this
+// The seconds that a gate within the budget has for the processes that time, by one real gate in which every variant with this
 // pass has changed.
-double round_seconds(Bench& bench, const std::string& pass) {
+double timing_seconds(Bench& bench, const std::string& pass) {
   Library changed = bench.tree.library;
-  for (const VariantManifest& variant : bench.effect.variants)
-    changed = with_extra_fetches(std::move(changed), variant, pass, 0);
+  for (const VariantManifest* variant : bench.variants) changed = with_extra_fetches(std::move(changed), *variant, pass, 0);
   const Stopwatch watch;
   TreePair trees = pair_trees(bench.tree.library, std::move(changed), bench.options);
   const GateMeasurements measured = measure_trees(trees, bench.options, {}, watch);
   if (!measured.failures.empty()) throw Error(ErrorKind::failed, "gate", "calibration", sentence_of(measured.failures.front()));
-  const double backends = static_cast<double>(bench.options.compare.backends.size());
-  const double turns = static_cast<double>(bench.options.processes) * (bench.options.side_by_side ? 1 : backends);
-  const double beside = watch.elapsed_s() - measured.spent.rounds / (bench.options.side_by_side ? backends : 1);
-  const double seconds = std::max(0.0, bench.options.budget_s - beside) / turns;
-  fmt::print("a gate on all variants takes {:.1f} s outside its rounds, so each process has {:.1f} s for rounds\n", beside,
-             seconds);
+  const double seconds = std::max(0.0, bench.options.budget_s - (watch.elapsed_s() - measured.spent.timing));
+  fmt::print("a gate on these variants has {:.1f} of its {:g} s for times\n", seconds, bench.options.budget_s);
   std::fflush(stdout);
   return seconds;
 }
@@ -217,11 +228,11 @@ struct Setup {
   nlohmann::ordered_json asked;  // what must be the same for gates to be counted together
   std::string pass;
   std::vector<uint32_t> taps;
-  double round_s = 0;
+  double timing_s = 0;
 
   nlohmann::ordered_json line() const {
     nlohmann::ordered_json line = asked;
-    line["pass"] = pass, line["taps"] = taps, line["round_s"] = round_s;
+    line["pass"] = pass, line["taps"] = taps, line["timing_s"] = timing_s;
     return line;
   }
 };
@@ -232,6 +243,7 @@ Setup ask(const GateOptions& options, const Scene& scene, const std::vector<Devi
     on.push_back(fmt::format("{}: {}, {}", device.backend, device.device, device.driver));
   return {{{"kind", "calibration"},
            {"scene", scene.name},
+           {"variants", options.compare.variants},
            {"size", fmt::format("{}x{}", options.compare.width_px, options.compare.height_px)},
            {"machine", fmt::format("{}, {} threads", cpu_model(), std::thread::hardware_concurrency())},
            {"devices", on},
@@ -250,7 +262,7 @@ void find(Setup& setup, Bench& bench) {
     throw Error(ErrorKind::failed, "gate", bench.effect.baseline().name,
                 "extra taps make none of its passes slower by a known share; calibrate at a larger --size");
   bench.make_slower(setup.pass, setup.taps);
-  setup.round_s = round_seconds(bench, setup.pass);
+  setup.timing_s = timing_seconds(bench, setup.pass);
 }
 
 // Takes what an earlier call found. Throws where that was another calibration.
@@ -262,43 +274,89 @@ void go_on(Setup& setup, const nlohmann::json& line, Bench& bench, const fs::pat
           fmt::format("holds a calibration with another {} ({}, now {}); remove it, or choose another folder with --out", key,
                       line.value(key, nlohmann::json()).dump(), value.dump()));
   try {
-    setup.pass = line.at("pass"), setup.round_s = line.at("round_s");
+    setup.pass = line.at("pass"), setup.timing_s = line.at("timing_s");
     setup.taps = line.at("taps").get<std::vector<uint32_t>>();
   } catch (const nlohmann::json::exception&) {
     setup.taps.clear();
   }
   if (setup.taps.size() != slow_downs.size())
     throw Error(ErrorKind::bad_input, "gate", file.string() + ":1",
-                fmt::format("needs 'pass', 'round_s' and {} numbers in 'taps'; remove the file, or choose another folder with "
+                fmt::format("needs 'pass', 'timing_s' and {} numbers in 'taps'; remove the file, or choose another folder with "
                             "--out",
                             slow_downs.size()));
   bench.make_slower(setup.pass, setup.taps);
 }
 
-// Times a gate of each of these kinds (0: equal trees, then slow_downs), in processes of one set.
-std::vector<CalibratedGate> run_set(Bench& bench, const Setup& setup, size_t set, const std::vector<size_t>& kinds) {
-  std::map<size_t, std::vector<PairsRow>> rows;  // by kind
-  const auto work = [&](GateProcess& process, BenchFrames& frames, const EmitLine& emit) {
-    for (const size_t kind : kinds) {
-      std::vector<TimedFrames> gate;
-      if (kind == 0)
-        for (const VariantManifest& variant : bench.effect.variants) gate.push_back(frames.equal(variant));
-      else
-        gate.push_back(frames.slower(kind - 1));
-      const Stopwatch watch;
-      time_rounds(process, gate, [&](const TimedFrames& timed, double further_s) {
-        return watch.elapsed_s() + further_s > setup.round_s || precise_enough(timed, process, {});
-      });
-      for (const PairsRow& row : rows_of(gate, process)) emit({{"kind", kind}, {"pairs", to_json(row)}});
-    }
-  };
-  for (size_t process = 0; process < bench.options.processes; ++process)
-    for (const nlohmann::json& line :
-         run_processes(bench, bench.options.compare.backends, set * bench.options.processes + process, work))
-      rows[line.at("kind")].push_back(row_of<PairsRow>(line.at("pairs"), "calibration"));
-  std::vector<CalibratedGate> gates;
-  for (const auto& [kind, pairs] : rows)
-    gates.push_back(judge_calibrated(kind == 0 ? 0 : slow_downs[kind - 1], pairs, bench.options.family_error, setup.pass));
+// A gate while its processes run.
+struct TimedGate {
+  size_t kind = 0;  // 0: equal trees, then slow_downs
+  CalibratedGate ended;
+  std::vector<PairsRow> pairs;
+  std::set<TimedCell> undecided;
+  double spent_s = 0, process_s = 0;  // of the gate's time for processes; what the shortest of them took
+
+  double slow_down() const { return kind == 0 ? 0 : slow_downs[kind - 1]; }
+  bool false_alarm() const { return kind == 0 && ended.verdict != Verdict::same && ended.verdict != Verdict::ambiguous; }
+};
+
+// In the child: the rounds of these gates, one after the other. Emits {"kind":..,"pairs":..} and {"kind":..,"took_s":..} lines.
+void time_gates(GateProcess& process, BenchFrames& frames, Bench& bench, const Setup& setup,
+                const std::vector<TimedGate*>& gates, size_t processes_left, const EmitLine& emit) {
+  process.scene_of(bench.tree);
+  const double opening_s = process.watch.elapsed_s();
+  for (const TimedGate* each : gates) {
+    const Stopwatch watch;
+    std::vector<TimedFrames> gate;
+    if (each->kind > 0)
+      gate.push_back(frames.slower(each->kind - 1));
+    else
+      for (const VariantManifest* variant : bench.variants)
+        if (each->pairs.empty() || each->undecided.contains({process.task.backend, bench.effect.name, variant->name}))
+          gate.push_back(frames.equal(*variant));
+    const double until_s = (setup.timing_s - each->spent_s) / static_cast<double>(processes_left) - opening_s;
+    time_rounds(process, gate, [&](const TimedFrames& timed, double further_s) {
+      return watch.elapsed_s() + further_s > until_s || precise_enough(timed, process, {});
+    });
+    for (const PairsRow& row : rows_of(gate, process)) emit({{"kind", each->kind}, {"pairs", to_json(row)}});
+    emit({{"kind", each->kind}, {"took_s", opening_s + watch.elapsed_s()}});
+  }
+}
+
+// Takes what processes on all backends have handed over.
+void take(TimedGate& gate, const std::vector<nlohmann::json>& lines, const Bench& bench, const Setup& setup) {
+  double took_s = 0;
+  for (const nlohmann::json& line : lines) {
+    if (line.at("kind") != gate.kind) continue;
+    if (line.contains("pairs")) gate.pairs.push_back(row_of<PairsRow>(line.at("pairs"), "calibration"));
+    if (line.contains("took_s"))
+      took_s =
+          bench.options.side_by_side ? std::max<double>(took_s, line.at("took_s")) : took_s + line.at("took_s").get<double>();
+  }
+  gate.process_s = gate.spent_s == 0 ? took_s : std::min(gate.process_s, took_s);
+  gate.spent_s += took_s;
+  gate.ended = judge_calibrated(gate.slow_down(), gate.pairs, bench.options.family_error, setup.pass);
+  gate.undecided = judge_pairs(gate.pairs, {}, bench.options.family_error).undecided;
+}
+
+// Times a gate of each of these kinds, in processes of one set.
+std::vector<TimedGate> run_set(Bench& bench, const Setup& setup, size_t set, const std::vector<size_t>& kinds) {
+  std::vector<TimedGate> gates(kinds.size());
+  for (size_t i = 0; i < kinds.size(); ++i) gates[i].kind = kinds[i];
+  constexpr size_t max_processes = 1000;  // of a gate: each of a set has another seed
+  for (size_t process = 0; process < max_processes; ++process) {
+    std::vector<TimedGate*> running;
+    for (TimedGate& gate : gates)
+      if (process < bench.options.processes ||
+          (gate.ended.verdict == Verdict::ambiguous && gate.spent_s + gate.process_s < setup.timing_s))
+        running.push_back(&gate);
+    if (running.empty()) break;
+    const size_t left = process < bench.options.processes ? bench.options.processes - process : 1;
+    const auto lines = run_processes(bench, bench.options.compare.backends, set * max_processes + process,
+                                     [&](GateProcess& opened, BenchFrames& frames, const EmitLine& emit) {
+                                       time_gates(opened, frames, bench, setup, running, left, emit);
+                                     });
+    for (TimedGate* gate : running) take(*gate, lines, bench, setup);
+  }
   return gates;
 }
 
@@ -335,21 +393,23 @@ int run_calibration(GateOptions options) {
   std::string whole = setup.line().dump() + "\n";  // without a line that was cut short
   for (const CalibratedGate& gate : gates) whole += to_json(gate).dump() + "\n";
   write_file_atomically(file, whole);
-  RecordWriter log(file, true);
+  RecordWriter log(file, true), alarms(options.compare.out / "alarms.jsonl", true);
 
   const std::string head = fmt::format(
-      "Command: {}\nMachine: {}; {}\nMargin {:.1f}%, pass {} of {}, {}, {} processes on each backend, {:.1f} s of "
-      "rounds in each\n\n",
+      "Command: {}\nMachine: {}; {}\nMargin {:.1f}%, pass {} of {}, {}, at least {} processes on each backend, {:.1f} s for "
+      "all of them\n\n",
       options.compare.command, setup.asked["machine"].get<std::string>(),
       fmt::join(setup.asked["devices"].get<std::vector<std::string>>(), "; "), Limits().max_slowdown * 100, setup.pass,
-      bench.effect.baseline().name, setup.asked["size"].get<std::string>(), options.processes, setup.round_s);
+      bench.effect.baseline().name, setup.asked["size"].get<std::string>(), options.processes, setup.timing_s);
   const size_t all = options.equal_gates + slow_downs.size() * options.slower_gates;
   Progress progress("calibrating");
   for (std::vector<size_t> kinds = unfinished(gates, options); !kinds.empty(); kinds = unfinished(gates, options)) {
     progress.show(static_cast<double>(gates.size()) / static_cast<double>(all), "");
-    for (const CalibratedGate& gate : run_set(bench, setup, gates.size(), kinds)) {
-      log.append(to_json(gate));
-      gates.push_back(gate);
+    for (const TimedGate& gate : run_set(bench, setup, gates.size(), kinds)) {
+      log.append(to_json(gate.ended));
+      if (gate.false_alarm())
+        for (const PairsRow& row : gate.pairs) alarms.append(to_json(row));
+      gates.push_back(gate.ended);
     }
     write_file_atomically(options.compare.out / "calibration.md", head + calibration_table(gates));
   }

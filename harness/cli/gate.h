@@ -62,6 +62,9 @@ struct TreePair {
   std::vector<VariantPair> variants;  // of the effects that the scene calls for
 };
 
+// max_change() of pictures, by backend, effect, variant and view.
+using PictureChanges = std::map<std::array<std::string, 4>, double>;
+
 // What one process does on one backend.
 struct GateTask {
   std::string backend;
@@ -71,6 +74,7 @@ struct GateTask {
   bool certify = false;            // the timer first
   double until_s = 0;              // seconds of this process's own clock, for everything; its least rounds are run in any case
   std::set<TimedCell> only{};      // what is timed; what has none on this backend, and an empty one: everything
+  PictureChanges changes{};        // that are known by then
   TimerRounds certified_so_far{};  // by earlier processes
   bool times(const std::string& effect, const std::string& variant) const;
 };
@@ -92,7 +96,7 @@ void measure_pairs_of_trees(TreePair& trees, const GateTask& task, const GateOpt
 struct GateMeasurements {
   std::vector<TimerRow> timers;
   std::vector<CellRow> cells_before, cells_after;
-  std::map<std::array<std::string, 4>, double> changes;  // max_change(), by backend, effect, variant and view
+  PictureChanges changes;
   std::vector<PairsRow> pairs;
   std::vector<VerdictRow> failures;  // of backends and processes
   size_t processes = 0;

@@ -10,7 +10,7 @@
 namespace lamina {
 namespace {
 
-constexpr double enough_of_margin = 0.3;
+constexpr double enough_of_margin = 0.6;
 constexpr double max_certificate_share = 0.4;  // of a process, before its rounds
 constexpr double report_s = 1;                 // of the budget: writing the record and the report
 constexpr double min_rounds_s = 1;             // of a process, at a guess
@@ -51,11 +51,26 @@ void GateProcess::end(const EmitLine& emit) {
         {"ready_s", ready_s}});
 }
 
-ReadyFrame& ProcessFrames::get(Tree& tree, const VariantManifest& variant, size_t copy) {
-  std::unique_ptr<ReadyFrame>& ready = made_[{&tree, &variant, copy}];
-  if (!ready)
-    ready = std::make_unique<ReadyFrame>(*process_.scene_of(tree).resources, tree.plan, configuration_with(tree.plan, variant),
-                                         tree.shaders.at(process_.backend->info().api));
+void ProcessFrames::make(std::vector<Wanted> wanted, bool same_pictures) {
+  std::shuffle(wanted.begin(), wanted.end(), process_.random);
+  const auto is_there = [&](const Wanted& each) { return made_.contains({each.tree, each.variant, each.copy}); };
+  std::stable_partition(wanted.begin(), wanted.end(), is_there);
+  std::map<const Tree*, const Frame*> first;
+  for (const Wanted& each : wanted) {
+    const Frame*& like = first[same_pictures ? nullptr : each.tree];
+    const Frame& frame = get(each, like).frame;
+    if (!like) like = &frame;
+  }
+}
+
+ReadyFrame& ProcessFrames::get(const Wanted& wanted, const Frame* like) {
+  std::unique_ptr<ReadyFrame>& ready = made_[{wanted.tree, wanted.variant, wanted.copy}];
+  if (!ready) {
+    Tree& tree = *wanted.tree;
+    ready = std::make_unique<ReadyFrame>(*process_.scene_of(tree).resources, tree.plan,
+                                         configuration_with(tree.plan, *wanted.variant),
+                                         tree.shaders.at(process_.backend->info().api), Parameters{}, Timing::bracketed, like);
+  }
   return *ready;
 }
 
@@ -137,7 +152,8 @@ GateMeasurements measure_in_processes(const GateOptions& options, const Stopwatc
                        .exact = exact,
                        .certify = !exact && !measured.certified(backends[i]),
                        .until_s = std::max(0.0, end_s - watch.elapsed_s()) / turns,
-                       .only = only});
+                       .only = only,
+                       .changes = measured.changes});
       if (const auto open = measured.certified_so_far.find(backends[i]); open != measured.certified_so_far.end())
         tasks.back().certified_so_far = open->second;
       if (!options.side_by_side || i + 1 == backends.size()) run_beside(tasks), tasks.clear();

@@ -14,6 +14,7 @@
 #include "harness/cli/exit_status.h"
 #include "harness/cli/run_line.h"
 #include "harness/core/error.h"
+#include "harness/core/steady_heap.h"
 #include "harness/core/usable_threads.h"
 
 namespace {
@@ -72,6 +73,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  use_steady_heap();
   const PrivateShaderCache cache;
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, usable_threads());
   try {

@@ -4,9 +4,9 @@
 namespace lamina {
 
 ReadyFrame::ReadyFrame(SceneResources& resources, const Plan& plan, const Configuration& configuration, ShaderCache& shaders,
-                       const Parameters& parameters, Timing timing)
+                       const Parameters& parameters, Timing timing, const Frame* like)
     : graph(make_graph(plan, configuration, resources.scene(), shaders, nullptr, parameters)),
-      frame(resources, graph, Build::timed),
+      frame(resources, graph, Build::timed, TargetSharing::on, like),
       view(resources.scene().views.front().name) {
   wall_ms = frame.run_once(Timing::off).wall_ms;
   const FrameTimes first = frame.run(0, timing);

@@ -10,7 +10,7 @@ namespace lamina {
 struct ReadyFrame {
   // Everything given must outlive this. Throws Error where a variant does not compile or the device refuses.
   ReadyFrame(SceneResources& resources, const Plan& plan, const Configuration& configuration, ShaderCache& shaders,
-             const Parameters& parameters = {}, Timing timing = Timing::bracketed);
+             const Parameters& parameters = {}, Timing timing = Timing::bracketed, const Frame* like = nullptr);
 
   Graph graph;
   Frame frame;

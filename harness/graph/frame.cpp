@@ -11,10 +11,10 @@
 
 namespace lamina {
 
-Frame::Frame(SceneResources& resources, const Graph& graph, Build build, TargetSharing sharing)
+Frame::Frame(SceneResources& resources, const Graph& graph, Build build, TargetSharing sharing, const Frame* like)
     : resources_(resources), backend_(resources.backend()), build_(build) {
   try {
-    FrameBuilder(*this, graph).build(sharing);
+    FrameBuilder(*this, graph).build(sharing, like);
   } catch (...) {
     release();
     throw;

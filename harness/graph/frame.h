@@ -28,8 +28,10 @@ enum class TargetSharing : uint8_t { on, off };
 
 class Frame {
  public:
-  // Everything given must outlive the frame. Throws Error(failed) where the device refuses.
-  Frame(SceneResources& resources, const Graph& graph, Build build, TargetSharing sharing = TargetSharing::on);
+  // Everything given must outlive the frame. Throws Error(failed) where the device refuses. Where it has the same targets as
+  // `like`, a frame on the same backend, it draws into that frame's: what one leaves there the other reads.
+  Frame(SceneResources& resources, const Graph& graph, Build build, TargetSharing sharing = TargetSharing::on,
+        const Frame* like = nullptr);
   ~Frame();
   Frame(const Frame&) = delete;
   Frame& operator=(const Frame&) = delete;
@@ -118,7 +120,9 @@ class Frame {
   };
   // What was made, for whoever gives it back.
   struct Made {
-    std::vector<TextureId> textures;  // each once
+    std::vector<TransientDesc> asked;  // all targets
+    PlacedTextures placed;             // beside them
+    std::vector<TextureId> textures;   // each once; none where another frame has made them
     std::vector<BufferId> buffers;
     std::map<TextureId, TextureDesc> targets;
     std::map<std::pair<const VariantManifest*, std::string>, TextureId> frame_sized;  // of those that share no memory

@@ -34,25 +34,28 @@ void put_textures(Pass& pass, std::span<const TextureId> textures) {
 FrameBuilder::FrameBuilder(Frame& frame, const Graph& graph)
     : frame_(frame), resources_(frame.resources_), backend_(frame.backend_), scene_(frame.resources_.scene()), graph_(graph) {}
 
-void FrameBuilder::build(TargetSharing sharing) {
+void FrameBuilder::build(TargetSharing sharing, const Frame* like) {
   FramePasses passes = make_frame_passes(graph_, scene_, {resources_.width_px(), resources_.height_px()});
-  make_targets(passes, sharing);
+  make_targets(passes, sharing, like);
   build_sequence(passes.once, frame_.once_);
   build_sequence(passes.frame, frame_.frame_);
 }
 
-void FrameBuilder::make_targets(FramePasses& passes, TargetSharing sharing) {
+void FrameBuilder::make_targets(FramePasses& passes, TargetSharing sharing, const Frame* like) {
   std::vector<TransientDesc> targets = transient_targets(passes);
   if (sharing == TargetSharing::off)
     for (TransientDesc& target : targets) target.lifetime.reset();
-  const PlacedTextures placed = backend_.create_textures(targets);
+  const bool is_alike = like && like->made_.asked == targets;
   Frame::Made& made = frame_.made_;
+  made.placed = is_alike ? like->made_.placed : backend_.create_textures(targets);
+  made.asked = targets;
+  const PlacedTextures& placed = made.placed;
   made.memory_bytes += placed.bytes;
   made.memory_bytes_alone += placed.bytes_alone;
   for (size_t i = 0; i < targets.size(); ++i) {
     const TextureDesc& desc = targets[i].texture;
     made.bytes += texture_bytes(desc);
-    if (made.targets.try_emplace(placed.textures[i], desc).second) made.textures.push_back(placed.textures[i]);
+    if (made.targets.try_emplace(placed.textures[i], desc).second && !is_alike) made.textures.push_back(placed.textures[i]);
   }
   for (const auto& [key, id] : passes.targets.frame_sized)
     if (!targets[id.value].lifetime) made.frame_sized[key] = placed.textures[id.value];

@@ -15,7 +15,7 @@ namespace lamina {
 class FrameBuilder {
  public:
   FrameBuilder(Frame& frame, const Graph& graph);
-  void build(TargetSharing sharing);
+  void build(TargetSharing sharing, const Frame* like);
 
  private:
   // A pass that is being made ready, and what it belongs to.
@@ -25,7 +25,7 @@ class FrameBuilder {
     const GraphPass& pass() const { return *planned.of; }
   };
 
-  void make_targets(FramePasses& passes, TargetSharing sharing);
+  void make_targets(FramePasses& passes, TargetSharing sharing, const Frame* like);
   void build_sequence(PlannedSequence& planned, Frame::Sequence& sequence);
   Frame::Step& begin_step(const PlannedSequence::Step& planned, Frame::Sequence& sequence);
   void end_step(size_t first_pass, Frame::Sequence& sequence);

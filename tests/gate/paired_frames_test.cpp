@@ -34,10 +34,10 @@ class Pieces : public EachBackend {
     resources_.reset();
     EachBackend::TearDown();
   }
-  Frame& ready(std::string_view name) {
+  Frame& ready(std::string_view name, const Frame* like = nullptr) {
     Ready& ready = *ready_.emplace_back(std::make_unique<Ready>());
     ready.graph = make_graph(plan_, configuration_with(plan_, variant(name)), scene_, *shaders_);
-    ready.frame = std::make_unique<Frame>(*resources_, ready.graph, Build::timed);
+    ready.frame = std::make_unique<Frame>(*resources_, ready.graph, Build::timed, TargetSharing::on, like);
     ready.frame->run_once(Timing::off);
     ready.frame->run(0, Timing::off);
     return *ready.frame;
@@ -69,6 +69,26 @@ TEST_P(Pieces, StripsMakeThePictureOfTheFrame) {
       EXPECT_EQ(frame.picture().rgba, whole.rgba) << name << " in " << parts;
     }
   }
+}
+
+// What one of two frames with the same targets draws, the other holds; both draw their own picture as if they were alone. A
+// frame with other targets keeps its own.
+TEST_P(Pieces, FramesWithTheSameTargetsDrawIntoOne) {
+  Frame& first = ready("light_map");
+  const Image alone = first.picture();
+  Frame& alike = ready("light_map", &first);
+  EXPECT_EQ(alike.picture().rgba, alone.rgba);
+  alike.set_background({1, 0, 0});
+  alike.run(0, Timing::off);
+  const Image on_red = alike.picture();
+  EXPECT_NE(on_red.rgba, alone.rgba);
+  EXPECT_EQ(first.picture().rgba, on_red.rgba);
+  first.run(0, Timing::off);
+  EXPECT_EQ(first.picture().rgba, alone.rgba);
+
+  Frame& other = ready("vertex_normal", &first);
+  EXPECT_NE(other.picture().rgba, alone.rgba);
+  EXPECT_EQ(first.picture().rgba, alone.rgba);
 }
 
 // One strip alone changes its rows and no others.
