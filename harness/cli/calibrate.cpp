@@ -360,6 +360,13 @@ std::vector<TimedGate> run_set(Bench& bench, const Setup& setup, size_t set, con
   return gates;
 }
 
+// How many gates of a kind are asked for.
+size_t asked_of(size_t kind, const GateOptions& options) {
+  if (kind == 0) return options.equal_gates;
+  const auto percent = static_cast<uint32_t>(std::lround(100 * slow_downs[kind - 1]));
+  return options.slow_downs.empty() || std::ranges::count(options.slow_downs, percent) > 0 ? options.slower_gates : 0;
+}
+
 // The kinds of gates of which more are wanted.
 std::vector<size_t> unfinished(const std::vector<CalibratedGate>& done, const GateOptions& options) {
   std::vector<size_t> kinds;
@@ -367,7 +374,7 @@ std::vector<size_t> unfinished(const std::vector<CalibratedGate>& done, const Ga
     const double slow_down = kind == 0 ? 0 : slow_downs[kind - 1];
     const auto have = static_cast<size_t>(
         std::ranges::count_if(done, [&](const CalibratedGate& gate) { return gate.slow_down == slow_down; }));
-    if (have < (kind == 0 ? options.equal_gates : options.slower_gates)) kinds.push_back(kind);
+    if (have < asked_of(kind, options)) kinds.push_back(kind);
   }
   return kinds;
 }
@@ -401,7 +408,8 @@ int run_calibration(GateOptions options) {
       options.compare.command, setup.asked["machine"].get<std::string>(),
       fmt::join(setup.asked["devices"].get<std::vector<std::string>>(), "; "), Limits().max_slowdown * 100, setup.pass,
       bench.effect.baseline().name, setup.asked["size"].get<std::string>(), options.processes, setup.timing_s);
-  const size_t all = options.equal_gates + slow_downs.size() * options.slower_gates;
+  size_t all = 0;
+  for (size_t kind = 0; kind <= slow_downs.size(); ++kind) all += asked_of(kind, options);
   Progress progress("calibrating");
   for (std::vector<size_t> kinds = unfinished(gates, options); !kinds.empty(); kinds = unfinished(gates, options)) {
     progress.show(static_cast<double>(gates.size()) / static_cast<double>(all), "");

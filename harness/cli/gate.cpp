@@ -203,6 +203,10 @@ Command add_gate(CLI::App& program) {
   command.add_option("--slower-gates", options->slower_gates, "Gates for each slow-down of 1, 2, 3, 5 and 10%")
       ->capture_default_str()
       ->needs(calibrate);
+  command.add_option("--slow-down", options->slow_downs, "Only this slow-down (may be given again)")
+      ->type_name("PERCENT")
+      ->check(CLI::IsMember({1u, 2u, 3u, 5u, 10u}))
+      ->needs(calibrate);
   command.add_flag("!--no-time", options->times, "Counts, pictures and errors alone");
   add_truth(command, options->compare);
   add_alpha(command, options->compare);

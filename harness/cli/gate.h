@@ -36,6 +36,7 @@ struct GateOptions {
   bool self_test = false;
   bool calibrate = false;
   size_t equal_gates = 200, slower_gates = 40;  // of a calibration: over equal trees; for each slow-down
+  std::vector<uint32_t> slow_downs;             // that it looks at, percent; empty: all
 };
 
 // Variants and shaders at one state of the code, and the scene as its effects declare it.

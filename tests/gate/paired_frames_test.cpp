@@ -87,6 +87,8 @@ TEST_P(Pieces, FramesWithTheSameTargetsDrawIntoOne) {
   EXPECT_EQ(first.picture().rgba, alone.rgba);
 
   Frame& other = ready("vertex_normal", &first);
+  other.set_background({1, 0, 0});
+  other.run(0, Timing::off);
   EXPECT_NE(other.picture().rgba, alone.rgba);
   EXPECT_EQ(first.picture().rgba, alone.rgba);
 }
