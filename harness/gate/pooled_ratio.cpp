@@ -93,9 +93,13 @@ RatioEstimate settle(const PooledRatio& pooled, const SharedDisagreement& others
   RatioEstimate ratio{pooled.log_ratio, std::sqrt(pooled.within), pooled.strips, pooled.within_freedom};
   const double freedom = pooled.disagreement_freedom + others.freedom;
   if (freedom == 0) return ratio;
-  const double moderated = (pooled.disagreement_freedom * pooled.disagreement + others.freedom * others.typical) / freedom;
-  ratio.error = std::sqrt(pooled.within * std::max(1.0, moderated));
-  ratio.freedom = freedom;
+  const double own = pooled.disagreement_freedom * pooled.disagreement / freedom;
+  const double whole = std::max(1.0, own + others.freedom * others.typical / freedom), rest = whole - own;
+  ratio.error = std::sqrt(pooled.within * whole);
+  // `own` times `within` is the scatter itself; the rest has the errors of both its factors.
+  const double own_square = own > 0 ? own * own / pooled.disagreement_freedom : 0;
+  const double rest_square = rest * rest * ((others.freedom > 0 ? 1 / others.freedom : 0) + 1 / pooled.within_freedom);
+  ratio.freedom = std::min(freedom, whole * whole / (own_square + rest_square));
   return ratio;
 }
 

@@ -144,6 +144,33 @@ TEST(TimeVerdicts, ABusyMachineRaisesNoAlarm) {
   EXPECT_LE(alarms, 50);
 }
 
+// A short gate over many variants: two processes of four strips each, from which an error is small by luck in some of many
+// comparisons. Were errors taken for what they seem, one gate of five would raise an alarm.
+TEST(TimeVerdicts, FewStripsInFewProcessesRaiseNoAlarm) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  std::student_t_distribution<double> bursts(2.5);
+  int alarms = 0;
+  for (int gate = 0; gate < 200; ++gate) {
+    std::vector<TimeComparison> comparisons(84, {{}, 0.015});
+    for (TimeComparison& each : comparisons) {
+      const double restless = 0.05 * std::exp(0.5 * normal(random));
+      for (int process = 0; process < 2; ++process) {
+        const double layout = 0.012 * normal(random);
+        std::vector<StripPair> strips;
+        for (int strip = 0; strip < 4; ++strip)
+          strips.push_back({5, 5 * std::exp(layout + restless * bursts(random)), random() % 2 == 0});
+        each.processes.push_back(estimate_ratio(strips));
+      }
+    }
+    bool alarm = false;
+    for (const TimeVerdict& verdict : judge_times(comparisons, shared_by(comparisons), 0.05))
+      alarm = alarm || verdict.verdict == Verdict::slower || verdict.verdict == Verdict::faster;
+    alarms += alarm;
+  }
+  EXPECT_LE(alarms, 200 * 5 / 100);
+}
+
 TEST(TimeVerdicts, ADifferenceTwiceTheMarginIsFoundInNoise) {
   std::mt19937_64 random(2);
   std::normal_distribution<double> noise(std::log(1.03), 0.0045);
