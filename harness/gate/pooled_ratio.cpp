@@ -96,10 +96,8 @@ RatioEstimate settle(const PooledRatio& pooled, const SharedDisagreement& others
   const double own = pooled.disagreement_freedom * pooled.disagreement / freedom;
   const double whole = std::max(1.0, own + others.freedom * others.typical / freedom), rest = whole - own;
   ratio.error = std::sqrt(pooled.within * whole);
-  // `own` times `within` is the scatter itself; the rest has the errors of both its factors.
-  const double own_square = own > 0 ? own * own / pooled.disagreement_freedom : 0;
-  const double rest_square = rest * rest * ((others.freedom > 0 ? 1 / others.freedom : 0) + 1 / pooled.within_freedom);
-  ratio.freedom = std::min(freedom, whole * whole / (own_square + rest_square));
+  // `own` times `within` is the scatter itself; of the rest `within` is a factor, with an error of its own.
+  ratio.freedom = 1 / (1 / freedom + rest * rest / (whole * whole * pooled.within_freedom));
   return ratio;
 }
 

@@ -43,9 +43,9 @@ SharedDisagreement shared_disagreement(std::span<const PooledRatio> comparisons)
 
 // The ratio with its error. The variance is `within`, times the moderated disagreement where that is above 1. The moderated
 // disagreement combines this comparison's own with the prior of the others (Smyth, section 3). The degrees of freedom are at
-// most the disagreement's, even where it is below 1: processes that agree by luck must not make the result look surer. What is
-// taken from the prior is a product of the prior and `within`, and few strips tell `within` badly: the degrees of freedom of the
-// sum follow from those of its parts (F. E. Satterthwaite, "An approximate distribution of estimates of variance components",
+// most the disagreement's, even where it is below 1: processes that agree by luck must not make the result look surer. The part
+// of the variance that is not the processes' own scatter has `within` for a factor, which few strips tell badly: its share of
+// the relative error is added (F. E. Satterthwaite, "An approximate distribution of estimates of variance components",
 // Biometrics Bulletin 2, 1946). With one process they are that process's own.
 RatioEstimate settle(const PooledRatio& pooled, const SharedDisagreement& others = {});
 

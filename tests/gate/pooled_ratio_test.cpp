@@ -45,15 +45,15 @@ TEST(Settle, OthersModerateTheDisagreement) {
   const RatioEstimate ratio = settle(pooled, {2, 12});
   EXPECT_EQ(ratio.log_ratio, 0.02);
   EXPECT_NEAR(ratio.error, std::sqrt(2.25e-4), 1e-12);
-  // The variance is 0.75 of its own, with 4 degrees of freedom, and 1.5 of the others', the product of two with 12 and 90.
-  EXPECT_NEAR(ratio.freedom, 2.25 * 2.25 / (0.75 * 0.75 / 4 + 1.5 * 1.5 * (1.0 / 12 + 1.0 / 90)), 1e-9);
-  EXPECT_NEAR(settle({0.02, 100, 1e-4, 1e9, 3, 4}, {3, 12}).freedom, 16, 1e-6) << "like what it borrows, and well measured";
-  EXPECT_LT(settle({0.02, 6, 1e-4, 2, 3, 4}, {3, 12}).freedom, 4) << "few strips";
+  // Of the variance of 2.25, 1.5 is the others', which is taken times what 90 degrees of freedom tell.
+  EXPECT_NEAR(ratio.freedom, 1 / (1.0 / 16 + 1.5 * 1.5 / (2.25 * 2.25 * 90)), 1e-9);
+  EXPECT_NEAR(settle({0.02, 100, 1e-4, 1e9, 3, 4}, {2, 12}).freedom, 16, 1e-6) << "well measured: all degrees of freedom";
+  EXPECT_LT(settle({0.02, 6, 1e-4, 2, 3, 4}, {2, 12}).freedom, 4) << "few strips";
   EXPECT_NEAR(settle(pooled).error, std::sqrt(3e-4), 1e-12) << "alone";
   EXPECT_NEAR(settle(pooled).freedom, 4, 1e-9) << "alone";
   const RatioEstimate agreeing = settle({0.02, 100, 1e-4, 90, 0.1, 4});
   EXPECT_NEAR(agreeing.error, 0.01, 1e-12) << "never less than its own strips allow";
-  EXPECT_NEAR(agreeing.freedom, 4, 1e-9) << "nor believed the more for agreeing";
+  EXPECT_NEAR(agreeing.freedom, 1 / (1.0 / 4 + 0.9 * 0.9 / 90), 1e-9) << "nor believed the more for agreeing";
   const RatioEstimate one = settle(pool(Processes{{0.5, 0.1, 9, 7}}));
   EXPECT_NEAR(one.error, 0.1, 1e-12);
   EXPECT_NEAR(one.freedom, 7, 1e-9) << "one process has its own";
