@@ -46,9 +46,7 @@ struct Bench {
       : options(given),
         tree(load_tree(load_library(home_folder(), effect_code()), given.compare)),
         effect(effect_with_variants(tree.plan, *tree.scene)) {
-    std::vector<std::string> names;
-    for (const VariantManifest& variant : effect.variants) names.push_back(variant.name);
-    check_variant_names("gate", options.compare.variants, names);
+    check_variant_names("gate", options.compare.variants, variant_names({&effect}));
     for (const VariantManifest& variant : effect.variants)
       if (is_compared(variant, options.compare)) variants.push_back(&variant);
   }
@@ -75,39 +73,25 @@ class BenchFrames {
   BenchFrames(GateProcess& process, Bench& bench) : frames_(process), bench_(bench) {}
 
   // The baseline against itself made slower.
-  TimedFrames pair(size_t dose) {
-    frames_.make(
-        {{&bench_.tree, &bench_.effect.baseline()}, {bench_.slower[dose].get(), &bench_.baseline_of(*bench_.slower[dose])}});
-    TimedFrames timed = of(bench_.effect.baseline());
-    timed.add(frame_after, frames_.get(*bench_.slower[dose], bench_.baseline_of(*bench_.slower[dose])));
-    return timed;
-  }
+  TimedFrames pair(size_t dose) { return frames_.timed({baseline(frame_before), slowed(dose)}); }
   // And against itself, as a gate does.
-  TimedFrames slower(size_t dose) {
-    frames_.make({{&bench_.tree, &bench_.effect.baseline()},
-                  {bench_.slower[dose].get(), &bench_.baseline_of(*bench_.slower[dose])},
-                  {&bench_.tree, &bench_.effect.baseline(), 2}});
-    TimedFrames timed = pair(dose);
-    timed.add(frame_again, frames_.get(bench_.tree, bench_.effect.baseline(), 2));
-    return timed;
-  }
+  TimedFrames slower(size_t dose) { return frames_.timed({baseline(frame_before), slowed(dose), baseline(frame_again, 2)}); }
   // A variant against itself, as a gate does where its code is not known to be the same.
   TimedFrames equal(const VariantManifest& variant) {
-    std::vector<ProcessFrames::Wanted> wanted{{&bench_.tree, &variant}, {&bench_.tree, &variant, 1}};
-    if (variant.baseline) wanted.push_back({&bench_.tree, &variant, 2});
-    frames_.make(std::move(wanted));
-    TimedFrames timed = of(variant);
-    timed.add(frame_after, frames_.get(bench_.tree, variant, 1));
-    if (variant.baseline) timed.add(frame_again, frames_.get(bench_.tree, variant, 2));
-    return timed;
+    std::vector<ProcessFrames::Wanted> wanted{{frame_before, &bench_.tree, &variant}, {frame_after, &bench_.tree, &variant, 1}};
+    if (variant.baseline) wanted.push_back(baseline(frame_again, 2));
+    return frames_.timed(wanted);
   }
 
  private:
-  TimedFrames of(const VariantManifest& variant) {
-    TimedFrames timed{bench_.effect.name, variant.name, {}, {}, nullptr};
-    timed.add(frame_before, frames_.get(bench_.tree, variant));
-    return timed;
+  ProcessFrames::Wanted baseline(std::string_view name, size_t copy = 0) {
+    return {name, &bench_.tree, &bench_.effect.baseline(), copy};
   }
+  ProcessFrames::Wanted slowed(size_t dose) {
+    Tree& tree = *bench_.slower[dose];
+    return {frame_after, &tree, &bench_.baseline_of(tree)};
+  }
+
   ProcessFrames frames_;
   Bench& bench_;
 };

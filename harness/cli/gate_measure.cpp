@@ -87,20 +87,16 @@ void time_pairs(GateProcess& process, TreePair& trees, const LimitsFile& limits,
     const bool changed = pair.after && pair.failure.empty() && !pair.same_code;
     if (!changed && !pair.before->baseline) continue;
     if (!process.task.times(pair.before->effect, pair.before->name)) continue;
-    TimedFrames& timed = all.emplace_back(TimedFrames{pair.before->effect, pair.before->name, {}, {}, nullptr});
-    std::vector<ProcessFrames::Wanted> wanted{{&trees.before, pair.before}};
-    if (changed) wanted.push_back({&trees.after, pair.after});
-    if (pair.before->baseline) wanted.push_back({&trees.before, pair.before, 1});
+    std::vector<ProcessFrames::Wanted> wanted{{frame_before, &trees.before, pair.before}};
+    if (changed) wanted.push_back({frame_after, &trees.after, pair.after, 0, pair.same_passes});
+    if (pair.before->baseline) wanted.push_back({frame_again, &trees.before, pair.before, 1});
     const double allowed = limits.of(pair.before->effect, pair.before->name, process.task.backend).max_picture_change;
     const bool same_pictures = std::ranges::none_of(process.task.changes, [&](const auto& change) {
       const auto& [backend, effect, variant, view] = change.first;
       return backend == process.task.backend && effect == pair.before->effect && variant == pair.before->name &&
              !(change.second <= allowed);
     });
-    frames.make(std::move(wanted), same_pictures);
-    timed.add(frame_before, frames.get(trees.before, *pair.before));
-    if (changed) timed.add(frame_after, frames.get(trees.after, *pair.after), pair.same_passes);
-    if (pair.before->baseline) timed.add(frame_again, frames.get(trees.before, *pair.before, 1));
+    all.push_back(frames.timed(wanted, same_pictures));
     changes = changes || changed;
   }
   process.ready_s += preparing.elapsed_s();

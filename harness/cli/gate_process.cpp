@@ -51,16 +51,21 @@ void GateProcess::end(const EmitLine& emit) {
         {"ready_s", ready_s}});
 }
 
-void ProcessFrames::make(std::vector<Wanted> wanted, bool same_pictures) {
-  std::shuffle(wanted.begin(), wanted.end(), process_.random);
-  const auto is_there = [&](const Wanted& each) { return made_.contains({each.tree, each.variant, each.copy}); };
-  std::stable_partition(wanted.begin(), wanted.end(), is_there);
+TimedFrames ProcessFrames::timed(const std::vector<Wanted>& wanted, bool same_pictures) {
+  std::vector<Wanted> order = wanted;
+  std::shuffle(order.begin(), order.end(), process_.random);
+  std::stable_partition(order.begin(), order.end(), [&](const Wanted& each) {
+    return made_.contains({each.tree, each.variant, each.copy});
+  });
   std::map<const Tree*, const Frame*> first;
-  for (const Wanted& each : wanted) {
+  for (const Wanted& each : order) {
     const Frame*& like = first[same_pictures ? nullptr : each.tree];
     const Frame& frame = get(each, like).frame;
     if (!like) like = &frame;
   }
+  TimedFrames timed{wanted.front().variant->effect, wanted.front().variant->name, {}, {}, nullptr, {}};
+  for (const Wanted& each : wanted) timed.add(each.name, get(each, nullptr), each.same_passes);
+  return timed;
 }
 
 ReadyFrame& ProcessFrames::get(const Wanted& wanted, const Frame* like) {

@@ -47,30 +47,6 @@ class GateProcess {
   std::map<const Scene*, std::unique_ptr<SceneThere>> scenes_;
 };
 
-// The frames of a process by tree and variant, each made when it is first asked for.
-class ProcessFrames {
- public:
-  explicit ProcessFrames(GateProcess& process) : process_(process) {}
-
-  struct Wanted {
-    Tree* tree;
-    const VariantManifest* variant;
-    size_t copy = 0;  // another one of the same tree and variant is another frame
-  };
-  // Makes these in shuffled order, those that are not there yet. Those that have the same targets draw into those of one of
-  // them: the place of targets in memory moves the time of a pass by up to 17%, and the frame that is made first is mostly the
-  // slower one. Where trees draw other pictures, only frames of one tree do: a pass may take another time for another input.
-  void make(std::vector<Wanted> wanted, bool same_pictures = true);
-
-  ReadyFrame& get(Tree& tree, const VariantManifest& variant, size_t copy = 0) { return get({&tree, &variant, copy}, nullptr); }
-
- private:
-  ReadyFrame& get(const Wanted& wanted, const Frame* like);
-
-  GateProcess& process_;
-  std::map<std::tuple<const Tree*, const VariantManifest*, size_t>, std::unique_ptr<ReadyFrame>> made_;
-};
-
 // Frames of one effect or variant that are timed against the first of them.
 struct TimedFrames {
   std::string effect, variant;  // variant "": the frames are the effect's variants
@@ -81,6 +57,31 @@ struct TimedFrames {
   void add(std::string_view name, ReadyFrame& ready, size_t same_passes = 0);
   std::string view;  // that is drawn
   PairsRow row(const GateProcess& process) const;
+};
+
+// The frames of a process by tree and variant, each made when it is first asked for.
+class ProcessFrames {
+ public:
+  explicit ProcessFrames(GateProcess& process) : process_(process) {}
+
+  struct Wanted {
+    std::string_view name;  // among those that are timed
+    Tree* tree;
+    const VariantManifest* variant;
+    size_t copy = 0;  // another one of the same tree and variant is another frame
+    size_t same_passes = 0;
+  };
+  // These, to be timed against the first. Those that are not there yet are made in shuffled order. Those that have the same
+  // targets draw into those of one of them: the place of targets in memory moves the time of a pass by up to 17%, and the frame
+  // that is made first is mostly the slower one. Where trees draw other pictures, only frames of one tree do: a pass may take
+  // another time for another input.
+  TimedFrames timed(const std::vector<Wanted>& wanted, bool same_pictures = true);
+
+ private:
+  ReadyFrame& get(const Wanted& wanted, const Frame* like);
+
+  GateProcess& process_;
+  std::map<std::tuple<const Tree*, const VariantManifest*, size_t>, std::unique_ptr<ReadyFrame>> made_;
 };
 
 std::vector<PairsRow> rows_of(const std::vector<TimedFrames>& all, const GateProcess& process);
