@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "harness/cli/devices.h"
 #include "harness/cli/everything_run.h"
 #include "harness/cli/planned.h"
 #include "harness/cli/run_line.h"
@@ -49,10 +48,7 @@ int run_against_all(const CompareOptions& options) {
   const Library library = load_library_for(options.scene);
   const Scene scene = load_scene_for(options.scene, library);
   const Plan plan = plan_for(options.scene, library, scene, options.aspect());
-  const std::vector<ProbedBackend> backends = probe_backends(options);
-  const std::vector<DeviceInfo> devices = devices_of(backends);
-  require_any("compare", backends);
-  check_size("compare", options, devices);
+  const std::vector<ProbedBackend> backends = usable_backends(options);
   ShaderCache shaders(Api::vulkan, library.shaders);
   const PlanRow planned = plan_row(plan, scene, shaders, options);
 

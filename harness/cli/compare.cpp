@@ -12,7 +12,6 @@
 #include "harness/cli/against_all.h"
 #include "harness/cli/calibrate_cost.h"
 #include "harness/cli/commands.h"
-#include "harness/cli/devices.h"
 #include "harness/cli/effect_run.h"
 #include "harness/cli/planned.h"
 #include "harness/cli/run_line.h"
@@ -183,14 +182,6 @@ std::vector<std::string> quick_variants(const std::vector<const EffectManifest*>
   return names;
 }
 
-// The devices, of which one must open. Throws Error for a frame too large for them.
-std::vector<ProbedBackend> usable_backends(const CompareOptions& options) {
-  std::vector<ProbedBackend> backends = probe_backends(options);
-  require_any("compare", backends);
-  check_size("compare", options, devices_of(backends));
-  return backends;
-}
-
 // A record with the run's line and the plan's.
 RecordWriter begin_run(const Compared& compared, const CompareOptions& options, const std::vector<ProbedBackend>& backends,
                        const nlohmann::ordered_json& limits) {
@@ -236,6 +227,17 @@ size_t run_backends(const Compared& compared, Known wanted, const std::vector<Pr
 }
 
 }  // namespace
+
+std::vector<ProbedBackend> usable_backends(const CompareOptions& options) {
+  std::vector<ProbedBackend> backends = probe_backends(options);
+  require_any("compare", backends);
+  if (options.first_backend && backends.size() > 1) {
+    backends = {*std::ranges::find_if(backends, [](const ProbedBackend& backend) { return backend.device.has_value(); })};
+    fmt::print(stderr, "lamina: note: --quick looks at {} alone; others by --backend\n", backends.front().name);
+  }
+  check_size("compare", options, devices_of(backends));
+  return backends;
+}
 
 int measure_costs(const Compared& compared, const CompareOptions& options) {
   pin_rasterizer_threads();
@@ -297,7 +299,8 @@ Command add_compare(CLI::App& program) {
   command.add_flag(
       "--quick", options->quick,
       "Stop sooner: at intervals of 5%, or after 4 s a backend (--precision and --budget change that); compare only the "
-      "variants that an effect names for this, where it names any and --variant is not given");
+      "variants that an effect names for this, where it names any and --variant is not given, on the first backend that "
+      "opens, where no --backend is given");
   add_rounds(command, options->rounds, "a backend");
   CLI::Option* no_time = command.add_flag("!--no-time", options->times, "Counts, pictures and errors alone");
   command
@@ -331,6 +334,7 @@ Command add_compare(CLI::App& program) {
             if (quick_default("--budget")) options->rounds.budget_s = quick_budget_s;
             if (quick_default("--precision")) options->rounds.precision = quick_precision;
             if (quick_default("--truth-rays")) options->truth_rays = 64;
+            options->first_backend = quick_default("--backend");
             if (options->against_all) return run_against_all(*options);
             if (options->watch) {
               if (command.count("--truth-rays") == 0) options->truth_rays = 0;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/cli/devices.h"
 #include "harness/cli/watch.h"
 #include "harness/plan/plan.h"
 
@@ -19,6 +20,7 @@ inline constexpr double quick_budget_s = 4, quick_precision = 0.05;
 struct CompareOptions : WatchOptions {                // the rounds are of a backend, shared by its effects
   std::vector<std::string> limits = {default_limit};  // METRIC=NUMBER, against the baseline
   bool quick = false;
+  bool first_backend = false;  // of the backends only the first that opens
   bool times = true;
   bool watch = false;
   bool against_all = false;  // the frame of what is called for, against the frame of everything
@@ -31,6 +33,9 @@ struct Compared {
   const Plan& plan;
   std::vector<const EffectManifest*> effects;
 };
+
+// What compare runs on, of which one opens. Throws Error where none does, and for a frame too large for them.
+std::vector<ProbedBackend> usable_backends(const CompareOptions& options);
 
 // Measures, and leaves the record and the report in options.out. Returns the exit status.
 int run_compare(const CompareOptions& options);

@@ -2,6 +2,7 @@
 #include "harness/cli/effect_run.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for_each.h>
 
 #include <algorithm>
 
@@ -323,7 +324,9 @@ void EffectRun::score(Variant& variant, size_t view, const Drawn* baseline, cons
   CellRow& row = variant.rows[view];
   std::vector<std::pair<std::string, DisplayImage>> pictures;  // by path
   const auto write_pictures = [&] {
-    for (const auto& [path, image] : std::exchange(pictures, {})) write_png((options_.out / path).string(), image);
+    const auto made = std::exchange(pictures, {});
+    tbb::parallel_for_each(made,
+                           [&](const auto& picture) { write_png((options_.out / picture.first).string(), picture.second); });
   };
   attempt(variant, [&] {
     if (row.failed) return;

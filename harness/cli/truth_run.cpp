@@ -38,13 +38,14 @@ const VariantManifest* TruthRun::teller(const VariantManifest& variant) const {
 
 void TruthRun::forget() {
   answers_.clear();
-  if (truth_) truth_->forget();
+  if (truth_) truth_->scene_changed();
 }
 
 TruthRun::Answered& TruthRun::answered(const VariantManifest& told, size_t view, const std::function<void(double)>& progress) {
   if (view != view_) {
     view_ = view;
-    forget();
+    answers_.clear();
+    if (truth_) truth_->view_changed();
   }
   const auto [entry, is_new] = answers_.try_emplace(&told);
   Answered& made = entry->second;

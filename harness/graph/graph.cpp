@@ -39,6 +39,7 @@ std::string frequency_words(const PassManifest& pass, const Scene& scene, bool& 
 
 // The effect's objects that the pass is of: those with and without the features that it names.
 std::vector<size_t> chosen_objects(const Plan& plan, const EffectPlan& effect, const PassManifest& pass, const Scene& scene) {
+  if (pass.with.empty() && pass.without.empty()) return effect.objects;
   std::vector<size_t> chosen;
   for (const size_t object : effect.objects) {
     const auto features = feature_defines(plan, *effect.effect, scene, &scene.objects[object]);
@@ -68,6 +69,9 @@ void require_closed(const EffectPlan& effect, const VariantManifest& variant, co
       throw Error(ErrorKind::failed, "plan", fmt::format("object '{}'", scene.objects[object].name),
                   fmt::format("{} needs a closed hull, and its mesh {}", variant.name, *problem));
 }
+
+using Definitions = std::map<std::string, std::string>;
+using Stages = std::vector<std::shared_ptr<const CompiledShader>>;
 
 class Maker {
  public:
@@ -106,8 +110,8 @@ class Maker {
     return chosen_objects(plan_, effect, pass, scene_);
   }
 
-  std::map<std::string, std::string> definitions(const GraphPass& pass, const Object* object) const {
-    std::map<std::string, std::string> defines = feature_defines(plan_, *pass.effect, scene_, object);
+  Definitions definitions(const GraphPass& pass, const Object* object) const {
+    Definitions defines = features(*pass.effect, object);
     if (!pass.effect->baker.empty())
       for (const auto& [name, text] : plan_.library->code->bakers.at(pass.effect->baker)->defines(pass.variant->bake))
         defines[name] = text;
@@ -121,6 +125,13 @@ class Maker {
     return defines;
   }
 
+  // Asked for each draw of an object, and the same for all.
+  const Definitions& features(const EffectManifest& effect, const Object* object) const {
+    const auto [known, is_new] = features_.try_emplace({&effect, object});
+    if (is_new) known->second = feature_defines(plan_, effect, scene_, object);
+    return known->second;
+  }
+
   GraphDraw make_draw(const GraphPass& pass, std::optional<size_t> index, std::optional<size_t> light) {
     const Object* object = index ? &scene_.objects[*index] : nullptr;
     if (pass.pass->draw == DrawKind::unwrapped && !object->unwrap_problem.empty())
@@ -128,27 +139,35 @@ class Maker {
                   fmt::format("cannot be drawn unwrapped, as pass '{}' needs: {}", pass.pass->name, object->unwrap_problem));
     GraphDraw draw;
     draw.object = index, draw.light = light;
-    compile(pass, definitions(pass, object), draw);
+    draw.stages = compiled(pass, definitions(pass, object));
     resolve(pass, draw);
     check_names(pass, draw, object);
     return draw;
   }
 
-  void compile(const GraphPass& pass, const std::map<std::string, std::string>& defines, GraphDraw& draw) {
-    if (pass.pass->draw == DrawKind::mips) return;
-    if (!pass.pass->vertex.empty()) {
-      draw.stages.push_back(shaders_.get(pass.pass->vertex, Stage::vertex, defines));
-      draw.stages.push_back(shaders_.get(pass.pass->fragment, Stage::fragment, defines));
+  // The same for all objects with the same definitions.
+  const Stages& compiled(const GraphPass& pass, Definitions defines) {
+    const auto [known, is_new] = compiled_.try_emplace({pass.pass, std::move(defines)});
+    if (is_new) known->second = compile(*pass.pass, known->first.second);
+    return known->second;
+  }
+
+  Stages compile(const PassManifest& pass, const Definitions& defines) {
+    Stages stages;
+    if (pass.draw == DrawKind::mips) return stages;
+    if (!pass.vertex.empty()) {
+      stages.push_back(shaders_.get(pass.vertex, Stage::vertex, defines));
+      stages.push_back(shaders_.get(pass.fragment, Stage::fragment, defines));
     }
-    if (pass.pass->draw == DrawKind::compute) draw.stages.push_back(shaders_.get(pass.pass->compute, Stage::compute, defines));
-    if (draw.stages.size() == 2) part_blocks(draw);
+    if (pass.draw == DrawKind::compute) stages.push_back(shaders_.get(pass.compute, Stage::compute, defines));
+    if (stages.size() == 2) part_blocks(stages);
+    return stages;
   }
 
   // Both stages may declare a block of one name, each with the members that it wants. Where these differ they are two buffers,
   // and need two bindings: the fragment stage's moves to one that is free.
-  void part_blocks(GraphDraw& draw) {
-    const std::vector<ShaderResource> vertex = draw.stages[0]->reflection.resources,
-                                      fragment = draw.stages[1]->reflection.resources;
+  void part_blocks(Stages& stages) {
+    const std::vector<ShaderResource> vertex = stages[0]->reflection.resources, fragment = stages[1]->reflection.resources;
     uint32_t free = 0;
     for (const auto* resources : {&vertex, &fragment})
       for (const ShaderResource& resource : *resources) free = std::max(free, resource.binding + 1);
@@ -156,7 +175,7 @@ class Maker {
       for (const ShaderResource& other : vertex)
         if (mine.binding == other.binding && mine.kind == BindingKind::uniform_buffer && other.kind == mine.kind &&
             layout_key(mine) != layout_key(other))
-          draw.stages[1] = shaders_.rebound(draw.stages[1], mine.binding, free++);
+          stages[1] = shaders_.rebound(stages[1], mine.binding, free++);
   }
 
   void resolve(const GraphPass& pass, GraphDraw& draw) {
@@ -216,6 +235,8 @@ class Maker {
   const Parameters& parameters_;
   const std::vector<size_t> casting_;
   std::set<Checked> checked_;
+  std::map<std::pair<const PassManifest*, Definitions>, Stages> compiled_;
+  mutable std::map<std::pair<const EffectManifest*, const Object*>, Definitions> features_;
 };
 
 }  // namespace

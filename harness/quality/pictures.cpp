@@ -45,6 +45,7 @@ void write_png(const std::string& path, const DisplayImage& image) {
   const std::string temporary = fmt::format("{}.{}.tmp.png", path, ::getpid());
   OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");
+  spec.attribute("png:compressionLevel", 3);  // of 9: half the time of the library's 6, and files larger by a tenth
   std::string reason;
   if (auto file = OIIO::ImageOutput::create(temporary); !file)
     reason = OIIO::geterror();

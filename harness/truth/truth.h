@@ -53,8 +53,10 @@ class Truth {
   virtual ~Truth() = default;
   // Empty where the view shows nothing of the effect. `progress`: 0 to 1.
   virtual TruthAnswer answer(const Told& told, const std::function<void(double)>& progress) = 0;
-  // Another view comes, or the scene's numbers have changed: what was kept of the last view may go.
-  virtual void forget() {}
+  // What was kept of the last view may go.
+  virtual void view_changed() {}
+  // What was kept of the scene's numbers, and of its last view, may go.
+  virtual void scene_changed() { view_changed(); }
 };
 
 }  // namespace lamina

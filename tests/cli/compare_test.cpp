@@ -41,6 +41,17 @@ TEST_F(Compare, QuickLooksAtWhatTheEffectNames) {
   EXPECT_EQ(nothing.find("--quick looks at"), std::string::npos);
 }
 
+TEST_F(Compare, QuickLooksAtTheFirstBackendUnlessOneIsNamed) {
+  const auto backends = [&](const std::string& arguments) {
+    compare("open_plane --quick --no-time --truth-rays 0 --size 48x48 " + arguments);
+    std::set<std::string> names;
+    for (const CellRow& cell : record().cells) names.insert(cell.backend);
+    return names;
+  };
+  EXPECT_EQ(backends(""), (std::set<std::string>{"vulkan"}));
+  EXPECT_EQ(backends("--backend osmesa --backend vulkan"), (std::set<std::string>{"osmesa", "vulkan"}));
+}
+
 // Two effects have variants of the same names: what one names for --quick is not meant of the other.
 TEST_F(Compare, QuickNamesAreOfTheirOwnEffect) {
   for (const auto& [effect, quick] : {std::pair<std::string, std::string>("wax", "cheap"), {"clay", "odd"}}) {
@@ -64,7 +75,7 @@ TEST_F(Compare, QuickNamesAreOfTheirOwnEffect) {
 }
 
 TEST_F(Compare, HeartOnEveryDefaultBackend) {
-  const Outcome outcome = compare("heart", std::string("--quick --budget 0.1") + few_variants);
+  const Outcome outcome = compare("heart", std::string("--budget 0.1 --precision 0.05 --truth-rays 64") + few_variants);
   const Record record = this->record();
   // A machine that is busy with other tests can fail the timer's certificate; then times are refused and the status says so.
   EXPECT_EQ(outcome.status, std::ranges::all_of(record.timers, &TimerRow::ok) ? 0 : 1) << outcome.output;

@@ -65,7 +65,7 @@ TEST_F(DirectLightTruth, TracedLightIsSharedUntilItIsForgotten) {
   EXPECT_GT(once, 0);
   EXPECT_EQ(answer(told_targets(pi_f / 2)).steps.at(2).light, first) << "rays do not ask for apertures";
   EXPECT_EQ(traced_, once);
-  truth_->forget();
+  truth_->scene_changed();
   EXPECT_EQ(answer(told_targets(0.6f)).steps.at(2).light, first);
   EXPECT_EQ(traced_, 2 * once);
   scene_.lights[0].radiance *= 2.0f;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -43,6 +44,21 @@ TEST(ToDisplay, RoundsToTheNearestCode) {
     const std::vector<uint8_t> rgb = to_display({1, 1, {below, above, below, 1}}).rgb;
     EXPECT_EQ(rgb, (std::vector<uint8_t>{uint8_t(code), uint8_t(code + 1), uint8_t(code)}));
   }
+}
+
+// Codes are looked up: around each value at which one begins, and over [0,1], they are those of the formula.
+TEST(ToDisplay, IsTheFormulasCodeOfEveryValue) {
+  Image linear{0, 1, {}};
+  const auto add = [&](float value) { linear.rgba.insert(linear.rgba.end(), {value, value, value, 1}), ++linear.width; };
+  for (int code = 0; code < 255; ++code) {
+    const auto begins = std::bit_cast<uint32_t>(srgb_decode((static_cast<float>(code) + 0.5f) / 255));
+    for (uint32_t near = begins - 40; near < begins + 40; ++near) add(std::bit_cast<float>(near));
+  }
+  for (uint32_t bits = 0; bits <= std::bit_cast<uint32_t>(1.f); bits += 9973) add(std::bit_cast<float>(bits));
+  for (const float value : {0.f, -0.f, std::numeric_limits<float>::denorm_min(), std::nextafter(1.f, 0.f), 1.f}) add(value);
+  const DisplayImage shown = to_display(linear);
+  for (size_t i = 0; i < shown.rgb.size() / 3; ++i)
+    ASSERT_EQ(shown.rgb[3 * i], std::lround(255 * srgb_encode(linear.rgba[4 * i]))) << linear.rgba[4 * i];
 }
 
 TEST(ToDisplay, ClampsWhatADisplayCannotShowAndDropsAlpha) {

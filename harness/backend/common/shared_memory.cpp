@@ -16,9 +16,9 @@ struct Stretch {
 
 uint64_t aligned_up(uint64_t offset, uint64_t alignment) { return (offset + alignment - 1) / alignment * alignment; }
 
-// The start of the smallest gap between the stretches that takes `bytes`, else the place behind them all.
-uint64_t best_gap(std::vector<Stretch> taken, uint64_t bytes, uint64_t alignment) {
-  std::ranges::sort(taken, {}, &Stretch::begin);
+// The start of the smallest gap between the stretches that takes `bytes`, else the place behind them all. `taken` is in order
+// of beginnings.
+uint64_t best_gap(std::span<const Stretch> taken, uint64_t bytes, uint64_t alignment) {
   uint64_t end = 0, best = UINT64_MAX, best_bytes = UINT64_MAX;
   for (const Stretch& stretch : taken) {
     const uint64_t begin = aligned_up(end, alignment);
@@ -43,15 +43,17 @@ MemoryPlaces place_in_memory(std::span<const MemoryNeed> needs) {
   std::ranges::stable_sort(order, [&](size_t a, size_t b) { return needs[a].bytes > needs[b].bytes; });
   MemoryPlaces places;
   places.offsets.resize(needs.size());
-  for (size_t i = 0; i < order.size(); ++i) {
-    const MemoryNeed& need = needs[order[i]];
-    std::vector<Stretch> taken;
-    for (size_t j = 0; j < i; ++j)
-      if (const MemoryNeed& other = needs[order[j]]; overlap(other.lifetime, need.lifetime))
-        taken.push_back({places.offsets[order[j]], places.offsets[order[j]] + other.bytes});
-    const uint64_t offset = best_gap(std::move(taken), need.bytes, need.alignment);
-    places.offsets[order[i]] = offset;
+  std::vector<size_t> placed;  // in order of offsets
+  std::vector<Stretch> taken;
+  for (const size_t i : order) {
+    const MemoryNeed& need = needs[i];
+    taken.clear();
+    for (const size_t j : placed)
+      if (overlap(needs[j].lifetime, need.lifetime)) taken.push_back({places.offsets[j], places.offsets[j] + needs[j].bytes});
+    const uint64_t offset = best_gap(taken, need.bytes, need.alignment);
+    places.offsets[i] = offset;
     places.bytes = std::max(places.bytes, offset + need.bytes);
+    placed.insert(std::ranges::upper_bound(placed, offset, {}, [&](size_t j) { return places.offsets[j]; }), i);
   }
   return places;
 }

@@ -63,7 +63,7 @@ class DirectLightTruth : public Truth {
     return answer;
   }
 
-  void forget() override {
+  void view_changed() override {
     traced_key_.clear();
     traced_.clear();
   }

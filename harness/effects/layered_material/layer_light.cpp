@@ -101,6 +101,11 @@ LightsAt LayerLight::at(glm::dvec2 uv) const {
   return there ? lights(*there, mapped_normal(there->uv)) : LightsAt{};
 }
 
+glm::dvec3 LayerLight::at(glm::dvec2 uv, size_t i) const {
+  const std::optional<LayerPlace> there = place(uv);
+  return there ? light(*there, mapped_normal(there->uv), i) : glm::dvec3(0);
+}
+
 std::optional<LayerPlace> LayerLight::place(glm::dvec2 uv) const {
   uv -= glm::floor(uv);
   const size_t texel = size_t(std::min(static_cast<int>(uv.y * height_), height_ - 1)) * size_t(width_) +
@@ -130,13 +135,15 @@ LightFrom LayerLight::from(const LayerPlace& place, size_t i) const {
   return {to_light / std::sqrt(squared), glm::dvec3(light.radiance) / (point ? squared : 1.0)};
 }
 
-LightsAt LayerLight::lights(const LayerPlace& place, glm::dvec3 tangent_normal) const {
+glm::dvec3 LayerLight::light(const LayerPlace& place, glm::dvec3 tangent_normal, size_t i) const {
   const glm::dvec3 lit = place.along * tangent_normal.x + place.across * tangent_normal.y + place.normal * tangent_normal.z;
+  const LightFrom light = from(place, i);
+  return light.irradiance * std::max(glm::dot(lit, light.direction), 0.0);
+}
+
+LightsAt LayerLight::lights(const LayerPlace& place, glm::dvec3 tangent_normal) const {
   LightsAt lights{};
-  for (size_t i = 0; i < std::min(scene_.lights.size(), max_lights); ++i) {
-    const LightFrom light = from(place, i);
-    lights[i] = light.irradiance * std::max(glm::dot(lit, light.direction), 0.0);
-  }
+  for (size_t i = 0; i < std::min(scene_.lights.size(), max_lights); ++i) lights[i] = light(place, tangent_normal, i);
   return lights;
 }
 

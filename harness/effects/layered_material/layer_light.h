@@ -32,11 +32,13 @@ class LayerLight {
   LayerLight(const Scene& scene, const Object& object, const TextureImage& normals);
 
   LightsAt at(glm::dvec2 uv) const;
+  glm::dvec3 at(glm::dvec2 uv, size_t light) const;  // of one light alone
   // Nothing where no texel is covered.
   std::optional<LayerPlace> place(glm::dvec2 uv) const;
   LightFrom from(const LayerPlace& place, size_t light) const;
   // On a surface of this normal, unit, in the place's frame.
   LightsAt lights(const LayerPlace& place, glm::dvec3 tangent_normal) const;
+  glm::dvec3 light(const LayerPlace& place, glm::dvec3 tangent_normal, size_t light) const;
   // The unit normal of the normal map's base level.
   glm::dvec3 mapped_normal(glm::dvec2 uv) const;
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <complex>
 #include <map>
 #include <vector>
 
@@ -21,11 +22,23 @@ constexpr double min_slant_cosine = 0.25;  // of a light's ray through the layer
 constexpr size_t walks_a_sample = 4;       // one walk tells less of a pixel than one sample of the model
 constexpr double golden_turn = 0.6180339887498949;
 
-// Sample i of n in the unit disc, evenly spread (Vogel 1979), turned.
-glm::dvec2 in_disc(size_t i, size_t n, double turn) {
-  const double radius = std::sqrt((double(i) + 0.5) / double(n)), angle = 2 * M_PI * (double(i) * golden_turn + turn);
-  return {radius * std::cos(angle), radius * std::sin(angle)};
-}
+// n samples in the unit disc, evenly spread (Vogel 1979), in order and turned. From one to the next is the same rotation.
+class InDisc {
+ public:
+  InDisc(size_t n, double turn) : n_(n), towards_(std::polar(1.0, 2 * M_PI * turn)) {}
+  glm::dvec2 next() {
+    static const std::complex<double> step = std::polar(1.0, 2 * M_PI * golden_turn);
+    const double radius = std::sqrt((double(i_++) + 0.5) / double(n_));
+    const glm::dvec2 at(radius * towards_.real(), radius * towards_.imag());
+    towards_ = {towards_.real() * step.real() - towards_.imag() * step.imag(),
+                towards_.real() * step.imag() + towards_.imag() * step.real()};
+    return at;
+  }
+
+ private:
+  size_t n_, i_ = 0;
+  std::complex<double> towards_;
+};
 
 // Sample i in the square of side 1 around 0 (the additive sequence of the plastic number; M. Roberts 2018).
 glm::dvec2 in_pixel(size_t i, double turn) {
@@ -96,7 +109,7 @@ struct LayerModel::Parts {
     const LightsAt straight = shadowing > 0 ? LightsAt{} : light.at(uv + depth[k] * spread * texel);
     glm::dvec3 sum = glm::dvec3(scene.ambient) * (shadowing > 0 ? arriving(glm::dvec2(0)) : 1.0);
     for (size_t i = 0; i < slants.size(); ++i)
-      sum += shadowing > 0 ? light.at(uv + depth[k] * (slants[i] + spread) * texel)[i] * arriving(slants[i]) : straight[i];
+      sum += shadowing > 0 ? light.at(uv + depth[k] * (slants[i] + spread) * texel, i) * arriving(slants[i]) : straight[i];
     return sum;
   }
 };
@@ -152,11 +165,12 @@ LayeredLight LayerModel::light(const SeenLayers& seen, glm::dvec3 eye, size_t sa
   for (size_t k = 1; k < p.layers.size() && outer_mean.a > 0; ++k) {
     glm::dvec4 base(0);
     glm::dvec3 light(0), of_map(0), smooth(0);
+    InDisc seen_disc(samples, turn), lit_disc(samples, 1 - turn);
     for (size_t i = 0; i < samples; ++i) {
       const glm::dvec2 uv = jitter(i) + p.depth[k] * along_ray * p.texel,
-                       beside = uv + in_disc(i, samples, turn) * (p.depth[k] * stretch) * p.texel;
+                       beside = uv + seen_disc.next() * (p.depth[k] * stretch) * p.texel;
       base += p.layers[k].base(beside) / double(samples);
-      light += p.falling(k, uv, in_disc(i, samples, 1 - turn), slants) / double(samples);
+      light += p.falling(k, uv, lit_disc.next(), slants) / double(samples);
       if (!p.normals[k]) continue;
       of_map += p.lit(beside, &*p.normals[k]) / double(samples);
       smooth += p.lit(uv, nullptr) / double(samples);
@@ -183,15 +197,13 @@ class LayerTruth : public Truth {
                 &steps = told.target("seen_steps", "layers"), &outer = told.target("seen_outer", "layers"),
                 &mapped = told.target("seen_mapped", "layers");
     TruthAnswer answer;
-    std::map<size_t, LayerModel> models;
-    std::map<size_t, LayerWalk> walks;
     const bool walked = walks_asked();
     for (size_t i = 0; i < size_t(point.width) * size_t(point.height); ++i) {
       const long place = std::lround(pixel_of(point, i).a) - 1;
       if (place < 0 || size_t(place) >= setting_.scene.objects.size()) continue;
       answer.pixels.push_back(i);
-      models.try_emplace(size_t(place), setting_.scene, size_t(place));
-      if (walked) walks.try_emplace(size_t(place), setting_.scene, size_t(place), setting_.occluders);
+      models_.try_emplace(size_t(place), setting_.scene, size_t(place));
+      if (walked) walks_.try_emplace(size_t(place), setting_.scene, size_t(place), setting_.occluders);
     }
     if (answer.pixels.empty()) return {};
     std::vector<glm::vec3> first(answer.pixels.size()), all(first.size()), straight(first.size()), physical(first.size());
@@ -210,7 +222,7 @@ class LayerTruth : public Truth {
       seen.across = glm::cross(seen.normal, seen.along) * tangent.a;
       const double turn = double(n) * 0.7548776662466927;
       const size_t object = size_t(std::lround(at.a)) - 1, samples = std::max<size_t>(setting_.rays, 1);
-      const LayerModel& model = models.at(object);
+      const LayerModel& model = models_.at(object);
       const glm::dvec3 eye(told.view.eye);
       const LayeredLight light = model.light(seen, eye, samples, turn - std::floor(turn));
       first[n] = glm::vec3(light.under_shown_outer), all[n] = glm::vec3(light.all);
@@ -220,7 +232,7 @@ class LayerTruth : public Truth {
       const glm::dvec3 to_eye = glm::normalize(eye - seen.position);
       const WalkStart start{seen.uv, seen.right, seen.down,
                             glm::transpose(glm::dmat3(seen.along, seen.across, seen.normal)) * to_eye};
-      physical[n] = glm::vec3(walks.at(object).light(start, walks_a_sample * samples, 1 + i).mean);
+      physical[n] = glm::vec3(walks_.at(object).light(start, walks_a_sample * samples, 1 + i).mean);
     });
     answer.steps = {
         {"filters", "this variant's light and layers below the outer one against discs of many samples and rays of light",
@@ -232,6 +244,7 @@ class LayerTruth : public Truth {
     answer.steps.push_back({"walk", "discs and one bounce against a random walk of the light", std::move(physical)});
     return answer;
   }
+  void scene_changed() override { models_.clear(), walks_.clear(); }
 
  private:
   bool walks_asked() const {
@@ -242,6 +255,8 @@ class LayerTruth : public Truth {
   }
 
   TruthSetting setting_;
+  std::map<size_t, LayerModel> models_;  // by object
+  std::map<size_t, LayerWalk> walks_;
 };
 
 }  // namespace

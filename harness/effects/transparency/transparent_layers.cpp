@@ -52,7 +52,7 @@ class TransparentLayers : public Truth {
     return answer;
   }
 
-  void forget() override { traced_.clear(); }
+  void view_changed() override { traced_.clear(); }
 
  private:
   struct OneRay {

@@ -48,7 +48,7 @@ class FogLengths : public Truth {
     return answer;
   }
 
-  void forget() override { lengths_m_.clear(); }
+  void view_changed() override { lengths_m_.clear(); }
 
  private:
   const Scene& scene_;
