@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <functional>
-#include <set>
+#include <map>
 
 #include "harness/core/text.h"
 #include "harness/scene/toml_values.h"
@@ -13,7 +13,9 @@
 namespace lamina {
 namespace {
 
-bool is_within(const std::string& key, const std::string& prefix) { return key.starts_with(prefix + "."); }
+bool is_within(std::string_view key, std::string_view prefix) {
+  return key.size() > prefix.size() && key[prefix.size()] == '.' && key.starts_with(prefix);
+}
 
 // A picture's file, which must be there.
 KeyValue named_file(const TomlTable& table, const std::string& name, const std::filesystem::path& folder) {
@@ -97,25 +99,34 @@ std::vector<Declared> declared_of_scene(const EffectManifest& effect, const std:
   return declared;
 }
 
-// The keys that begin with `prefix`, without it: a dotted key is a table. `own` are further ones.
-TomlFormPtr form_of(const std::vector<Declared>& declared, const std::string& prefix, std::vector<TomlKey> own) {
-  std::set<std::string> parts;
-  for (const Declared& one : declared) {
-    if (!prefix.empty() && !is_within(one.key, prefix)) continue;
-    const size_t begin = prefix.empty() ? 0 : prefix.size() + 1;
-    parts.insert(one.key.substr(begin, one.key.find('.', begin) - begin));
+// The keys of `declared` without their first `begin` characters, which all of them have: a dotted key is a table. `own` are
+// further ones.
+TomlFormPtr form_of(const std::vector<const Declared*>& declared, size_t begin, std::vector<TomlKey> own) {
+  struct Part {
+    const Declared* itself = nullptr;  // the last that has this key
+    std::vector<const Declared*> within;
+  };
+  std::map<std::string, Part> parts;
+  for (const Declared* one : declared) {
+    const size_t end = one->key.find('.', begin);
+    Part& part = parts[one->key.substr(begin, end - begin)];
+    if (end == std::string::npos)
+      part.itself = one;
+    else
+      part.within.push_back(one);
   }
-  for (const std::string& part : parts) {
-    TomlKey& made = own.emplace_back(TomlKey{part, "", {}});
-    const std::string key = prefix.empty() ? part : prefix + "." + part;
-    bool has_others = false;
-    for (const Declared& one : declared) {
-      if (one.key == key) made.about = one.about, made.values = one.values;
-      has_others = has_others || is_within(one.key, key);
-    }
-    if (has_others) made.values.push_back(form::table(form_of(declared, key, {})));
+  for (const auto& [name, part] : parts) {
+    TomlKey& made = own.emplace_back(TomlKey{name, "", {}});
+    if (part.itself) made.about = part.itself->about, made.values = part.itself->values;
+    if (!part.within.empty()) made.values.push_back(form::table(form_of(part.within, begin + name.size() + 1, {})));
   }
   return form::make(std::move(own));
+}
+
+TomlFormPtr form_of(const std::vector<Declared>& declared, std::vector<TomlKey> own) {
+  std::vector<const Declared*> all;
+  for (const Declared& one : declared) all.push_back(&one);
+  return form_of(all, 0, std::move(own));
 }
 
 class Reader {
@@ -168,9 +179,9 @@ std::string said_of(const TomlTable& table, const std::vector<Declared>& declare
 
 }  // namespace
 
-TomlFormPtr object_form(const Library& library) { return form_of(declared_of_objects(library, {}), "", placement_keys); }
+TomlFormPtr object_form(const Library& library) { return form_of(declared_of_objects(library, {}), placement_keys); }
 
-TomlFormPtr effect_keys_form(const EffectManifest& effect) { return form_of(declared_of_scene(effect, {}), "", {}); }
+TomlFormPtr effect_keys_form(const EffectManifest& effect) { return form_of(declared_of_scene(effect, {}), {}); }
 
 Keys read_object_keys(const TomlTable& table, const Library& library, const std::filesystem::path& folder) {
   const std::vector<Declared> declared = declared_of_objects(library, folder);
