@@ -17,6 +17,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "harness/core/error.h"
+#include "harness/core/srgb.h"
 #include "harness/quality/pixels.h"
 
 namespace lamina {

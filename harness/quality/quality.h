@@ -20,9 +20,6 @@ struct DisplayImage {
 };
 // Infinities clamp. Throws Error(failed) for a NaN in r, g or b, so that no figure is ever made of one.
 DisplayImage to_display(const Image& linear);
-// sRGB's transfer functions, for arguments in [0,1].
-float srgb_encode(float linear);
-float srgb_decode(float encoded);
 
 // All of these throw Error(failed, "quality", ...) when sizes differ, when either picture is empty, or when a mask selects
 // nothing; the linear ones also when a counted pixel is not finite in r, g, b or a. A null mask counts every pixel.

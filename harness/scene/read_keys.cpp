@@ -102,14 +102,14 @@ std::vector<Declared> declared_of_scene(const EffectManifest& effect, const std:
 // The keys of `declared` without their first `begin` characters, which all of them have: a dotted key is a table. `own` are
 // further ones.
 TomlFormPtr form_of(const std::vector<const Declared*>& declared, size_t begin, std::vector<TomlKey> own) {
-  struct Part {
+  struct KeyPart {
     const Declared* itself = nullptr;  // the last that has this key
     std::vector<const Declared*> within;
   };
-  std::map<std::string, Part> parts;
+  std::map<std::string, KeyPart> parts;
   for (const Declared* one : declared) {
     const size_t end = one->key.find('.', begin);
-    Part& part = parts[one->key.substr(begin, end - begin)];
+    KeyPart& part = parts[one->key.substr(begin, end - begin)];
     if (end == std::string::npos)
       part.itself = one;
     else

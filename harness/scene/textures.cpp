@@ -13,6 +13,8 @@
 #include <deque>
 
 #include "harness/core/error.h"
+#include "harness/core/srgb.h"
+#include "harness/core/text.h"
 
 namespace lamina {
 namespace {
@@ -20,35 +22,12 @@ namespace {
 // What lavapipe and every desktop driver of Vulkan 1.3 offers (maxImageDimension2D).
 constexpr int max_texels_on_a_side = 16384;
 
+// Bytes of texels from one of a file: deflate, which PNG and OpenEXR use, reaches 1032 (Gailly and Adler, zlib technical
+// details), and Radiance's runs 64. Formats of 8 bits pack flat pictures further.
+constexpr uint64_t max_unpacked = 1032;
+
 [[noreturn]] void refuse_texture(const std::string& name, const std::string& message) {
   throw Error(ErrorKind::bad_input, "texture", name, message);
-}
-
-double linear_from_srgb(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
-// Linear values halfway between the codes k and k+1 as encoded: a value's code is the number of boundaries at or below it.
-std::array<float, 255> srgb_code_boundaries() {
-  std::array<float, 255> boundaries;
-  for (size_t k = 0; k < boundaries.size(); ++k) boundaries[k] = static_cast<float>(linear_from_srgb((double(k) + 0.5) / 255));
-  return boundaries;
-}
-
-// A value's code, from the code of the greatest multiple of 1 / 4096 that is not above it.
-std::byte srgb_code(float linear) {
-  static const std::array<float, 255> boundaries = srgb_code_boundaries();
-  static const std::array<uint8_t, 4097> codes = [] {
-    std::array<uint8_t, 4097> made;
-    for (size_t i = 0; i < made.size(); ++i)
-      made[i] = static_cast<uint8_t>(std::upper_bound(boundaries.begin(), boundaries.end(), static_cast<float>(i) / 4096) -
-                                     boundaries.begin());
-    return made;
-  }();
-  if (!(linear > 0)) return std::byte{0};
-  size_t code = codes[static_cast<size_t>(std::min(linear, 1.0f) * 4096)];
-  while (code < boundaries.size() && boundaries[code] <= linear) ++code;
-  return static_cast<std::byte>(code);
 }
 
 std::byte unorm_code(float value) { return static_cast<std::byte>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255)); }
@@ -60,6 +39,12 @@ OIIO::ImageSpec unassociated_alpha() {
   return config;
 }
 
+// Else OpenImageIO has every reader look at a damaged file, and some take bytes of any kind for a picture.
+void only_the_named_reader() {
+  static const bool set = OIIO::attribute("try_all_readers", 0);
+  static_cast<void>(set);
+}
+
 // The codes of a file of 8 bits, read in bands where it has no tiles; grey becomes r = g = b, missing alpha 255.
 std::vector<uint8_t> read_codes(OIIO::ImageInput& input, const std::string& name, size_t channels) {
   constexpr int band = 64;
@@ -69,6 +54,8 @@ std::vector<uint8_t> read_codes(OIIO::ImageInput& input, const std::string& name
   const int rows = spec.tile_width > 0 ? spec.height : std::min(band, spec.height);
   std::vector<uint8_t> read(width * size_t(rows) * channels);
   const bool grey = channels < 3, has_alpha = channels == 2 || channels == 4;
+  // The reader of WebP does not do what unassociated_alpha() asks for: its codes are multiplied by alpha.
+  const bool multiplied = channels == 4 && std::string_view(input.format_name()) == "webp";
   for (int y = 0; y < spec.height; y += rows) {
     const int end = std::min(y + rows, spec.height);
     const bool good = spec.tile_width > 0
@@ -81,12 +68,15 @@ std::vector<uint8_t> read_codes(OIIO::ImageInput& input, const std::string& name
       const uint8_t* in = &read[i * channels];
       for (size_t c = 0; c < 3; ++c) out[c] = in[grey ? 0 : c];
       out[3] = has_alpha ? in[channels - 1] : 255;
+      if (!multiplied || out[3] == 0) continue;
+      for (size_t c = 0; c < 3; ++c) out[c] = static_cast<uint8_t>(std::min((2 * 255 * in[c] + out[3]) / (2 * out[3]), 255));
     }
   }
   return codes;
 }
 
-Texels read_texels(OIIO::ImageInput& input, const std::string& name, bool srgb_colour) {
+// Of a file of so many bytes.
+Texels read_texels(OIIO::ImageInput& input, const std::string& name, bool srgb_colour, uint64_t file_bytes) {
   const OIIO::ImageSpec& spec = input.spec();
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) refuse_texture(name, "the picture has no texels");
   if (spec.width > max_texels_on_a_side || spec.height > max_texels_on_a_side)
@@ -94,27 +84,26 @@ Texels read_texels(OIIO::ImageInput& input, const std::string& name, bool srgb_c
         name, fmt::format("{} x {} texels are too many; at most {} on a side", spec.width, spec.height, max_texels_on_a_side));
   const size_t channels = static_cast<size_t>(std::min(spec.nchannels, 4));
   const size_t texels = size_t(spec.width) * size_t(spec.height);
-  // The reader of WebP does not do what unassociated_alpha() asks for: its codes are multiplied by alpha.
-  const bool multiplied = spec.nchannels == 4 && std::string_view(input.format_name()) == "webp";
-  if (spec.format == OIIO::TypeDesc::UINT8 && !multiplied)
+  if (spec.format == OIIO::TypeDesc::UINT8)
     return {static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height),
             TexelArray::of_codes(read_codes(input, name, channels), srgb_colour)};
+  if (texels * spec.pixel_bytes() / max_unpacked > file_bytes)
+    refuse_texture(name,
+                   fmt::format("{} x {} texels are more than its {} bytes can hold", spec.width, spec.height, file_bytes));
   std::vector<float> values(texels * channels);
   if (!input.read_image(0, 0, 0, static_cast<int>(channels), OIIO::TypeDesc::FLOAT, values.data()))
     refuse_texture(name, "cannot be decoded: " + input.geterror());
 
   // Floating-point files (OpenEXR, Radiance) hold linear light by convention; only integer codes are sRGB-encoded.
   const bool decode = srgb_colour && !spec.format.is_floating_point();
-  const auto colour = [&](float value) { return decode ? float(linear_from_srgb(value)) : value; };
+  const auto colour = [&](float value) { return decode ? float(srgb_decode(double(value))) : value; };
 
   const bool grey = channels < 3;
   const bool has_alpha = channels == 2 || channels == 4;
   const auto width = static_cast<size_t>(spec.width);
   std::vector<glm::vec4> rgba(texels);
   for (size_t i = 0; i < texels; ++i) {
-    float* in = &values[i * channels];
-    if (multiplied && in[3] > 0)
-      for (int c = 0; c < 3; ++c) in[c] = std::min(in[c] / in[3], 1.0f);
+    const float* in = &values[i * channels];
     glm::vec4& out = rgba[i];
     for (int c = 0; c < 3; ++c) out[c] = colour(in[grey ? 0 : c]);
     out.a = has_alpha ? in[channels - 1] : 1.0f;
@@ -155,7 +144,8 @@ void encode_row(std::span<const glm::vec4> row, TexelMeaning meaning, std::byte*
   for (glm::vec4 texel : row) {
     if (meaning == TexelMeaning::normal) texel = glm::vec4(unit_or_flat(glm::vec3(texel)) * 0.5f + 0.5f, texel.a);
     if (meaning == TexelMeaning::normal_mean) texel = glm::vec4(glm::vec3(texel) * 0.5f + 0.5f, texel.a);
-    for (int c = 0; c < 3; ++c) *out++ = meaning == TexelMeaning::colour ? srgb_code(texel[c]) : unorm_code(texel[c]);
+    for (int c = 0; c < 3; ++c)
+      *out++ = meaning == TexelMeaning::colour ? std::byte{srgb_code(texel[c])} : unorm_code(texel[c]);
     *out++ = unorm_code(texel.a);
   }
 }
@@ -217,7 +207,7 @@ class SmallerLevels {
 const std::array<float, 256>& linear_of_srgb_codes() {
   static const std::array<float, 256> linear = [] {
     std::array<float, 256> made;
-    for (size_t code = 0; code < made.size(); ++code) made[code] = static_cast<float>(linear_from_srgb(double(code) / 255));
+    for (size_t code = 0; code < made.size(); ++code) made[code] = static_cast<float>(srgb_decode(double(code) / 255));
     return made;
   }();
   return linear;
@@ -225,13 +215,18 @@ const std::array<float, 256>& linear_of_srgb_codes() {
 
 Texels load_texels(const std::filesystem::path& file, bool srgb_colour) {
   const OIIO::ImageSpec config = unassociated_alpha();
-  const auto input = OIIO::ImageInput::open(file.string(), &config);
-  if (!input) refuse_texture(file.string(), "cannot be read as a picture: " + OIIO::geterror());
-  return read_texels(*input, file.string(), srgb_colour);
+  only_the_named_reader();
+  if (const auto input = OIIO::ImageInput::open(file.string(), &config))
+    return read_texels(*input, file.string(), srgb_colour, std::filesystem::file_size(file));
+  const std::string why = OIIO::geterror();
+  if (!std::filesystem::is_regular_file(file)) refuse_texture(file.string(), "cannot be read as a picture: " + why);
+  const std::string bytes = read_file(file, "textures");  // its ending may be another format's
+  return decode_texels(std::as_bytes(std::span(bytes)), file.string(), srgb_colour);
 }
 
 Texels decode_texels(std::span<const std::byte> encoded_file, const std::string& name, bool srgb_colour) {
   // OpenImageIO chooses a reader by the name's ending alone: glTF's own formats first, then others that read from memory.
+  only_the_named_reader();
   std::string why;
   for (const char* ending : {"png", "jpg", "webp", "exr", "hdr"}) {
     OIIO::Filesystem::IOMemReader memory(encoded_file.data(), encoded_file.size());
@@ -239,7 +234,7 @@ Texels decode_texels(std::span<const std::byte> encoded_file, const std::string&
     void* proxy = &memory;
     config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
     if (const auto input = OIIO::ImageInput::open(fmt::format("picture.{}", ending), &config))
-      return read_texels(*input, name, srgb_colour);
+      return read_texels(*input, name, srgb_colour, encoded_file.size());
     why += fmt::format("; {}: {}", ending, OIIO::geterror());
   }
   refuse_texture(name, "cannot be read as a picture" + why);

@@ -12,6 +12,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "harness/backend/backend.h"
+#include "harness/core/srgb.h"
 #include "tests/open_backend.h"
 #include "tests/shader/shader_files.h"
 

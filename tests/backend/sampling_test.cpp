@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What textures give back: filters, wraps, levels, sRGB, and mip levels made by a pass.
+#include "harness/core/srgb.h"
 #include "tests/backend/rig.h"
 
 namespace lamina {

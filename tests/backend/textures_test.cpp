@@ -2,6 +2,7 @@
 // Texels in and out: every format, every level, clears, and mip levels.
 #include <random>
 
+#include "harness/core/srgb.h"
 #include "tests/backend/rig.h"
 
 namespace lamina {

@@ -87,6 +87,29 @@ TEST(LoadTexels, RefusesMissingDamagedAndNonFiniteFiles) {
   expect_refused([&] { load_texels(folder / "nan.exr", true); }, {"nan.exr", "(0, 0)", "not finite"});
 }
 
+// Exporters write JPEG files that end in .png.
+TEST(LoadTexels, AnEndingMayBeAnotherFormats) {
+  const Folder folder;
+  write_png(folder / "a.png", 1, 2, 3, {255, 0, 0, 0, 255, 0});
+  std::filesystem::rename(folder / "a.png", folder / "a.jpg");
+  EXPECT_EQ(load_texels(folder / "a.jpg", true).rgba[1], glm::vec4(0, 1, 0, 1));
+}
+
+// Readers of formats without a magic number, such as Targa, would take many bytes for one of theirs.
+TEST(DecodeTexels, OtherFormatsAreNoPicture) {
+  const Folder folder;
+  write_png(folder / "a.tga", 1, 2, 3, {255, 0, 0, 0, 255, 0});
+  const std::string bytes = bytes_of(folder / "a.tga");
+  EXPECT_EQ(load_texels(folder / "a.tga", true).rgba.size(), 2u);
+  expect_refused([&] { decode_texels(std::as_bytes(std::span(bytes)), "picture", true); }, {"cannot be read as a picture"});
+}
+
+TEST(DecodeTexels, AFewBytesHoldNoHugePicture) {
+  const std::string bytes = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16384 +X 16384\n" + std::string(64, '\x02');
+  expect_refused([&] { decode_texels(std::as_bytes(std::span(bytes)), "picture", false); },
+                 {"16384 x 16384 texels are more than its", "bytes can hold"});
+}
+
 TEST(DecodeTexels, ReadsAnEncodedFileInMemoryWhateverItsName) {
   const Folder folder;
   write_png(folder / "a.png", 1, 2, 3, {255, 0, 0, 0, 255, 0});
