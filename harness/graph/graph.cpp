@@ -110,7 +110,7 @@ class Maker {
     return chosen_objects(plan_, effect, pass, scene_);
   }
 
-  Definitions definitions(const GraphPass& pass, const Object* object) const {
+  Definitions definitions(const GraphPass& pass, const Object* object) {
     Definitions defines = features(*pass.effect, object);
     if (!pass.effect->baker.empty())
       for (const auto& [name, text] : plan_.library->code->bakers.at(pass.effect->baker)->defines(pass.variant->bake))
@@ -126,7 +126,7 @@ class Maker {
   }
 
   // Asked for each draw of an object, and the same for all.
-  const Definitions& features(const EffectManifest& effect, const Object* object) const {
+  const Definitions& features(const EffectManifest& effect, const Object* object) {
     const auto [known, is_new] = features_.try_emplace({&effect, object});
     if (is_new) known->second = feature_defines(plan_, effect, scene_, object);
     return known->second;
@@ -236,7 +236,7 @@ class Maker {
   const std::vector<size_t> casting_;
   std::set<Checked> checked_;
   std::map<std::pair<const PassManifest*, Definitions>, Stages> compiled_;
-  mutable std::map<std::pair<const EffectManifest*, const Object*>, Definitions> features_;
+  std::map<std::pair<const EffectManifest*, const Object*>, Definitions> features_;
 };
 
 }  // namespace

@@ -22,8 +22,8 @@ namespace {
 // What lavapipe and every desktop driver of Vulkan 1.3 offers (maxImageDimension2D).
 constexpr int max_texels_on_a_side = 16384;
 
-// Bytes of texels from one of a file: deflate, which PNG and OpenEXR use, reaches 1032 (Gailly and Adler, zlib technical
-// details), and Radiance's runs 64. Formats of 8 bits pack flat pictures further.
+// Bytes of texels from one byte of a PNG or Radiance file: deflate reaches 1032 (Gailly and Adler, zlib technical details),
+// Radiance's runs, as floats, 192. Other formats pack flat pictures without such a bound.
 constexpr uint64_t max_unpacked = 1032;
 
 [[noreturn]] void refuse_texture(const std::string& name, const std::string& message) {
@@ -87,7 +87,9 @@ Texels read_texels(OIIO::ImageInput& input, const std::string& name, bool srgb_c
   if (spec.format == OIIO::TypeDesc::UINT8)
     return {static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height),
             TexelArray::of_codes(read_codes(input, name, channels), srgb_colour)};
-  if (texels * spec.pixel_bytes() / max_unpacked > file_bytes)
+  const std::string_view format = input.format_name();
+  const bool bounded = format == "png" || format == "hdr";
+  if (bounded && texels * spec.pixel_bytes() / max_unpacked > file_bytes)
     refuse_texture(name,
                    fmt::format("{} x {} texels are more than its {} bytes can hold", spec.width, spec.height, file_bytes));
   std::vector<float> values(texels * channels);

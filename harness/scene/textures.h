@@ -25,7 +25,7 @@ struct Texels {
 // sRGB-encoded in the file and decoded to linear here (alpha is always linear, and floating-point files such as OpenEXR are
 // linear already); otherwise values are taken as they are (normal maps, masks). Grey becomes r = g = b; missing alpha is 1.
 // Throws Error(bad_input) naming the file where it is missing, damaged, over 16384 texels on a side, of more texels than its
-// bytes can hold (of more than 8 bits), or holds values that are not finite.
+// bytes can hold (PNG of 16 bits, Radiance), or holds values that are not finite.
 Texels load_texels(const std::filesystem::path& file, bool srgb_colour);
 // The same from an encoded file in memory (a .glb's buffer view): PNG, JPEG, WebP, OpenEXR or Radiance. `name` is used in
 // errors.
